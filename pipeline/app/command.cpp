@@ -135,7 +135,7 @@ void perform(const Action& action, bool writes_files, Messages& messages) {
     try {
         action(out);
     } catch (const InputError&) {
-        messages.drop();  // one line says what is wrong
+        messages.drop();  // an input error prints one line only
         throw;
     } catch (const std::filesystem::filesystem_error& error) {  // such as a name that is too long
         messages.drop();
@@ -198,7 +198,7 @@ void refuse_empty_values(CLI::App& program) {
         }
 }
 
-/// The name by which a command asks for an option: "--output" of "-o,--output".
+/// Key of an option in CommandOptions: "--output" for "-o,--output".
 std::string key_of(const std::string& name) {
     return name.substr(name.rfind(',') + 1);
 }

@@ -47,7 +47,7 @@ MeasurementSet read_impacts(const CommandOptions& options) {
     if (options.has("--frame-rate") != options.has("--pixel-size"))
         throw InputError("one of the two is missing", "both or neither").at("--frame-rate, --pixel-size");
     if (options.has("--frames") && !options.has("--frame-rate"))
-        throw InputError("says how a camera was used, and there is none",
+        throw InputError("is given without a camera",
                          "with --frame-rate and --pixel-size")
             .at("--frames");
     if (options.has("--frame-rate")) {

@@ -101,7 +101,7 @@ void add_sweep(const CommandLine& line, const CommandBody& body) {
                  "The result is the same for any number of processes and threads. A sweep that was stopped "
                  "goes on from its\ncheckpoint, beside the result, when the same command runs again.",
                  body);
-    command.add("spec", "SPEC.json", "JSON file that says what to compute")->required();
+    command.add("spec", "SPEC.json", "JSON file that defines the sweep")->required();
     command.add("-o,--output", "FILE", "JSON file for the result; a full table goes beside it (.h5)")
         ->required();
     command.add("--threads", "INT", "of each process; 0: its share of the cores", "0")

@@ -87,8 +87,8 @@ struct BatchReport {
     std::int64_t scalar = 0;
 };
 
-/// Results of the impacts. NaN stands for the contact time of a capture, for the approach time of an approach
-/// that never turns, and for what the options leave out.
+/// Results of the impacts. NaN: the contact time of a capture, the approach time of an impact that never
+/// turns, and results that the options leave out.
 struct ImpactBatchResult : BatchReport {
     Eigen::Array<Outcome, Eigen::Dynamic, 1> outcome{};
     Eigen::ArrayXd restitution{};      ///< e_n, 0 for a capture [1]

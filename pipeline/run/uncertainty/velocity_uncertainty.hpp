@@ -44,10 +44,10 @@ struct VelocityTask {
 /// @param velocity by exact solution, with v_c at the critical damping
 void set_uncertainty(const VelocityTask& task, LawCriticalVelocity& velocity, std::vector<Finding>& findings);
 
-/// The contact of a sample with what is known of its uncertainty: size, density and w as in 2-contact.json;
-/// the contact modulus from the XRD fractions, phase moduli and the wall of the case where one of those is
-/// uncertain and they give that modulus, else as it stands in 2-contact.json. Of the parameters of contact
-/// laws it has those of @p law.
+/// The contact of a sample as random quantities. Size, density and w have the uncertainties of
+/// 2-contact.json. The contact modulus is propagated from the XRD fractions, phase moduli and wall of the case
+/// if one of them is uncertain and together they give that modulus; otherwise it is that of 2-contact.json.
+/// Parameters are those of @p law.
 /// @param response of the density and w to the contact modulus, for constants that were calibrated at it
 [[nodiscard]] RandomContact uncertain_contact(const Case& data, const Sample& sample,
                                               const SampleContact& contact, Law law,

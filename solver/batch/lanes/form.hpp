@@ -113,7 +113,7 @@ struct Symbol {
     }
 };
 
-/// A set of powers of one variable; bit k stands for x^k.
+/// A set of powers of one variable; bit k represents x^k.
 using PowerSet = std::uint64_t;
 
 [[nodiscard]] constexpr PowerSet power_bit(int power) {

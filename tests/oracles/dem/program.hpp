@@ -8,7 +8,7 @@
 
 namespace ashimpact::oracles {
 
-/// What stands for each @key@ of a deck template.
+/// The text for each @key@ of a deck template.
 using DeckValues = std::map<std::string, std::string>;
 
 /// Returns a number that reads back as the same double.

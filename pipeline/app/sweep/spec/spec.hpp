@@ -39,7 +39,7 @@ enum class ImpactInput {
 
 /// Number of inputs, parameters of contact laws among them.
 [[nodiscard]] std::size_t impact_input_count();
-/// The input that stands for a parameter of contact laws.
+/// The input of a parameter of contact laws.
 [[nodiscard]] ImpactInput input_of(const LawParameter& parameter);
 /// Checks a value of an input [SI]. @throws InputError naming it and what is allowed
 void require_allowed(ImpactInput input, double value, Dimension dimension);
