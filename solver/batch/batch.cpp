@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <mutex>
-#include <string>
 
 #include "core/text/error.hpp"
 #include "solver/batch/problems.hpp"

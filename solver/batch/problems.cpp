@@ -11,7 +11,6 @@
 #include <string>
 #include <string_view>
 
-#include "core/quantities/checks.hpp"
 #include "core/text/error.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/contact/law_parameters.hpp"

@@ -10,7 +10,6 @@
 #include "materials/contact_properties.hpp"
 #include "solver/batch/batch.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
-#include "solver/inference/extrapolation/damping_curve_fit.hpp"
 #include "solver/surrogate/cohesive_velocity_map.hpp"
 
 namespace ashimpact {

@@ -8,7 +8,6 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "solver/contact/registry.hpp"
-#include "solver/motion/impact_result.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/motion/scaled_impact.hpp"
 

@@ -11,7 +11,6 @@
 #include "solver/contact/maugis_dugdale.hpp"
 #include "solver/contact/pressure.hpp"
 #include "solver/contact/registry.hpp"
-#include "solver/contact/transition.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "solver/numeric/series.hpp"

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <limits>
 
 // This file once more for each instruction set.
 #undef HWY_TARGET_INCLUDE

@@ -9,7 +9,6 @@
 #include "core/text/text.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
 #include "solver/statistics/design.hpp"
-#include "solver/statistics/moments.hpp"
 
 namespace ashimpact {
 

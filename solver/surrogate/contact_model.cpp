@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/surrogate/contact_model.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "core/text/error.hpp"
 #include "solver/batch/batch.hpp"
-#include "solver/contact/law_parameters.hpp"
-#include "solver/contact/pair.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/follow.hpp"
 #include "solver/motion/impact.hpp"

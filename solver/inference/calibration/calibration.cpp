@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "core/text/error.hpp"
 #include "solver/inference/calibration/calibration_objective.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
-#include "solver/statistics/interval.hpp"
 
 namespace ashimpact {
 

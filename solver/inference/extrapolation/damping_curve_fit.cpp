@@ -2,7 +2,6 @@
 #include "solver/inference/extrapolation/damping_curve_fit.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <set>
 #include <utility>

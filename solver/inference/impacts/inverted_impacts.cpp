@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 #include <iterator>
 #include <numeric>
-#include <optional>
 #include <set>
 #include <span>
 

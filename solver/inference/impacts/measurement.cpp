@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/inference/impacts/measurement.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/quantities/checks.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 

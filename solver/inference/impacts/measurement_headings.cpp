@@ -2,11 +2,8 @@
 #include "solver/inference/impacts/measurement_headings.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <utility>
 
-#include "core/tables/vocabulary.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "core/units/units.hpp"
