@@ -19,7 +19,7 @@
 #include "bench/seams.hpp"
 #include "bench/thread_table.hpp"
 #include "bench/viscoelastic.hpp"
-#include "solver/batch/kernels/instruction_set.hpp"
+#include "solver/batch/kernels/kernel.hpp"
 
 namespace ashimpact::bench {
 

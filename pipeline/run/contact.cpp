@@ -9,8 +9,8 @@
 #include "materials/contact_properties.hpp"
 #include "materials/phase_catalogue.hpp"
 #include "pipeline/run/stage.hpp"
+#include "solver/contact/mechanics.hpp"
 #include "solver/contact/pair.hpp"
-#include "solver/contact/transition.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/motion/regime.hpp"
 

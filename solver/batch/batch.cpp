@@ -8,7 +8,7 @@
 
 #include "core/text/error.hpp"
 #include "solver/batch/problems.hpp"
-#include "solver/batch/tables/critical_table.hpp"
+#include "solver/batch/tables/law_tables.hpp"
 #include "solver/contact/dmt.hpp"
 #include "solver/motion/regime.hpp"
 #include "solver/motion/scale.hpp"

@@ -5,7 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "solver/numeric/series.hpp"
 
 namespace ashimpact {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/numeric/extended.hpp"
+#include "solver/numeric/number.hpp"
 #include "solver/numeric/polynomial.hpp"
 
 namespace ashimpact {

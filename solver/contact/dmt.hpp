@@ -5,11 +5,9 @@
 #include <optional>
 #include <string_view>
 
-#include "solver/contact/detachment.hpp"
+#include "solver/contact/mechanics.hpp"
 #include "solver/contact/pair.hpp"
-#include "solver/contact/pressure.hpp"
-#include "solver/contact/transition.hpp"
-#include "solver/numeric/power.hpp"
+#include "solver/numeric/number.hpp"
 
 namespace ashimpact {
 

@@ -8,10 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "solver/contact/detachment.hpp"
+#include "solver/contact/mechanics.hpp"
 #include "solver/contact/pair.hpp"
-#include "solver/contact/pressure.hpp"
-#include "solver/contact/transition.hpp"
 
 namespace ashimpact {
 

@@ -5,11 +5,9 @@
 #include <string_view>
 
 #include "core/quantities/parameter.hpp"
-#include "solver/contact/detachment.hpp"
 #include "solver/contact/jkr.hpp"
+#include "solver/contact/mechanics.hpp"
 #include "solver/contact/pair.hpp"
-#include "solver/contact/pressure.hpp"
-#include "solver/contact/transition.hpp"
 
 namespace ashimpact {
 

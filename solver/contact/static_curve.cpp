@@ -10,7 +10,7 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "solver/contact/registry.hpp"
-#include "solver/numeric/series.hpp"
+#include "solver/numeric/number.hpp"
 
 namespace ashimpact {
 

@@ -6,8 +6,8 @@
 
 #include "solver/contact/cohesive_zone.hpp"
 #include "solver/contact/law.hpp"
+#include "solver/contact/mechanics.hpp"
 #include "solver/contact/pair.hpp"
-#include "solver/contact/transition.hpp"
 
 namespace ashimpact {
 

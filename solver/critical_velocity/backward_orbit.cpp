@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "solver/motion/legs.hpp"
-#include "solver/numeric/gsl/search.hpp"
+#include "solver/numeric/gsl/solvers.hpp"
 
 namespace ashimpact {
 

@@ -7,7 +7,7 @@
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/branches/cohesive_motion.hpp"
 #include "solver/motion/branches/plastic_motion.hpp"
-#include "solver/numeric/extended.hpp"
+#include "solver/numeric/number.hpp"
 
 namespace ashimpact {
 

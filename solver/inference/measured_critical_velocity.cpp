@@ -7,7 +7,7 @@
 
 #include "solver/inference/critical_velocity_uncertainty.hpp"
 #include "solver/inference/curve/recorded_impacts.hpp"
-#include "solver/numeric/gsl/search.hpp"
+#include "solver/numeric/gsl/solvers.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
 #include "solver/statistics/interval.hpp"
 

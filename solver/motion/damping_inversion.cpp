@@ -9,7 +9,7 @@
 #include "core/text/error.hpp"
 #include "solver/motion/regime.hpp"
 #include "solver/motion/scaled_impact.hpp"
-#include "solver/numeric/gsl/search.hpp"
+#include "solver/numeric/gsl/solvers.hpp"
 
 namespace ashimpact {
 

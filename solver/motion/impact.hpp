@@ -9,7 +9,7 @@
 #include "solver/contact/law.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/damping/damping.hpp"
-#include "solver/numeric/extended.hpp"
+#include "solver/numeric/number.hpp"
 
 namespace ashimpact {
 

@@ -7,6 +7,8 @@
 #include "core/text/error.hpp"
 #include "solver/motion/branches/motion_state.hpp"
 #include "solver/motion/impact.hpp"
+#include "solver/motion/scale.hpp"
+#include "solver/numeric/number.hpp"
 
 namespace ashimpact {
 

@@ -9,11 +9,10 @@
 #include "materials/contact_properties.hpp"
 #include "solver/contact/cohesive_zone.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
-#include "solver/contact/pressure.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/motion/scaled_impact.hpp"
-#include "solver/numeric/series.hpp"
+#include "solver/numeric/number.hpp"
 
 namespace ashimpact {
 

@@ -6,7 +6,7 @@
 
 #include "core/finding.hpp"
 #include "solver/contact/law.hpp"
-#include "solver/contact/transition.hpp"
+#include "solver/contact/mechanics.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/motion/impact.hpp"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-
 #include "solver/contact/pair.hpp"
 #include "solver/damping/registry.hpp"
-#include "solver/numeric/power.hpp"
+#include "solver/numeric/number.hpp"
 
 namespace ashimpact {
 

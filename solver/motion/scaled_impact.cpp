@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/motion/scaled_impact.hpp"
 
-#include "solver/contact/transition.hpp"
+#include "solver/contact/mechanics.hpp"
 
 namespace ashimpact {
 

@@ -8,7 +8,7 @@
 #include "solver/motion/follow.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/motion/scale.hpp"
-#include "solver/numeric/extended.hpp"
+#include "solver/numeric/number.hpp"
 
 namespace ashimpact {
 

@@ -67,42 +67,6 @@ template <class Real, std::size_t size>
     return std::exp2(static_cast<Real>(smallest));
 }
 
-/// The h between 0 and @p step at which @p function changes sign, to rounding; function(0) and function(step)
-/// must differ in sign. Bisection safeguards the secant (Illinois), so it cannot leave the bracket.
-template <class Real, class Function>
-[[nodiscard]] Real sign_change(Function&& function, Real step) {
-    using std::abs;
-    Real a{};
-    Real b = step;
-    Real fa = function(a);
-    Real fb = function(b);
-    if (fa == Real(0)) fa = -fb;  // starts on the event itself: the crossing meant is the next one
-    Real h = b;
-    for (int i = 0; i < 200 && fb != Real(0); ++i) {
-        h = (i % 3 == 2) ? (a + b) / Real(2) : (a * fb - b * fa) / (fb - fa);
-        const Real fh = function(h);
-        if ((fh > Real(0)) == (fb > Real(0))) {
-            fa = (i % 3 == 2) ? fa : fa / Real(2);
-        } else {
-            a = b;
-            fa = fb;
-        }
-        b = h;
-        fb = fh;
-        if (abs(b - a) <= std::numeric_limits<Real>::epsilon() * abs(step)) break;
-    }
-    return b;
-}
-
-/// The root of a function that is negative at @p start and rises beyond it, to rounding of its distance. The
-/// bracket begins with @p width and doubles until the sign changes.
-template <class Real, class Function>
-[[nodiscard]] Real root_beyond(Function&& function, Real start, Real width) {
-    const auto beyond = [&](Real step) { return function(start + step); };
-    while (beyond(width) < Real(0)) width *= Real(2);
-    return start + sign_change<Real>(beyond, width);
-}
-
 /// Series of the powers of a series; entry 0 is unused.
 template <class Real>
 using PowerSeries = std::array<Series<Real>, Polynomial<Real>::capacity>;

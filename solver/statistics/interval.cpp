@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/numeric/gsl/search.hpp"
+#include "solver/numeric/gsl/solvers.hpp"
 
 namespace ashimpact {
 

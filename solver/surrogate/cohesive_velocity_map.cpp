@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "solver/contact/maugis_dugdale.hpp"
-#include "solver/contact/transition.hpp"
+#include "solver/contact/mechanics.hpp"
 #include "solver/critical_velocity/backward_orbit.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "solver/numeric/interpolation.hpp"

@@ -13,7 +13,7 @@
 #include "solver/motion/impact.hpp"
 #include "solver/motion/regime.hpp"
 #include "solver/motion/scaled_impact.hpp"
-#include "solver/numeric/gsl/search.hpp"
+#include "solver/numeric/gsl/solvers.hpp"
 
 namespace ashimpact {
 

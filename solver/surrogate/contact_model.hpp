@@ -7,7 +7,6 @@
 #include <memory>
 #include <optional>
 
-#include "solver/contact/detachment.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/numeric/chebyshev.hpp"

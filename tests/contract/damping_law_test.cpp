@@ -9,7 +9,7 @@
 #include "solver/damping/registry.hpp"
 #include "solver/motion/damping_inversion.hpp"
 #include "solver/motion/scale.hpp"
-#include "solver/numeric/power.hpp"
+#include "solver/numeric/number.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/worst.hpp"

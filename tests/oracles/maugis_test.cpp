@@ -12,9 +12,9 @@
 #include <boost/math/tools/roots.hpp>
 #include <doctest/doctest.h>
 
-#include "solver/contact/detachment.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
-#include "solver/contact/transition.hpp"
+#include "solver/contact/mechanics.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/motion/branches/cohesive_motion.hpp"
 #include "solver/motion/impact.hpp"

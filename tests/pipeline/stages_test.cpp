@@ -14,7 +14,7 @@
 #include "pipeline/run/stage.hpp"
 #include "pipeline/run/uncertainty/calibration.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
-#include "solver/motion/momentum_balance.hpp"
+#include "solver/motion/trajectory.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/relative_difference.hpp"
 

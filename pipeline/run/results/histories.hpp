@@ -8,7 +8,6 @@
 #include "pipeline/case/values.hpp"
 #include "pipeline/run/results/note.hpp"
 #include "solver/motion/impact.hpp"
-#include "solver/motion/momentum_balance.hpp"
 #include "solver/motion/trajectory.hpp"
 
 namespace ashimpact {

@@ -2,13 +2,59 @@
 #include "solver/batch/kernels/kernel.hpp"
 
 #include <algorithm>
+#include <string>
 
+#include <hwy/highway.h>
+
+#include "core/quantities/checks.hpp"
 #include "solver/batch/kernels/laws.hpp"
-#include "solver/batch/tables/restitution_table.hpp"
+#include "solver/batch/tables/law_tables.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/damping/damping.hpp"
 
-namespace ashimpact::batch {
+namespace ashimpact {
+
+namespace {
+
+struct InstructionSet {
+    std::int64_t target;
+    std::string_view name;
+};
+
+constexpr std::array<InstructionSet, 3> known_sets{
+    {{HWY_AVX3, "avx512"}, {HWY_AVX2, "avx2"}, {HWY_STATIC_TARGET, "baseline"}}};
+
+std::vector<InstructionSet> present_sets() {
+    const std::int64_t supported = hwy::SupportedTargets() | HWY_STATIC_TARGET;
+    std::vector<InstructionSet> present;
+    for (const InstructionSet& set : known_sets) {
+        if ((HWY_TARGETS & supported & set.target) != 0) present.push_back(set);
+    }
+    return present;
+}
+
+}  // namespace
+
+std::vector<std::string_view> instruction_sets() {
+    std::vector<std::string_view> names;
+    for (const InstructionSet& set : present_sets()) names.push_back(set.name);
+    return names;
+}
+
+void use_instruction_set(std::string_view name) {
+    std::vector<std::string> names;
+    for (const InstructionSet& set : present_sets()) {
+        if (name == set.name) {
+            hwy::GetChosenTarget().Update(set.target);
+            return;
+        }
+        names.emplace_back(set.name);
+    }
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    if (!name.empty()) throw unknown_name("instruction set", name, names);
+}
+
+namespace batch {
 
 bool has_kernels(Law law, DampingLaw damping_law) {
     return has_one_number(damping_law) && law.visit<bool>([]<template <class> class L>() {
@@ -32,4 +78,6 @@ RestitutionTable& restitution_table(Law law, Detachment detachment, DampingLaw d
     return RestitutionTable::of(kernels_of(law, damping_law).numbers, detachment, damping_law);
 }
 
-}  // namespace ashimpact::batch
+}  // namespace batch
+
+}  // namespace ashimpact

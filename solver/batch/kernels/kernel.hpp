@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
+#include <vector>
 
 #include "core/quantities/parameter.hpp"
 #include "solver/batch/lanes/number_task.hpp"
@@ -109,4 +111,13 @@ template <template <class> class L>
 [[nodiscard]] RestitutionTable& restitution_table(Law law, Detachment detachment, DampingLaw damping_law);
 
 }  // namespace batch
+
+/// Instruction sets this program was built for and this processor has, the best first: "avx512", "avx2",
+/// "baseline".
+[[nodiscard]] std::vector<std::string_view> instruction_sets();
+
+/// Makes every later batch use this instruction set, for measurements and tests. No other thread may be in a
+/// batch meanwhile. @param name empty: the best one again @throws InputError naming the available ones
+void use_instruction_set(std::string_view name);
+
 }  // namespace ashimpact

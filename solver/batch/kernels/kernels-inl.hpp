@@ -17,9 +17,9 @@
 
 #include "solver/batch/kernels/damping_search.hpp"
 #include "solver/batch/kernels/kernel.hpp"
-#include "solver/batch/kernels/order.hpp"
 #include "solver/batch/lanes/form.hpp"
 #include "solver/batch/lanes/lanes-inl.hpp"
+#include "solver/batch/lanes/number_task.hpp"
 #include "solver/batch/lanes/orbit-inl.hpp"
 #include "solver/batch/tables/lookup-inl.hpp"
 #include "solver/contact/pair.hpp"

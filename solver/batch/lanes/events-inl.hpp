@@ -11,7 +11,7 @@
 
 #include "solver/batch/lanes/equation-inl.hpp"
 #include "solver/batch/lanes/lanes-inl.hpp"
-#include "solver/contact/detachment.hpp"
+#include "solver/contact/pair.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {

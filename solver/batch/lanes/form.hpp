@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "solver/damping/registry.hpp"
-#include "solver/numeric/power.hpp"
+#include "solver/numeric/number.hpp"
 
 namespace ashimpact {
 

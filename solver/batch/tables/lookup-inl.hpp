@@ -13,9 +13,8 @@
 #include <limits>
 
 #include "solver/batch/lanes/lanes-inl.hpp"
-#include "solver/batch/tables/critical_table.hpp"
-#include "solver/batch/tables/restitution_table.hpp"
-#include "solver/numeric/power.hpp"
+#include "solver/batch/tables/law_tables.hpp"
+#include "solver/numeric/number.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {

@@ -9,7 +9,6 @@
 
 #include "core/text/error.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
-#include "solver/numeric/gsl/search.hpp"
 
 namespace ashimpact {
 

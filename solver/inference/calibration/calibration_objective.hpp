@@ -11,7 +11,7 @@
 #include "solver/damping/damping_polynomial.hpp"
 #include "solver/inference/calibration/calibration.hpp"
 #include "solver/motion/impact.hpp"
-#include "solver/numeric/gsl/fit.hpp"
+#include "solver/numeric/gsl/solvers.hpp"
 
 namespace ashimpact {
 

@@ -9,8 +9,7 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "solver/batch/parallel.hpp"
-#include "solver/numeric/gsl/fit.hpp"
-#include "solver/numeric/gsl/search.hpp"
+#include "solver/numeric/gsl/solvers.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
 #include "solver/numeric/least_median.hpp"
 

@@ -13,7 +13,7 @@
 #include "core/text/text.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/motion/damping_inversion.hpp"
-#include "solver/numeric/gsl/fit.hpp"
+#include "solver/numeric/gsl/solvers.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
 #include "solver/statistics/distribution.hpp"
 #include "solver/statistics/moments.hpp"

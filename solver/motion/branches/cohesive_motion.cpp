@@ -6,8 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "solver/contact/transition.hpp"
-#include "solver/numeric/power.hpp"
+#include "solver/contact/mechanics.hpp"
 
 namespace ashimpact {
 

@@ -5,10 +5,9 @@
 #include <string>
 
 #include "solver/contact/cohesive_zone.hpp"
-#include "solver/contact/detachment.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/motion/branches/motion.hpp"
-#include "solver/numeric/extended.hpp"
+#include "solver/numeric/number.hpp"
 
 namespace ashimpact {
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <optional>
 
-#include "solver/contact/detachment.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/damping/registry.hpp"
 #include "solver/motion/branches/motion_state.hpp"
 #include "solver/numeric/series.hpp"

@@ -6,7 +6,7 @@
 #include "solver/contact/registry.hpp"
 #include "solver/contact/thornton_ning.hpp"
 #include "solver/motion/branches/motion.hpp"
-#include "solver/numeric/series.hpp"
+#include "solver/numeric/number.hpp"
 
 namespace ashimpact {
 

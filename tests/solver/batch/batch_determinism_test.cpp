@@ -13,9 +13,8 @@
 
 #include "core/text/error.hpp"
 #include "solver/batch/batch.hpp"
-#include "solver/batch/kernels/instruction_set.hpp"
 #include "solver/batch/kernels/kernel.hpp"
-#include "solver/batch/tables/restitution_table.hpp"
+#include "solver/batch/tables/law_tables.hpp"
 #include "tests/solver/batch/batch_sample.hpp"
 
 using namespace ashimpact;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/batch/tables/restitution_table.hpp"
-
 #include <cmath>
 
 #include <doctest/doctest.h>
 
 #include "solver/batch/kernels/kernel.hpp"
+#include "solver/batch/tables/law_tables.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/damping/damping.hpp"
 

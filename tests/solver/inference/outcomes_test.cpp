@@ -10,7 +10,7 @@
 #include "solver/inference/impacts/inverted_impacts.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 #include "solver/numeric/gsl/interpolation.hpp"
-#include "solver/numeric/gsl/search.hpp"
+#include "solver/numeric/gsl/solvers.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/inference/ash_laboratory.hpp"

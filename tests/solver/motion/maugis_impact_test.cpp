@@ -8,10 +8,9 @@
 #include <doctest/doctest.h>
 
 #include "solver/contact/maugis_dugdale.hpp"
-#include "solver/contact/transition.hpp"
+#include "solver/contact/mechanics.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/damping_inversion.hpp"
-#include "solver/motion/momentum_balance.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "solver/motion/trajectory.hpp"
 #include "tests/relative_difference.hpp"

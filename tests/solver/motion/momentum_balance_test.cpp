@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/motion/momentum_balance.hpp"
-
 #include <cmath>
 
 #include <doctest/doctest.h>

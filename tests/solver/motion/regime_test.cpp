@@ -8,8 +8,8 @@
 #include <doctest/doctest.h>
 
 #include "solver/contact/maugis_dugdale.hpp"
+#include "solver/contact/mechanics.hpp"
 #include "solver/contact/registry.hpp"
-#include "solver/contact/transition.hpp"
 #include "solver/motion/scale.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"

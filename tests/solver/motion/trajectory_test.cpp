@@ -7,8 +7,8 @@
 
 #include <doctest/doctest.h>
 
+#include "solver/contact/mechanics.hpp"
 #include "solver/contact/static_curve.hpp"
-#include "solver/contact/transition.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"

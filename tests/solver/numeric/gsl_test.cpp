@@ -12,9 +12,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text/error.hpp"
-#include "solver/numeric/gsl/fit.hpp"
 #include "solver/numeric/gsl/interpolation.hpp"
-#include "solver/numeric/gsl/search.hpp"
+#include "solver/numeric/gsl/solvers.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
 #include "solver/numeric/gsl/support.hpp"
 #include "tests/relative_difference.hpp"

@@ -10,8 +10,8 @@
 #include "core/text/error.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "solver/contact/cohesive_zone.hpp"
+#include "solver/contact/mechanics.hpp"
 #include "solver/contact/static_curve.hpp"
-#include "solver/contact/transition.hpp"
 #include "solver/motion/regime.hpp"
 
 namespace ashimpact::report {
