@@ -80,8 +80,4 @@ struct Range {
     }
 };
 
-/// How many values are in a range, until the first that is not; at most @p count. Several values are looked
-/// at in each instruction.
-[[nodiscard]] std::size_t count_within(const Range& range, const double* values, std::size_t count);
-
 }  // namespace ashimpact::batch

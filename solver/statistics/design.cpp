@@ -3,12 +3,144 @@
 
 #include <bit>
 #include <limits>
+#include <type_traits>
 
 #include <boost/random/niederreiter_base2.hpp>
 #include <boost/random/sobol.hpp>
 
+// This file once more for each instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "solver/statistics/design.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
 #include "core/text/error.hpp"
 
+#if HWY_TARGET != HWY_SCALAR
+HWY_BEFORE_NAMESPACE();
+namespace ashimpact::HWY_NAMESPACE {
+
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Words = hn::ScalableTag<std::uint64_t>;
+using Halves = hn::Repartition<std::uint32_t, Words>;
+using Word = hn::Vec<Words>;
+
+constexpr int rounds = 10;
+
+/// The keys of the rounds of philox(), in the lower halves of words.
+struct Keys {
+    Word first[rounds];
+    Word second[rounds];
+
+    explicit Keys(std::uint64_t seed) {
+        const Words d;
+        auto key0 = static_cast<std::uint32_t>(seed);
+        auto key1 = static_cast<std::uint32_t>(seed >> 32U);
+        for (int round = 0; round < rounds; ++round) {
+            first[round] = hn::Set(d, key0);
+            second[round] = hn::Set(d, key1);
+            key0 += 0x9E3779B9;
+            key1 += 0xBB67AE85;
+        }
+    }
+};
+
+/// What philox() makes of one counter in each lane: its four parts, in the lower halves of words. The upper
+/// halves of even and odd parts hold anything.
+struct Counters {
+    Word part[4];
+
+    Counters() = default;
+    HWY_INLINE Counters(Word pair, std::uint32_t axis, std::uint32_t stream) {
+        const Words d;
+        part[0] = pair;
+        part[1] = hn::ShiftRight<32>(pair);
+        part[2] = hn::Set(d, axis);
+        part[3] = hn::Set(d, stream);
+    }
+
+    HWY_INLINE void round(Word key0, Word key1) {
+        const Words d;
+        const Halves halves;
+        const auto product = [&](Word a, std::uint64_t factor) HWY_ATTR {
+            return hn::MulEven(hn::BitCast(halves, a), hn::BitCast(halves, hn::Set(d, factor)));
+        };
+        const Word even = product(part[0], 0xD2511F53);
+        const Word odd = product(part[2], 0xCD9E8D57);
+        part[0] = hn::Xor3(hn::ShiftRight<32>(odd), part[1], key0);
+        part[1] = odd;
+        part[2] = hn::Xor3(hn::ShiftRight<32>(even), part[3], key1);
+        part[3] = even;
+    }
+};
+
+/// unit_interval() of the word of two parts.
+HWY_INLINE hn::Vec<hn::ScalableTag<double>> unit_interval_of(Word lower, Word upper) {
+    const Words d;
+    const hn::ScalableTag<double> doubles;
+    const Word word = hn::Or(hn::And(lower, hn::Set(d, 0xFFFFFFFF)), hn::ShiftLeft<32>(upper));
+    // The upper 52 bits as digits of a number from 1 to 2: both operations that follow are exact.
+    const Word digits = hn::Or(hn::ShiftRight<12>(word), hn::Set(d, 0x3FF0000000000000));
+    const auto from_zero = hn::Sub(hn::BitCast(doubles, digits), hn::Set(doubles, 1.0));
+    return hn::Add(from_zero, hn::Set(doubles, 0x1p-53));
+}
+
+/// Fills in the pairs of some registers of counters.
+template <std::size_t registers>
+HWY_INLINE void fill_registers(const Keys& keys, Word first, std::uint32_t axis, std::uint32_t stream,
+                               double* values) {
+    const Words d;
+    Counters counters[registers];
+#pragma GCC unroll 8
+    for (std::size_t k = 0; k < registers; ++k)
+        counters[k] = Counters(hn::Add(first, hn::Set(d, k * hn::Lanes(d))), axis, stream);
+    for (int round = 0; round < rounds; ++round) {
+#pragma GCC unroll 8
+        for (std::size_t k = 0; k < registers; ++k) counters[k].round(keys.first[round], keys.second[round]);
+    }
+#pragma GCC unroll 8
+    for (std::size_t k = 0; k < registers; ++k)  // the two samples of each counter, side by side
+        hn::StoreInterleaved2(unit_interval_of(counters[k].part[0], counters[k].part[1]),
+                              unit_interval_of(counters[k].part[2], counters[k].part[3]),
+                              hn::ScalableTag<double>(), values + 2 * k * hn::Lanes(d));
+}
+
+}  // namespace
+
+/// Fills in pairs of samples, as many as whole registers hold. @return how many values those are
+std::size_t fill_pairs(std::uint64_t seed, std::uint64_t first_pair, std::uint32_t axis, std::uint32_t stream,
+                       double* values, std::size_t count) {
+    const Words d;
+    const std::size_t lanes = hn::Lanes(d);
+    const Keys keys(seed);
+    const Word first_pairs = hn::Iota(d, first_pair);
+    std::size_t done = 0;
+    const auto fill = [&](auto registers) HWY_ATTR {
+        const std::size_t together = 2 * lanes * registers();
+        for (; done + together <= count; done += together)
+            fill_registers<registers()>(keys, hn::Add(first_pairs, hn::Set(d, done / 2)), axis, stream,
+                                        values + done);
+    };
+    // A round is a chain of operations: several at once hide each other's latency.
+    fill(std::integral_constant<std::size_t, 4>{});
+    fill(std::integral_constant<std::size_t, 1>{});
+    return done;
+}
+
+}  // namespace ashimpact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#else
+namespace ashimpact::HWY_NAMESPACE {
+std::size_t fill_pairs(std::uint64_t, std::uint64_t, std::uint32_t, std::uint32_t, double*, std::size_t) {
+    return 0;
+}
+}  // namespace ashimpact::HWY_NAMESPACE
+#endif
+
+#if HWY_ONCE
 namespace ashimpact {
 
 namespace {
@@ -136,4 +268,21 @@ void Design::fill_quasi_random(std::size_t axis, std::uint64_t first, std::span<
     }
 }
 
+HWY_EXPORT(fill_pairs);
+
+void fill_uniform(std::uint64_t seed, std::uint64_t first, std::uint32_t axis, RandomStream stream,
+                  std::span<double> values) {
+    const auto bits_of = [&](std::size_t i) { return random_bits(seed, (first + i) / 2, axis, stream); };
+    std::size_t i = 0;
+    if (first % 2 == 1 && !values.empty()) values[i++] = unit_interval(bits_of(0)[1]);
+    i += HWY_DYNAMIC_DISPATCH(fill_pairs)(seed, (first + i) / 2, axis, static_cast<std::uint32_t>(stream),
+                                          values.data() + i, values.size() - i);
+    for (; i < values.size(); i += 2) {
+        const auto bits = bits_of(i);
+        values[i] = unit_interval(bits[0]);
+        if (i + 1 < values.size()) values[i + 1] = unit_interval(bits[1]);
+    }
+}
+
 }  // namespace ashimpact
+#endif

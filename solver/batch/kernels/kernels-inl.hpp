@@ -17,8 +17,6 @@
 
 #include "solver/batch/kernels/damping_search.hpp"
 #include "solver/batch/kernels/kernel.hpp"
-#include "solver/batch/lanes/form.hpp"
-#include "solver/batch/lanes/lanes-inl.hpp"
 #include "solver/batch/lanes/number_task.hpp"
 #include "solver/batch/lanes/orbit-inl.hpp"
 #include "solver/batch/tables/lookup-inl.hpp"

@@ -9,8 +9,6 @@
 
 #include <cstdint>
 
-#include "solver/batch/lanes/findings-inl.hpp"
-#include "solver/batch/lanes/leapfrog-inl.hpp"
 #include "solver/batch/lanes/number_task.hpp"
 #include "solver/batch/lanes/steps-inl.hpp"
 

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/batch/lanes/lanes-inl.hpp"
+#include "solver/batch/lanes/equation-inl.hpp"
 #include "solver/batch/tables/law_tables.hpp"
 #include "solver/numeric/number.hpp"
 

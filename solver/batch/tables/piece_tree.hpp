@@ -123,30 +123,24 @@ class PieceTree {
     /// Decides a piece and fills its content; unknown if it has to be divided. @param depth divisions of its
     /// root
     [[nodiscard]] virtual PieceState judge(const PieceType& piece, int depth, Content& content) const = 0;
-    void compute(PieceType& piece, int depth);
+    void compute(PieceType& piece, int depth) {
+        piece.compute(depth == most_divisions,
+                      [&](Content& content) { return judge(piece, depth, content); });
+    }
     /// Enters the piece that contains a place, of index_depth or larger, into the index.
-    PieceType& enter(const Place& place, std::size_t slot);
+    PieceType& enter(const Place& place, std::size_t slot) {
+        PieceType* piece = &roots_[slot / slots_of_root];
+        for (int depth = 0; depth < index_depth; ++depth) {
+            if (piece->state() == PieceState::unknown) compute(*piece, depth);
+            if (piece->state() != PieceState::divided) break;
+            piece = &piece->part(place);
+        }
+        index_[slot].store(piece, std::memory_order_release);
+        return *piece;
+    }
 
     std::array<std::atomic<PieceType*>, slots> index_{};
 };
-
-template <class PieceType, std::size_t roots, int divisions_in_index, int most_divisions>
-void PieceTree<PieceType, roots, divisions_in_index, most_divisions>::compute(PieceType& piece, int depth) {
-    piece.compute(depth == most_divisions, [&](Content& content) { return judge(piece, depth, content); });
-}
-
-template <class PieceType, std::size_t roots, int divisions_in_index, int most_divisions>
-PieceType& PieceTree<PieceType, roots, divisions_in_index, most_divisions>::enter(const Place& place,
-                                                                                  std::size_t slot) {
-    PieceType* piece = &roots_[slot / slots_of_root];
-    for (int depth = 0; depth < index_depth; ++depth) {
-        if (piece->state() == PieceState::unknown) compute(*piece, depth);
-        if (piece->state() != PieceState::divided) break;
-        piece = &piece->part(place);
-    }
-    index_[slot].store(piece, std::memory_order_release);
-    return *piece;
-}
 
 /// The table of a combination, one for the process, made from @p arguments when it is first needed.
 /// Thread-safe. Each thread remembers its last one, so that threads that solve single problems need no lock.
