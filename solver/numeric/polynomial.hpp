@@ -9,28 +9,28 @@
 namespace ashimpact {
 
 /// A dense polynomial of bounded degree. Contact laws evaluated on Polynomial::identity() yield their
-/// coefficients.
-template <class Real>
+/// coefficients, which may be polynomials themselves.
+template <class Real, int terms = 16>
 struct Polynomial {
-    static constexpr int capacity = 16;
+    static constexpr int capacity = terms;
     std::array<Real, capacity> coefficient{};
     int degree = 0;
 
-    Polynomial() = default;
+    constexpr Polynomial() = default;
     // NOLINTNEXTLINE(google-explicit-constructor): constants mix with polynomials in the laws
-    Polynomial(const Real& constant) { coefficient[0] = constant; }
+    constexpr Polynomial(const Real& constant) { coefficient[0] = constant; }
 
-    [[nodiscard]] static Polynomial identity() {
+    [[nodiscard]] static constexpr Polynomial identity() {
         Polynomial x;
         x.coefficient[1] = Real(1);
         x.degree = 1;
         return x;
     }
 
-    [[nodiscard]] const Real& operator[](int power) const {
+    [[nodiscard]] constexpr const Real& operator[](int power) const {
         return coefficient[static_cast<std::size_t>(power)];
     }
-    Real& operator[](int power) { return coefficient[static_cast<std::size_t>(power)]; }
+    constexpr Real& operator[](int power) { return coefficient[static_cast<std::size_t>(power)]; }
 
     /// Value at @p x.
     [[nodiscard]] Real operator()(const Real& x) const {
@@ -39,18 +39,18 @@ struct Polynomial {
         return value;
     }
 
-    [[nodiscard]] Polynomial derivative() const {
+    [[nodiscard]] constexpr Polynomial derivative() const {
         Polynomial result;
-        for (int i = 1; i <= degree; ++i) result[i - 1] = (*this)[i] * Real(i);
+        for (int i = 1; i <= degree; ++i) result[i - 1] = i * (*this)[i];
         result.degree = degree > 0 ? degree - 1 : 0;
         return result;
     }
 
     /// Antiderivative that vanishes at 0.
-    [[nodiscard]] Polynomial antiderivative() const {
+    [[nodiscard]] constexpr Polynomial antiderivative() const {
         assert(degree + 1 < capacity);
         Polynomial result;
-        for (int i = 0; i <= degree; ++i) result[i + 1] = (*this)[i] / Real(i + 1);
+        for (int i = 0; i <= degree; ++i) result[i + 1] = (*this)[i] / (i + 1);
         result.degree = degree + 1;
         return result;
     }
@@ -78,31 +78,31 @@ struct Polynomial {
     }
 
     /// Whether only even powers appear, so that it is a polynomial of x^2.
-    [[nodiscard]] bool even() const {
+    [[nodiscard]] constexpr bool even() const {
         for (int i = 1; i <= degree; i += 2)
             if ((*this)[i] != Real(0)) return false;
         return true;
     }
 
     /// The polynomial p with p(x^2) = *this; requires even().
-    [[nodiscard]] Polynomial of_square() const {
+    [[nodiscard]] constexpr Polynomial of_square() const {
         Polynomial result;
         for (int i = 0; i <= degree; i += 2) result[i / 2] = (*this)[i];
         result.degree = degree / 2;
         return result;
     }
 
-    friend Polynomial operator+(Polynomial a, const Polynomial& b) {
+    friend constexpr Polynomial operator+(Polynomial a, const Polynomial& b) {
         for (int i = 0; i <= b.degree; ++i) a[i] = a[i] + b[i];
         a.degree = a.degree > b.degree ? a.degree : b.degree;
         return a;
     }
-    friend Polynomial operator-(Polynomial a, const Polynomial& b) {
+    friend constexpr Polynomial operator-(Polynomial a, const Polynomial& b) {
         for (int i = 0; i <= b.degree; ++i) a[i] = a[i] - b[i];
         a.degree = a.degree > b.degree ? a.degree : b.degree;
         return a;
     }
-    friend Polynomial operator*(const Polynomial& a, const Polynomial& b) {
+    friend constexpr Polynomial operator*(const Polynomial& a, const Polynomial& b) {
         assert(a.degree + b.degree < capacity);
         Polynomial result;
         for (int i = 0; i <= a.degree; ++i)
@@ -110,9 +110,17 @@ struct Polynomial {
         result.degree = a.degree + b.degree;
         return result;
     }
-    friend Polynomial operator*(const Real& factor, Polynomial p) {
+    friend constexpr Polynomial operator*(const Real& factor, Polynomial p) {
         for (int i = 0; i <= p.degree; ++i) p[i] = factor * p[i];
         return p;
+    }
+    friend constexpr Polynomial operator/(Polynomial p, int divisor) {
+        for (int i = 0; i <= p.degree; ++i) p[i] = p[i] / divisor;
+        return p;
+    }
+    /// Compares values: a leading coefficient of 0 makes no difference.
+    friend constexpr bool operator==(const Polynomial& a, const Polynomial& b) {
+        return a.coefficient == b.coefficient;
     }
 };
 

@@ -204,17 +204,17 @@ struct Powers {
 template <const Symbol& symbol, int power, int adhesion_power = 0>
 [[nodiscard]] HWY_INLINE Lanes coefficient_of(Lanes adhesion, double unit) {
     constexpr bool more = [] {
-        for (int j = adhesion_power + 1; j < Symbol::adhesions; ++j) {
-            if (symbol.at(power, j) != 0.0) return true;
+        for (int j = adhesion_power + 1; j < AdhesionPolynomial::capacity; ++j) {
+            if (symbol[power][j] != 0.0) return true;
         }
         return false;
     }();
-    const Lanes constant(symbol.at(power, adhesion_power) / unit);
+    const Lanes constant(symbol[power][adhesion_power] / unit);
     if constexpr (!more) {
         return constant;
     } else {
         const Lanes rest = coefficient_of<symbol, power, adhesion_power + 1>(adhesion, unit);
-        if constexpr (symbol.at(power, adhesion_power) == 0.0) return rest * adhesion;
+        if constexpr (symbol[power][adhesion_power] == 0.0) return rest * adhesion;
         return multiply_add(rest, adhesion, constant);
     }
 }

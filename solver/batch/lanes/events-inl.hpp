@@ -212,8 +212,8 @@ class LaneSeries {
   private:
     static constexpr PowerSet all_powers(const Symbol& p) {
         PowerSet set = 0;
-        for (int i = 1; i < Symbol::states; ++i) {
-            if (p.has(i)) set |= power_bit(i);
+        for (int i = 1; i < Symbol::capacity; ++i) {
+            if (has(p, i)) set |= power_bit(i);
         }
         return set;
     }
@@ -238,9 +238,9 @@ class LaneSeries {
     /// Coefficient n of a polynomial of q.
     template <const Symbol& symbol, int power>
     [[nodiscard]] HWY_INLINE Lanes composed(Lanes adhesion, int n) const {
-        if constexpr (power > symbol.degree()) {
+        if constexpr (power > symbol.degree) {
             return Lanes(0.0);
-        } else if constexpr (!symbol.has(power)) {
+        } else if constexpr (!has(symbol, power)) {
             return composed<symbol, power + 1>(adhesion, n);
         } else {
             const Lanes rest = composed<symbol, power + 1>(adhesion, n);

@@ -8,110 +8,22 @@
 
 #include "solver/damping/registry.hpp"
 #include "solver/numeric/number.hpp"
+#include "solver/numeric/polynomial.hpp"
 
 namespace ashimpact {
 
-/// A polynomial in the state and in the adhesion number A, with plain coefficients: what a contact law turns
-/// into when it is evaluated at compile time. It lists the powers that occur, so that the vector code of a
-/// law holds its products and no others, and is still the law's own line.
-struct Symbol {
-    static constexpr int states = 24;
-    static constexpr int adhesions = 6;
-    std::array<std::array<double, adhesions>, states> coefficient{};  ///< [power of state][power of A]
+/// A polynomial in the adhesion number A.
+using AdhesionPolynomial = Polynomial<double, 6>;
 
-    constexpr Symbol() = default;
-    // NOLINTNEXTLINE(google-explicit-constructor): constants mix with polynomials in the laws
-    constexpr Symbol(double constant) { coefficient[0][0] = constant; }
+/// A polynomial in the state whose coefficients depend on A: what a contact law turns into when it is
+/// evaluated at compile time. It lists the powers that occur, so that the vector code of a law holds its
+/// products and no others, and is still the law's own line. Powers beyond what it holds do not compile.
+using Symbol = Polynomial<AdhesionPolynomial, 24>;
 
-    /// state^power A^adhesion_power
-    [[nodiscard]] static constexpr Symbol monomial(int power, int adhesion_power) {
-        Symbol x;
-        x.at(power, adhesion_power) = 1.0;
-        return x;
-    }
-
-    constexpr double& at(int power, int adhesion_power) {
-        return coefficient[static_cast<std::size_t>(power)][static_cast<std::size_t>(adhesion_power)];
-    }
-    [[nodiscard]] constexpr double at(int power, int adhesion_power) const {
-        return coefficient[static_cast<std::size_t>(power)][static_cast<std::size_t>(adhesion_power)];
-    }
-    /// Whether this power of the state occurs, for some A.
-    [[nodiscard]] constexpr bool has(int power) const {
-        for (int j = 0; j < adhesions; ++j) {
-            if (at(power, j) != 0.0) return true;
-        }
-        return false;
-    }
-    [[nodiscard]] constexpr int degree() const {
-        for (int i = states - 1; i > 0; --i) {
-            if (has(i)) return i;
-        }
-        return 0;
-    }
-
-    [[nodiscard]] constexpr Symbol derivative() const {
-        Symbol result;
-        for (int i = 1; i < states; ++i) {
-            for (int j = 0; j < adhesions; ++j) result.at(i - 1, j) = at(i, j) * i;
-        }
-        return result;
-    }
-    /// Antiderivative that vanishes at 0.
-    [[nodiscard]] constexpr Symbol antiderivative() const {
-        Symbol result;
-        for (int i = 0; i + 1 < states; ++i) {
-            for (int j = 0; j < adhesions; ++j) result.at(i + 1, j) = at(i, j) / (i + 1);
-        }
-        return result;
-    }
-    /// Whether only even powers of the state occur.
-    [[nodiscard]] constexpr bool even() const {
-        for (int i = 1; i < states; i += 2) {
-            if (has(i)) return false;
-        }
-        return true;
-    }
-    /// The polynomial p with p(x^2) = *this; requires even().
-    [[nodiscard]] constexpr Symbol of_square() const {
-        Symbol result;
-        for (int i = 0; i < states; i += 2) result.coefficient[static_cast<std::size_t>(i / 2)] = row(i);
-        return result;
-    }
-
-    friend constexpr Symbol operator+(Symbol a, const Symbol& b) {
-        for (int i = 0; i < states; ++i) {
-            for (int j = 0; j < adhesions; ++j) a.at(i, j) += b.at(i, j);
-        }
-        return a;
-    }
-    friend constexpr Symbol operator-(Symbol a, const Symbol& b) {
-        for (int i = 0; i < states; ++i) {
-            for (int j = 0; j < adhesions; ++j) a.at(i, j) -= b.at(i, j);
-        }
-        return a;
-    }
-    /// Powers beyond what a Symbol holds are not allowed; in a constant expression they do not compile.
-    friend constexpr Symbol operator*(const Symbol& a, const Symbol& b) {
-        Symbol result;
-        for (int i = 0; i < states; ++i) {
-            for (int j = 0; j < adhesions; ++j) {
-                if (a.at(i, j) == 0.0) continue;
-                for (int k = 0; k < states; ++k) {
-                    for (int l = 0; l < adhesions; ++l) {
-                        if (b.at(k, l) != 0.0) result.at(i + k, j + l) += a.at(i, j) * b.at(k, l);
-                    }
-                }
-            }
-        }
-        return result;
-    }
-
-  private:
-    [[nodiscard]] constexpr const std::array<double, adhesions>& row(int power) const {
-        return coefficient[static_cast<std::size_t>(power)];
-    }
-};
+/// Whether this power of the state occurs, for some A.
+[[nodiscard]] constexpr bool has(const Symbol& symbol, int power) {
+    return symbol[power] != AdhesionPolynomial();
+}
 
 /// A set of powers of one variable; bit k represents x^k.
 using PowerSet = std::uint64_t;
@@ -150,7 +62,7 @@ using PowerSet = std::uint64_t;
 
 /// The powers with which the state occurs in a polynomial, highest first.
 struct Terms {
-    std::array<int, Symbol::states> power{};
+    std::array<int, Symbol::capacity> power{};
     int count = 0;
 
     /// Common distance of the powers; with one power alone that power.
@@ -168,14 +80,14 @@ template <const Symbol& symbol, bool with_constant>
 struct Sparse {
     static constexpr Terms terms = [] {
         Terms found;
-        for (int i = symbol.degree(); i >= (with_constant ? 0 : 1); --i) {
-            if (symbol.has(i)) found.power[static_cast<std::size_t>(found.count++)] = i;
+        for (int i = symbol.degree; i >= (with_constant ? 0 : 1); --i) {
+            if (has(symbol, i)) found.power[static_cast<std::size_t>(found.count++)] = i;
         }
         return found;
     }();
     static_assert(terms.count > 0);
     /// Leading coefficient; no law has A in it.
-    static constexpr double leading = symbol.at(terms.at(0), 0);
+    static constexpr double leading = symbol[terms.at(0)][0];
     static_assert(leading != 0.0);
 
     /// Powers of the state that evaluate() needs.
@@ -207,8 +119,8 @@ struct Form {
     using Damping = DampingType;
 
   private:
-    static constexpr L<Symbol> law{Symbol::monomial(0, 1)};
-    static constexpr Symbol u = Symbol::monomial(1, 0);
+    static constexpr L<Symbol> law{Symbol(AdhesionPolynomial::identity())};
+    static constexpr Symbol u = Symbol::identity();
     static constexpr Symbol shape_of_u = Damping::shapes(u, {power<6>(u), law.attraction(u)})[0];
 
   public:

@@ -24,8 +24,8 @@ template <class F>
 [[nodiscard]] HWY_INLINE Lanes inward_step(const Equation<F>& equation, const Places& places) {
     constexpr double part = 1.3;         // of a radian
     constexpr double mean_speed = 0.72;  // of v_in
-    constexpr int degree = F::potential.degree();
-    static const double free_turn = std::pow(1.0 / F::potential.at(degree, 0), 1.0 / degree);
+    constexpr int degree = F::potential.degree;
+    static const double free_turn = std::pow(1.0 / F::potential[degree][0], 1.0 / degree);
     static const double bound_turn =
         std::pow(1.36 * 1.15, 5.0 / degree);  // of DMT; that of the other laws is less
     const Lanes a = equation.adhesion;

@@ -182,7 +182,7 @@ TouchingBranch::TouchingBranch(const CohesiveZone& zone, const ScaledDamping<Ext
     const Polynomial<Extended> hertz = power<6>(Polynomial<Extended>::identity());
     damping_ = damping.on_branch({hertz, {}});
     per_attraction_ = damping.on_branch({hertz, Polynomial<Extended>(1)}) - damping_;
-    follows_attraction_ = acts(per_attraction_);
+    follows_attraction_ = per_attraction_ != Polynomial<Extended>();
     rooted_ = !damping_.even() || !per_attraction_.even();
     for (Polynomial<Extended>* p : {&damping_, &per_attraction_}) {
         if (!rooted_) *p = p->of_square();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -46,12 +45,6 @@ struct ScaledDamping {
     [[nodiscard]] static ScaledDamping none() { return of(DampingLaw::constant, {}); }
 };
 
-/// Whether a polynomial differs from zero.
-template <class Real>
-[[nodiscard]] bool acts(const Polynomial<Real>& p) {
-    return std::ranges::any_of(p.coefficient, [](const Real& c) { return c != Real(0); });
-}
-
 /// The equation of motion of one impact on one branch, scaled (mass 1, Hertz stiffness 1), in the regularised
 /// coordinate q:
 ///
@@ -84,7 +77,7 @@ struct Motion {
         using std::sqrt;
         return squared ? sqrt(q > Real(0) ? q : Real(0)) : q;
     }
-    [[nodiscard]] bool damped() const { return acts(damping); }
+    [[nodiscard]] bool damped() const { return damping != Polynomial<Real>(); }
     [[nodiscard]] RestPlace<Real> rest() const {
         return {equilibrium, overlap(equilibrium), potential(equilibrium)};
     }
