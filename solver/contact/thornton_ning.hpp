@@ -20,31 +20,18 @@ namespace ashimpact {
 /// adhesion it is closed here: JKR is a Hertz contact plus the retraction of a flat punch; the Hertz part
 /// yields, so each further ring of contact adds the pressure p_y + sqrt(2 w E*/(pi a)) to it, and the punch
 /// part stays elastic. Loading is then smooth at yield and flattening never negative
-/// (docs/decisions/0003-plastic-closure.md). This type is the elastic branch, normalised as in Hertz;
-/// YieldedContact has the others.
+/// (docs/decisions/0003-plastic-closure.md). This type is the elastic branch, that of Jkr; YieldedContact has
+/// the others. The pressure is that of Jkr, or p_y where that would be greater.
 template <class Real>
-struct ThorntonNing {
+struct ThorntonNing : Jkr<Real> {
     static constexpr std::string_view name = "thornton-ning";
-    static constexpr Detachment default_detachment = Detachment::pull_off;
-    static constexpr bool uses_work_of_adhesion = true;
     static constexpr bool is_plastic = true;
-    static constexpr AdhesionRegime limit = AdhesionRegime::jkr;
-
-    Real adhesion;  ///< as in Jkr [1]
 
     [[nodiscard]] static Trust trust(double tabor, bool yields) {
         if (yields) return Trust::describes_yield;
         return nearer_to_jkr(tabor) ? Trust::nearer_limit_elastic : Trust::farther_limit_elastic;
     }
-    /// Until the contact yields; then the pressure is p_y where it would be greater.
-    [[nodiscard]] static PressureProfile pressure(const ContactPair& pair, double a) {
-        return jkr_pressure(pair, a);
-    }
 
-    /// Adhesion number [1] where L is @p length [m].
-    [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>& pair, const Real& length) {
-        return Jkr<Real>::adhesion_number(pair, length);
-    }
     /// Yield number [1]: the contact radius at which a Hertz contact yields over sqrt(R* L),
     /// pi R* p_y/(2 E* sqrt(R* L)).
     [[nodiscard]] static double yield_number(const ContactPair& pair, double length) {
@@ -52,45 +39,23 @@ struct ThorntonNing {
                std::sqrt(pair.effective_radius / length);
     }
 
-    /// Overlap, positive in contact [L].
-    template <class U>
-    [[nodiscard]] constexpr U overlap(const U& u) const {
-        return Jkr<Real>{adhesion}.overlap(u);
-    }
-    /// Attraction |F_a| [k L^(3/2)].
-    template <class U>
-    [[nodiscard]] constexpr U attraction(const U& u) const {
-        return Jkr<Real>{adhesion}.attraction(u);
-    }
-    /// Total static force, positive where repulsive [k L^(3/2)].
-    template <class U>
-    [[nodiscard]] constexpr U force(const U& u) const {
-        return Jkr<Real>{adhesion}.force(u);
-    }
-    /// Attractive part of the force as the paper divides it, never positive [k L^(3/2)].
-    [[nodiscard]] Real attractive_force(const Real& u) const {
-        return Jkr<Real>{adhesion}.attractive_force(u);
-    }
-
+    using Jkr<Real>::attractive_force;
     /// The same on the branches of a yielded contact, where the force is @p force: the tensile rim of a
     /// sphere that is flattened as much, or all of the force where the contact is tensile throughout.
     [[nodiscard]] Real attractive_force(const Real& u, const Real& force) const {
         using std::sqrt;
-        const Real hertz_part = force + Real(1.5) * adhesion * power<3>(u);
-        if (Real(2) * hertz_part <= adhesion * power<3>(u)) return force;
-        const Real rim = adhesion * u;
+        const Real rim = this->adhesion * u;
+        const Real hertz_part = force + Real(1.5) * this->adhesion * power<3>(u);
+        if (Real(2) * hertz_part <= this->adhesion * power<3>(u)) return force;
         const Real flattening = hertz_part / power<6>(u);  // R*/R_p; the Hertz pressure falls with it
         return -rim * sqrt(rim / (Real(2) * flattening));
     }
-
-    /// State u at first touch.
-    [[nodiscard]] Real touch() const { return Jkr<Real>{adhesion}.touch(); }
 
     /// State u at which the elastic branch ends by that rule. None for zero overlap, to which a flattened
     /// sphere does not return.
     [[nodiscard]] std::optional<Real> detachment_point(Detachment detachment) const {
         if (detachment == Detachment::zero_overlap) return std::nullopt;
-        return Jkr<Real>{adhesion}.detachment_point(detachment);
+        return Jkr<Real>::detachment_point(detachment);
     }
 };
 

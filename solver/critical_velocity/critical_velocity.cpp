@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
+
+#include <fmt/format.h>
 
 #include "core/quantities/checks.hpp"
 #include "core/text/error.hpp"
@@ -96,10 +97,10 @@ void confirm(const CriticalVelocityProblem& problem, CriticalVelocity& result) {
          {*result.value, result.contact_time.value_or(0.0), result.maximum_overlap.value_or(0.0),
           result.dissipated, result.plastic, result.detachment_energy}) {
         if (std::isfinite(number)) continue;
-        std::ostringstream what;
-        what << "the critical impact lies outside the range of the plastic closure at a yield pressure of "
-             << problem.contact.yield_pressure << " Pa";
-        throw InputError(what.str(), "a larger yield pressure or less adhesion, or the law jkr");
+        throw InputError(fmt::format("the critical impact lies outside the range of the plastic closure at a "
+                                     "yield pressure of {:g} Pa",
+                                     problem.contact.yield_pressure),
+                         "a larger yield pressure or less adhesion, or the law jkr");
     }
 }
 

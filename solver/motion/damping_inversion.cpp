@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <sstream>
+
+#include <fmt/format.h>
 
 #include "core/text/error.hpp"
 #include "solver/motion/regime.hpp"
@@ -45,16 +46,12 @@ class RestitutionByDamping {
 };
 
 [[noreturn]] void unreachable_restitution(const DampingProblem& problem, double greatest, bool reaches_zero) {
-    std::ostringstream problem_text;
-    problem_text << "restitution " << problem.restitution << " cannot be reached by damping law '"
-                 << name_of(problem.damping_law) << "' with contact law '" << problem.law.name() << "' at "
-                 << problem.velocity << " m/s";
+    const std::string text = fmt::format(
+        "restitution {:g} cannot be reached by damping law '{}' with contact law '{}' at {:g} m/s",
+        problem.restitution, name_of(problem.damping_law), problem.law.name(), problem.velocity);
     if (!(greatest > 0))
-        throw InputError(problem_text.str(), "0, or a velocity at which the impact rebounds without damping");
-    std::ostringstream allowed;
-    allowed.precision(8);
-    allowed << (reaches_zero ? "0 <= e <= " : "0 < e <= ") << greatest;
-    throw InputError(problem_text.str(), allowed.str());
+        throw InputError(text, "0, or a velocity at which the impact rebounds without damping");
+    throw InputError(text, fmt::format("0 {} e <= {:.8g}", reaches_zero ? "<=" : "<", greatest));
 }
 
 /// Scaled damping that is certainly too much for @p restitution.

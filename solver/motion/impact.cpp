@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "core/quantities/checks.hpp"
 #include "core/text/error.hpp"
@@ -34,13 +35,13 @@ void require_within_closure(const Impact& impact, const Scale& scale, const Impa
                         std::isfinite(result.approach_time.value_or(0.0));
     const bool spends = energy.plastic >= -1e-12 * size || ratio < least_ratio;
     if (closed && finite && spends) return;
-    std::ostringstream problem;
-    problem << "yield_pressure is " << impact.contact.yield_pressure
-            << " Pa: adhesion alone flattens this contact, outside the range of the plastic closure";
-    std::ostringstream allowed;
-    allowed << "some multiple of " << least_ratio * impact.contact.yield_pressure / ratio
-            << " Pa, at which adhesion alone yields the contact, or the law jkr";
-    throw InputError(problem.str(), allowed.str());
+    throw InputError(
+        fmt::format(
+            "yield_pressure is {:g} Pa: adhesion alone flattens this contact, outside the range of the "
+            "plastic closure",
+            impact.contact.yield_pressure),
+        fmt::format("some multiple of {:g} Pa, at which adhesion alone yields the contact, or the law jkr",
+                    least_ratio * impact.contact.yield_pressure / ratio));
 }
 
 }  // namespace

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
+
+#include <fmt/format.h>
 
 #include "materials/contact_properties.hpp"
 #include "solver/contact/cohesive_zone.hpp"
@@ -20,13 +21,6 @@ namespace {
 
 /// yield_number/adhesion^(2/3) below which adhesion alone yields the contact at first touch.
 constexpr double yields_at_touch = 0.5;
-
-std::string text(double value) {
-    std::ostringstream stream;
-    stream.precision(3);
-    stream << value;
-    return stream.str();
-}
 
 AdhesionRegime adhesion_regime(double tabor_parameter) {
     if (!(tabor_parameter > 0.0)) return AdhesionRegime::none;
@@ -171,17 +165,19 @@ class Judge {
         const bool hard_law = impact_.law.limit() == AdhesionRegime::dmt;
         const bool soft_law = is_jkr(impact_.law);
         if (!hard_law && !soft_law) return;
-        const std::string source = " (Johnson & Greenwood 1997)";
-        const std::string mu = "Tabor parameter " + text(regime_.tabor_parameter);
-        if (regime_.adhesion == AdhesionRegime::between) {
-            warn(mu + " is between DMT (< 0.1) and JKR (> 5)" + source + ": neither limit holds for law " +
-                     std::string(impact_.law.name()),
+        const auto warn_of_mu = [&](const std::string& range) {
+            warn(fmt::format("Tabor parameter {:.3g} {}", regime_.tabor_parameter, range),
                  Severity::background);
-        }
+        };
+        if (regime_.adhesion == AdhesionRegime::between)
+            warn_of_mu(
+                fmt::format("is between DMT (< 0.1) and JKR (> 5) (Johnson & Greenwood 1997): neither "
+                            "limit holds for law {}",
+                            impact_.law.name()));
         if (hard_law && regime_.adhesion == AdhesionRegime::jkr)
-            warn(mu + " > 5: soft contact, JKR applies rather than DMT" + source, Severity::background);
+            warn_of_mu("> 5: soft contact, JKR applies rather than DMT (Johnson & Greenwood 1997)");
         if (soft_law && regime_.adhesion == AdhesionRegime::dmt)
-            warn(mu + " < 0.1: hard contact, DMT applies rather than JKR" + source, Severity::background);
+            warn_of_mu("< 0.1: hard contact, DMT applies rather than JKR (Johnson & Greenwood 1997)");
     }
 
     void warn_of_left_out_adhesion() {
@@ -189,8 +185,9 @@ class Judge {
         const double attraction =
             2.0 * std::numbers::pi * contact_.work_of_adhesion * contact_.effective_radius;
         const double repulsion = motion_.force(motion_.coordinate(greatest_)) * scale_.force();
-        warn("law hertz leaves out the adhesion of " + text(contact_.work_of_adhesion) +
-                 " J/m2: 2 pi w R* is " + text(100.0 * attraction / repulsion) + " % of the greatest force",
+        warn(fmt::format("law hertz leaves out the adhesion of {:.3g} J/m2: 2 pi w R* is {:.3g} % of the "
+                         "greatest force",
+                         contact_.work_of_adhesion, 100.0 * attraction / repulsion),
              Severity::background);
     }
 
@@ -199,18 +196,18 @@ class Judge {
             warn(
                 "adhesion alone yields the contact at first touch: outside the range of the plastic closure");
         if (!regime_.yields || impact_.law.is_plastic()) return;
-        warn("the contact yields: velocity " + text(impact_.velocity) + " m/s, yield velocity " +
-             text(*regime_.law_yield_velocity) +
-             " m/s (adhesion included, without damping); law thornton-ning "
-             "applies");
+        warn(fmt::format(
+            "the contact yields: velocity {:.3g} m/s, yield velocity {:.3g} m/s (adhesion included, "
+            "without damping); law thornton-ning applies",
+            impact_.velocity, *regime_.law_yield_velocity));
     }
 
     void warn_of_geometry() {
         if (regime_.relative_overlap > 1.0) {
             warn("overlap exceeds the radius: outside the theory");
         } else if (regime_.relative_contact_radius > widest_contact) {
-            warn("contact radius is " + text(regime_.relative_contact_radius) +
-                 " of the radius: contact laws assume it small");
+            warn(fmt::format("contact radius is {:.3g} of the radius: contact laws assume it small",
+                             regime_.relative_contact_radius));
         }
     }
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include <boost/math/quadrature/gauss.hpp>
+#include <fmt/format.h>
 
 #include "core/text/error.hpp"
 #include "solver/contact/registry.hpp"
@@ -134,11 +134,8 @@ StageMomentum stage_of(const Impulses& stage, Extended momentum, const Scale& sc
 }
 
 std::string comparison(double left, double right, double size, const char* unit) {
-    std::ostringstream text;
-    text.precision(6);
     const bool equal = std::abs(left - right) <= rounding * size;
-    text << left << ' ' << unit << (equal ? " = " : left > right ? " > " : " < ") << right << ' ' << unit;
-    return text.str();
+    return fmt::format("{:g} {} {} {:g} {}", left, unit, equal ? '=' : left > right ? '>' : '<', right, unit);
 }
 
 }  // namespace
@@ -181,15 +178,15 @@ bool MomentumBalance::rebound_is_longer() const {
 }
 
 std::string verdict_of(const MomentumBalance& balance) {
-    std::ostringstream text;
-    text.precision(4);
-    const auto holds = [](bool yes) { return yes ? " holds: " : " does not hold: "; };
-    text << "(44)" << holds(balance.damping_exceeds_loss()) << "damping impulse "
-         << comparison(balance.damping_impulse, balance.momentum_lost, balance.incident_momentum, "N s")
-         << " lost; (45)" << holds(balance.rebound_is_longer()) << "rebound "
-         << comparison(balance.rebound.duration, balance.approach.duration, balance.approach.duration, "s")
-         << " approach; mean forces, equal in (40), are as " << balance.mean_force_ratio() << " to 1";
-    return text.str();
+    const auto holds = [](bool yes) { return yes ? "holds" : "does not hold"; };
+    return fmt::format(
+        "(44) {}: damping impulse {} lost; (45) {}: rebound {} approach; mean forces, equal in (40), are as "
+        "{:.4g} to 1",
+        holds(balance.damping_exceeds_loss()),
+        comparison(balance.damping_impulse, balance.momentum_lost, balance.incident_momentum, "N s"),
+        holds(balance.rebound_is_longer()),
+        comparison(balance.rebound.duration, balance.approach.duration, balance.approach.duration, "s"),
+        balance.mean_force_ratio());
 }
 
 MomentumBalance momentum_balance(const Impact& impact) {
