@@ -14,14 +14,15 @@ namespace ashimpact {
 ///
 /// Every law here is normalised by a length L that the caller chooses (see BasicScale): overlaps are in units
 /// of L, forces in k L^(3/2), contact radii in sqrt(R* L). The state is u = sqrt(contact radius) in these
-/// units; overlap and force are polynomials of u. Validity: contact radius << R*.
+/// units; overlap and force are polynomials of u. Laws with the overlap of Hertz derive from it. Validity:
+/// contact radius << R*.
 template <class Real>
 struct Hertz {
     static constexpr std::string_view name = "hertz";
     static constexpr Detachment default_detachment = Detachment::zero_overlap;
     static constexpr bool uses_work_of_adhesion = false;
 
-    Real adhesion{};  ///< unused: the law has no attraction
+    Real adhesion{};  ///< the law's adhesion number [1]; not used here
 
     [[nodiscard]] static Trust trust(double tabor, bool /*yields*/) {
         return tabor > 0 ? Trust::leaves_adhesion_out : Trust::no_adhesion;

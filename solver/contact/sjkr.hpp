@@ -3,13 +3,9 @@
 
 #include <array>
 #include <numbers>
-#include <optional>
-#include <string_view>
 
 #include "core/quantities/parameter.hpp"
-#include "solver/contact/mechanics.hpp"
-#include "solver/contact/pair.hpp"
-#include "solver/numeric/number.hpp"
+#include "solver/contact/hertz.hpp"
 
 namespace ashimpact {
 
@@ -25,16 +21,11 @@ inline constexpr LawParameter cohesion_energy_density{
 
 /// "Simplified JKR" of DEM codes: Hertz repulsion and an attraction k_c pi a^2 in proportion to the contact
 /// area, a^2 = R* delta. LIGGGHTS (cohesion sjkr) takes the area of intersection, twice as large at a wall.
-/// No work of adhesion enters. Normalisation and state as in Hertz. Validity: an empirical closure; it has
-/// neither a pull-off force nor hysteresis.
+/// No work of adhesion enters. Validity: an empirical closure; it has neither a pull-off force nor hysteresis.
 template <class Real>
-struct Sjkr {
+struct Sjkr : Hertz<Real> {
     static constexpr std::string_view name = "sjkr";
-    static constexpr Detachment default_detachment = Detachment::zero_overlap;
-    static constexpr bool uses_work_of_adhesion = false;
     static constexpr std::array parameters{cohesion_energy_density};
-
-    Real adhesion;  ///< pi k_c R* / (k L^(1/2)) [1]
 
     [[nodiscard]] static Trust trust(double /*tabor*/, bool /*yields*/) {
         return Trust::empirical_parameters;
@@ -46,21 +37,16 @@ struct Sjkr {
         return profile;
     }
 
-    /// Adhesion number [1] where L is @p length [m].
+    /// Adhesion number pi k_c R*/(k L^(1/2)) [1] where L is @p length [m].
     [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>& pair, const Real& length) {
         return Real(std::numbers::pi) * pair.parameters[cohesion_energy_density] * pair.effective_radius /
                (hertz_stiffness(pair) * root<2>(length));
     }
 
-    /// Overlap, positive in contact [L].
-    template <class U>
-    [[nodiscard]] constexpr U overlap(const U& u) const {
-        return power<4>(u);
-    }
     /// Attraction |F_a| [k L^(3/2)].
     template <class U>
     [[nodiscard]] constexpr U attraction(const U& u) const {
-        return adhesion * power<4>(u);
+        return this->adhesion * power<4>(u);
     }
     /// Total static force, positive where repulsive [k L^(3/2)].
     template <class U>
@@ -68,15 +54,11 @@ struct Sjkr {
         return power<6>(u) - attraction(u);
     }
 
-    /// State u at first touch.
-    [[nodiscard]] Real touch() const { return Real{}; }
-
     /// State u at which the static contact ends by that rule; none if the law has no such point.
     [[nodiscard]] std::optional<Real> detachment_point(Detachment detachment) const {
-        if (detachment == Detachment::zero_overlap) return Real{};
-        if (detachment == Detachment::zero_force) return root<2>(adhesion);
-        if (detachment == Detachment::load_controlled) return root<2>(adhesion * Real(2) / Real(3));
-        return std::nullopt;
+        if (detachment == Detachment::zero_force) return root<2>(this->adhesion);
+        if (detachment == Detachment::load_controlled) return root<2>(this->adhesion * Real(2) / Real(3));
+        return Hertz<Real>::detachment_point(detachment);
     }
 };
 
