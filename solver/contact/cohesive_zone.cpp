@@ -5,7 +5,6 @@
 #include <limits>
 #include <numbers>
 
-
 namespace ashimpact {
 
 namespace {
@@ -187,9 +186,8 @@ Extended CohesiveZone::force(const CohesiveState& state) const {
 Extended CohesiveZone::potential(const CohesiveState& state) const {
     const Extended c = state.cohesive_radius;
     const Extended a = state.contact_radius();
-    if (state.angle >= right_angle && c < join_.cohesive_radius) {
+    if (state.angle >= right_angle && c < join_.cohesive_radius)
         return lambda_ * c * c * c * (4 * lambda_ / 9 - extended_pi / 8 * c);
-    }
     const Extended theta = state.angle;
     const Extended moment = theta / 12 + std::sin(2 * theta) / 18 + std::sin(4 * theta) / 144;
     return force(state) * overlap(state) / 3 + a * a * a * a * a / 15 - c * c / 3 -
@@ -212,9 +210,8 @@ CohesiveZone::Slopes CohesiveZone::slopes(const CohesiveState& state) const {
 
 Extended CohesiveZone::stiffness(const CohesiveState& state) const {
     const Extended c = state.cohesive_radius;
-    if (state.angle >= right_angle && c < join_.cohesive_radius) {
+    if (state.angle >= right_angle && c < join_.cohesive_radius)
         return -extended_pi * lambda_ * c / (c - 8 * lambda_ / (3 * extended_pi));
-    }
     const Slopes slope = slopes(state);
     return slope.force / slope.overlap;
 }

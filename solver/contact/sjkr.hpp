@@ -21,7 +21,8 @@ inline constexpr LawParameter cohesion_energy_density{
 
 /// "Simplified JKR" of DEM codes: Hertz repulsion and an attraction k_c pi a^2 in proportion to the contact
 /// area, a^2 = R* delta. LIGGGHTS (cohesion sjkr) takes the area of intersection, twice as large at a wall.
-/// No work of adhesion enters. Validity: an empirical closure; it has neither a pull-off force nor hysteresis.
+/// No work of adhesion enters. Validity: an empirical closure; it has neither a pull-off force nor
+/// hysteresis.
 template <class Real>
 struct Sjkr : Hertz<Real> {
     static constexpr std::string_view name = "sjkr";

@@ -30,11 +30,10 @@ StaticCurve::StaticCurve(Law law, const ContactPair& contact) : law_(law), lengt
     require_positive("contact_modulus", contact.contact_modulus, Dimension::pressure);
     require_not_negative("work_of_adhesion", contact.work_of_adhesion, Dimension::energy_per_area);
     require_parameters(law.parameters(), contact.parameters);
-    if (can_yield(law, contact)) {
+    if (can_yield(law, contact))
         throw InputError(
             "a contact of law '" + std::string(law.name()) + "' that can yield has no static curve",
             "an infinite yield_pressure");
-    }
     if (is_cohesive(law, contact)) {
         zone_ = CohesiveZone(transition_parameter(contact));
         units_ = maugis_units(contact);
@@ -130,9 +129,7 @@ std::vector<StaticPoint> StaticCurve::sampled(double delta, int count) const {
     const double to = at_overlap(delta).contact_radius;
     std::vector<StaticPoint> points;
     points.reserve(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i) {
-        points.push_back(at_contact_radius(from + (to - from) * i / (count - 1)));
-    }
+    for (int i = 0; i < count; ++i) points.push_back(at_contact_radius(from + (to - from) * i / (count - 1)));
     return points;
 }
 

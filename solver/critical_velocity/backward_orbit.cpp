@@ -152,10 +152,9 @@ class RestPoint {
         for (std::size_t n = 1; n < speed_.size(); ++n) {
             const int power = static_cast<int>(n) + 2 * order_;
             Extended square = 2 * coefficient(fall_, power);
-            for (int j = 0; j < static_cast<int>(n); ++j) {
+            for (int j = 0; j < static_cast<int>(n); ++j)
                 square += 4 * coefficient(drag_, power - 2 - order_ - j) *
                           speed_[static_cast<std::size_t>(j)] / static_cast<Extended>(power);
-            }
             for (std::size_t i = 1; i < n; ++i) square -= speed_[i] * speed_[n - i];
             speed_[n] = square / (2 * speed_[0] - 4 * drag / static_cast<Extended>(power));
         }

@@ -61,11 +61,10 @@ std::optional<std::string> refusal(Law law, Detachment detachment) {
                 if (!point) return subject + ": the law has no such point";
                 const Motion<Extended> motion =
                     make_motion<L, Extended>(numeric.adhesion, ScaledDamping<Extended>::none(), detachment);
-                if (motion.potential(*motion.end) < motion.potential(motion.touch)) {
+                if (motion.potential(*motion.end) < motion.potential(motion.touch))
                     return subject +
                            ": its potential there is below that at first touch, an undamped impact would "
                            "gain energy";
-                }
                 return std::nullopt;
             }
         });

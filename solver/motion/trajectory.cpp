@@ -194,10 +194,9 @@ MomentumBalance momentum_balance(const Impact& impact) {
     Integrator sum;
     const auto scaled = scaled_impact<Extended>(impact, Precision::extended);
     const Orbit<Extended> orbit = follow(scaled, sum);
-    if (orbit.outcome == Outcome::capture) {
+    if (orbit.outcome == Outcome::capture)
         throw InputError("a captured particle has no momentum balance of a rebound",
                          "a velocity above the critical one");
-    }
     const Scale& scale = scaled.scale;
     const Extended incident = scaled.velocity;
     const Extended left = std::abs(orbit.end.velocity);

@@ -45,4 +45,35 @@ Interval profile_interval(const std::function<double(double)>& profile, const Pr
     return interval;
 }
 
+MarginalSample::MarginalSample(std::vector<std::pair<double, double>> values) : sorted_(std::move(values)) {
+    std::sort(sorted_.begin(), sorted_.end());
+}
+
+double MarginalSample::quantile(double probability) const {
+    double before = 0.0;
+    for (std::size_t i = 0; i < sorted_.size(); ++i) {
+        const double here = (i > 0 ? before + 0.5 * sorted_[i - 1].second : 0.0) + 0.5 * sorted_[i].second;
+        if (here >= probability) {
+            if (i == 0) return sorted_[0].first;
+            const double share = (probability - before) / (here - before);
+            return sorted_[i - 1].first + share * (sorted_[i].first - sorted_[i - 1].first);
+        }
+        before = here;
+    }
+    return sorted_.back().first;
+}
+
+double MarginalSample::mean() const {
+    double sum = 0.0;
+    for (const auto& [x, share] : sorted_) sum += share * x;
+    return sum;
+}
+
+double MarginalSample::standard_deviation() const {
+    const double middle = mean();
+    double sum = 0.0;
+    for (const auto& [x, share] : sorted_) sum += share * (x - middle) * (x - middle);
+    return std::sqrt(sum);
+}
+
 }  // namespace ashimpact

@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "solver/numeric/gsl/statistics.hpp"
 
@@ -40,5 +42,19 @@ struct ProfileSearch {
 /// @param profile rise above the minimum at a value of the parameter
 [[nodiscard]] Interval profile_interval(const std::function<double(double)>& profile,
                                         const ProfileSearch& search);
+
+/// Weighted values of one parameter, in ascending order.
+class MarginalSample {
+  public:
+    /// @param values pairs of value and weight; the weights add up to 1
+    explicit MarginalSample(std::vector<std::pair<double, double>> values);
+    /// Interpolated, half of a value's weight lying below it, so that rounding moves no result.
+    [[nodiscard]] double quantile(double probability) const;
+    [[nodiscard]] double mean() const;
+    [[nodiscard]] double standard_deviation() const;
+
+  private:
+    std::vector<std::pair<double, double>> sorted_;
+};
 
 }  // namespace ashimpact

@@ -27,9 +27,8 @@ constexpr std::array<InstructionSet, 3> known_sets{
 std::vector<InstructionSet> present_sets() {
     const std::int64_t supported = hwy::SupportedTargets() | HWY_STATIC_TARGET;
     std::vector<InstructionSet> present;
-    for (const InstructionSet& set : known_sets) {
+    for (const InstructionSet& set : known_sets)
         if ((HWY_TARGETS & supported & set.target) != 0) present.push_back(set);
-    }
     return present;
 }
 

@@ -106,9 +106,7 @@ inline void write_turn(const batch::ImpactTask& task, const ScaledTask& scaled, 
 
 /// Coordinates in a table for a column of numbers.
 inline void place_all(const double* numbers, std::size_t count, double* places) {
-    for (std::size_t i = 0; i < count; i += lane_count) {
-        place_of(Lanes::load(numbers + i)).store(places + i);
-    }
+    for (std::size_t i = 0; i < count; i += lane_count) place_of(Lanes::load(numbers + i)).store(places + i);
 }
 
 /// Reads the results of a task from its table. @return impacts that have to be integrated

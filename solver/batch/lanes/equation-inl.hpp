@@ -204,9 +204,8 @@ struct Powers {
 template <const Symbol& symbol, int power, int adhesion_power = 0>
 [[nodiscard]] HWY_INLINE Lanes coefficient_of(Lanes adhesion, double unit) {
     constexpr bool more = [] {
-        for (int j = adhesion_power + 1; j < AdhesionPolynomial::capacity; ++j) {
+        for (int j = adhesion_power + 1; j < AdhesionPolynomial::capacity; ++j)
             if (symbol[power][j] != 0.0) return true;
-        }
         return false;
     }();
     const Lanes constant(symbol[power][adhesion_power] / unit);

@@ -212,9 +212,8 @@ class LaneSeries {
   private:
     static constexpr PowerSet all_powers(const Symbol& p) {
         PowerSet set = 0;
-        for (int i = 1; i < Symbol::capacity; ++i) {
+        for (int i = 1; i < Symbol::capacity; ++i)
             if (has(p, i)) set |= power_bit(i);
-        }
         return set;
     }
     static constexpr PowerSet powers =
@@ -253,9 +252,8 @@ class LaneSeries {
     template <int derivative>
     [[nodiscard]] HWY_INLINE static Lanes value(const Coefficients& c, Lanes h) {
         Lanes sum = c[order] * Lanes(falling(order, derivative));
-        for (int n = order - 1; n >= derivative; --n) {
+        for (int n = order - 1; n >= derivative; --n)
             sum = multiply_add(sum, h, c[n] * Lanes(falling(n, derivative)));
-        }
         return sum;
     }
     static constexpr double falling(int n, int count) {

@@ -43,20 +43,17 @@ using PowerSet = std::uint64_t;
 /// The smaller factor i of x^power = x^i x^(power-i) with both in the set, as balanced as possible; 0 if
 /// none.
 [[nodiscard]] constexpr int factor_of(PowerSet set, int power) {
-    for (int i = power / 2; i >= 1; --i) {
+    for (int i = power / 2; i >= 1; --i)
         if (contains(set, i) && contains(set, power - i)) return i;
-    }
     return 0;
 }
 
 /// The set, completed so that every member but x is the product of two lower members.
 [[nodiscard]] constexpr PowerSet closed(PowerSet set) {
     set = (set | power_bit(1)) & ~power_bit(0);
-    for (int power = highest(set); power > 1; --power) {
-        if (contains(set, power) && factor_of(set, power) == 0) {
+    for (int power = highest(set); power > 1; --power)
+        if (contains(set, power) && factor_of(set, power) == 0)
             set |= power_bit(power / 2) | power_bit(power - power / 2);
-        }
-    }
     return set;
 }
 
@@ -80,9 +77,8 @@ template <const Symbol& symbol, bool with_constant>
 struct Sparse {
     static constexpr Terms terms = [] {
         Terms found;
-        for (int i = symbol.degree; i >= (with_constant ? 0 : 1); --i) {
+        for (int i = symbol.degree; i >= (with_constant ? 0 : 1); --i)
             if (has(symbol, i)) found.power[static_cast<std::size_t>(found.count++)] = i;
-        }
         return found;
     }();
     static_assert(terms.count > 0);

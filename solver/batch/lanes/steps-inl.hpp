@@ -191,9 +191,8 @@ struct Extrapolation {
   private:
     static constexpr double of(int i, int count) {
         double product = 1.0;
-        for (int j = 1; j <= count; ++j) {
+        for (int j = 1; j <= count; ++j)
             if (j != i) product *= static_cast<double>(i * i) / static_cast<double>(i * i - j * j);
-        }
         return product;
     }
 };

@@ -238,11 +238,10 @@ void require_solvable(const CalibrationProblem& problem) {
         if (!known(o)) throw InputError("an observation names a sample that does not exist");
     for (const auto& o : problem.contact_times)
         if (!known(o)) throw InputError("an observation names a sample that does not exist");
-    if (constants == 0 || observations < constants) {
+    if (constants == 0 || observations < constants)
         throw InputError("the calibration has " + std::to_string(observations) + " observations for " +
                              std::to_string(constants) + " free constants",
                          "at least one free constant and as many observations");
-    }
 }
 
 std::vector<CalibrationSample> samples_with(const CalibrationProblem& problem,

@@ -160,10 +160,9 @@ std::optional<RestPlace<Extended>> CohesiveMotion::creeps_to(const MotionState<E
 std::optional<std::string> cohesive_refusal(const CohesiveZone& zone, Detachment detachment) {
     const std::string subject =
         std::string(name_of(detachment)) + " does not end a contact of law maugis-dugdale";
-    if (detachment == Detachment::zero_force) {
+    if (detachment == Detachment::zero_force)
         return subject +
                ": its potential there is below that at first touch, an undamped impact would gain energy";
-    }
     const bool gains =
         detachment == Detachment::load_controlled && zone.overlap(zone.greatest_tension()) > -zone.reach();
     if (!gains) return std::nullopt;

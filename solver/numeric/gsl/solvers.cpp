@@ -245,11 +245,10 @@ NonlinearFit fit_nonlinear(const NonlinearProblem& fitted, const Eigen::VectorXd
     const auto start_view = gsl_vector_const_view_array(start.data(), size);
     int info = 0;
     int status = gsl_multifit_nlinear_init(&start_view.vector, &problem, workspace.get());
-    if (status == GSL_SUCCESS) {
+    if (status == GSL_SUCCESS)
         status = gsl_multifit_nlinear_driver(static_cast<std::size_t>(options.most_iterations),
                                              options.parameter_tolerance, options.gradient_tolerance, 0.0,
                                              nullptr, nullptr, &info, workspace.get());
-    }
     target.rethrow();
     // How GSL stopped does not decide: rounding can keep its tests from passing at the minimum, and residuals
     // that are not smooth can pass them elsewhere.
