@@ -11,7 +11,7 @@
 #include "core/text/text.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/batch/parallel.hpp"
-#include "solver/inference/calibration/calibration_objective.hpp"
+#include "solver/inference/calibration/published_damping.hpp"
 #include "solver/motion/damping_inversion.hpp"
 
 namespace ashimpact {

@@ -8,7 +8,7 @@
 
 #include "pipeline/run/stage.hpp"
 #include "solver/damping/damping.hpp"
-#include "solver/inference/calibration/calibration_objective.hpp"
+#include "solver/inference/calibration/published_damping.hpp"
 #include "solver/inference/measured_damping.hpp"
 
 namespace ashimpact {

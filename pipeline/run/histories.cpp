@@ -2,7 +2,7 @@
 #include "pipeline/run/curves/model_curve.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/damping/damping.hpp"
-#include "solver/inference/calibration/calibration_objective.hpp"
+#include "solver/inference/calibration/published_damping.hpp"
 #include "solver/motion/regime.hpp"
 
 namespace ashimpact {

@@ -6,7 +6,7 @@
 
 #include "pipeline/document/results_json.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
-#include "solver/inference/calibration/calibration_objective.hpp"
+#include "solver/inference/calibration/published_damping.hpp"
 #include "solver/motion/impact.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/relative_difference.hpp"

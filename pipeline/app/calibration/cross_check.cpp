@@ -15,7 +15,7 @@
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/present/text/layout.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
-#include "solver/inference/calibration/calibration_objective.hpp"
+#include "solver/inference/calibration/published_damping.hpp"
 #include "solver/motion/damping_inversion.hpp"
 
 namespace ashimpact {

@@ -15,7 +15,7 @@
 #include "pipeline/document/artifact.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/run/stage.hpp"
-#include "solver/inference/calibration/calibration_objective.hpp"
+#include "solver/inference/calibration/published_damping.hpp"
 #include "solver/motion/damping_inversion.hpp"
 
 namespace ashimpact {

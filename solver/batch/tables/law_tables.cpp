@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "solver/contact/pair.hpp"
@@ -17,6 +19,19 @@
 namespace ashimpact::batch {
 
 namespace {
+
+/// The table of a combination, one for the process, made from @p arguments when it is first needed.
+/// Thread-safe. Each thread remembers its last one, so that threads that solve single problems need no lock.
+template <class Table, class Key, class... Arguments>
+Table& table_of(const Key& key, const Arguments&... arguments) {
+    static std::mutex access;
+    static std::map<Key, Table> tables;
+    thread_local std::pair<Key, Table*> last{key, nullptr};
+    if (last.second != nullptr && last.first == key) return *last.second;
+    const std::scoped_lock lock(access);
+    last = {key, &tables.try_emplace(key, arguments...).first->second};
+    return *last.second;
+}
 
 constexpr int degree = CriticalPolynomial::terms - 1;
 constexpr double tolerance = 1e-12;  ///< of ln(work/beta), in its last coefficients

@@ -5,10 +5,8 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <mutex>
-#include <utility>
 
 namespace ashimpact::batch {
 
@@ -141,18 +139,5 @@ class PieceTree {
 
     std::array<std::atomic<PieceType*>, slots> index_{};
 };
-
-/// The table of a combination, one for the process, made from @p arguments when it is first needed.
-/// Thread-safe. Each thread remembers its last one, so that threads that solve single problems need no lock.
-template <class Table, class Key, class... Arguments>
-[[nodiscard]] Table& table_of(const Key& key, const Arguments&... arguments) {
-    static std::mutex access;
-    static std::map<Key, Table> tables;
-    thread_local std::pair<Key, Table*> last{key, nullptr};
-    if (last.second != nullptr && last.first == key) return *last.second;
-    const std::scoped_lock lock(access);
-    last = {key, &tables.try_emplace(key, arguments...).first->second};
-    return *last.second;
-}
 
 }  // namespace ashimpact::batch

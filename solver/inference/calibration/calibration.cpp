@@ -4,25 +4,235 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <utility>
 
 #include "core/text/error.hpp"
-#include "solver/inference/calibration/calibration_objective.hpp"
-#include "solver/numeric/gsl/statistics.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/motion/impact.hpp"
+#include "solver/numeric/gsl/solvers.hpp"
 
 namespace ashimpact {
 
 namespace {
 
-/// Refuses a minimum at which the model captures an impact whose contact time was measured.
-void require_rebounds(const CalibrationProblem& problem, const CalibrationSummary& summary) {
-    for (std::size_t i = 0; i < summary.contact_times.size(); ++i) {
-        if (!summary.contact_times[i].captured_up_to) continue;
-        throw ConvergenceError("calibration: the constants found capture sample " +
-                               std::to_string(problem.contact_times[i].sample + 1) +
-                               " at the velocity of its contact time; start nearer to the answer");
+/// One fitted number: a quantity of one sample, or of all.
+struct CalibrationSlot {
+    CalibrationQuantity quantity;
+    std::optional<std::size_t> sample;
+};
+
+double& constant_of(CalibrationSample& sample, CalibrationQuantity quantity) {
+    switch (quantity) {
+        case CalibrationQuantity::density:
+            return sample.density;
+        case CalibrationQuantity::work_of_adhesion:
+            return sample.work_of_adhesion;
+        case CalibrationQuantity::wall_young_modulus:
+            return sample.wall.young_modulus;
+        case CalibrationQuantity::contact_modulus:
+            break;
     }
+    if (!sample.contact_modulus) sample.contact_modulus = contact_modulus(sample.particle, sample.wall);
+    return *sample.contact_modulus;
 }
+
+double predicted_velocity(const CalibrationSample& sample, Law law, double damping) {
+    const CriticalVelocity critical =
+        critical_velocity({law, law.default_detachment(), {DampingLaw::constant, damping}, sample.contact()});
+    if (!critical.value)
+        throw InputError("law '" + std::string(law.name()) + "' has no finite critical velocity here",
+                         "damping > 0 kg/s");
+    return *critical.value;
+}
+
+PublishedDamping published_damping(const CalibrationSample& sample, const ContactTimeObservation& at) {
+    return {.law = at.law,
+            .detachment = at.law.default_detachment(),
+            .contact = sample.contact(),
+            .damping = at.damping_fit};
+}
+
+double contact_time(const PublishedDamping& published, double e, double velocity) {
+    return solve_impact(published.impact(e, velocity)).contact_time.value();
+}
+
+/// Power of v_c/v with which the substitute for a contact time grows on the captured side: about the slope of
+/// the real time just above v_c, so that the weights do not jump there.
+constexpr double captured_growth = 3.0;
+
+/// Contact time at @p velocity on the curve that the published fit implies. A captured impact has none; its
+/// substitute is the time of a rebound just above the v_c of eta(0), growing with the distance to v_c, so
+/// that a fit can find its way back. The time at the fold would not do: its slope there is unbounded, and
+/// fits get stuck.
+double predicted_time(const CalibrationSample& sample, const ContactTimeObservation& at, double velocity) {
+    const PublishedDamping published = published_damping(sample, at);
+    const double e = reconstructed_restitution(published, velocity);
+    if (e > 0.0) return contact_time(published, e, velocity);
+    const double above = (1.0 + 1e-6) * predicted_velocity(sample, at.law, published.damping(0.0));
+    return contact_time(published, 0.0, above) * std::pow(above / velocity, captured_growth);
+}
+
+/// The velocity up to which the impact of a contact time is captured, that of the fold; none if it rebounds.
+std::optional<double> captured_up_to(const CalibrationSample& sample, const ContactTimeObservation& at) {
+    const PublishedDamping published = published_damping(sample, at);
+    if (reconstructed_restitution(published, at.velocity) > 0.0) return std::nullopt;
+    return least_rebound(published).velocity;
+}
+
+/// The same contact time with one coefficient of the published fit changed.
+double with_coefficient(const CalibrationSample& sample, ContactTimeObservation at, Eigen::Index coefficient,
+                        double change) {
+    at.damping_fit.coefficients[coefficient] += change;
+    return predicted_time(sample, at, at.velocity);
+}
+
+double logarithmic_slope(const std::function<double(double)>& function, double at) {
+    constexpr double nudge = 1e-4;
+    return std::log(function(at * (1 + nudge)) / function(at * (1 - nudge))) / (2 * nudge);
+}
+
+/// Errors of ln(prediction): those of this observation alone, and that of the printed damping, which is
+/// shared [1].
+struct VelocityError {
+    double predicted;
+    double own;
+    double damping;
+};
+
+VelocityError error_of(const CalibrationSample& sample, const CriticalVelocityObservation& observed) {
+    const double eta = observed.critical_damping;
+    const double slope =
+        logarithmic_slope([&](double x) { return predicted_velocity(sample, observed.law, x); }, eta);
+    return {.predicted = predicted_velocity(sample, observed.law, eta),
+            .own = observed.standard_uncertainty / observed.value,
+            .damping = slope * observed.critical_damping_uncertainty / eta};
+}
+
+/// The same for a contact time; of each coefficient of the fit, in ascending powers.
+struct TimeError {
+    double predicted;
+    double own;
+    Eigen::Vector3d coefficients;
+};
+
+TimeError error_of(const CalibrationSample& sample, const ContactTimeObservation& observed) {
+    const double v = observed.velocity;
+    const double slope = logarithmic_slope([&](double x) { return predicted_time(sample, observed, x); }, v);
+    TimeError error{.predicted = predicted_time(sample, observed, v),
+                    .own = std::hypot(observed.standard_uncertainty / observed.value,
+                                      slope * observed.velocity_uncertainty / v),
+                    .coefficients = Eigen::Vector3d::Zero()};
+    const double u = observed.damping_fit_uncertainty;
+    if (u == 0.0) return error;
+    for (Eigen::Index i = 0; i < error.coefficients.size(); ++i) {
+        constexpr double share = 0.1;  // of the uncertainty: a difference, not the bend of the curve
+        error.coefficients[i] = std::log(with_coefficient(sample, observed, i, share * u) /
+                                         with_coefficient(sample, observed, i, -share * u)) /
+                                (2.0 * share);
+    }
+    return error;
+}
+
+/// ln(predicted/observed), velocities first. @throws InputError where a law has no critical velocity
+Eigen::VectorXd logarithmic_residuals(const CalibrationProblem& problem,
+                                      const std::vector<CalibrationSample>& samples) {
+    Eigen::VectorXd result(
+        static_cast<Eigen::Index>(problem.critical_velocities.size() + problem.contact_times.size()));
+    Eigen::Index row = 0;
+    for (const CriticalVelocityObservation& o : problem.critical_velocities)
+        result[row++] = std::log(predicted_velocity(samples[o.sample], o.law, o.critical_damping) / o.value);
+    for (const ContactTimeObservation& o : problem.contact_times)
+        result[row++] = std::log(predicted_time(samples[o.sample], o, o.velocity) / o.value);
+    return result;
+}
+
+std::vector<CalibrationSlot> slots_of(const CalibrationProblem& problem) {
+    std::vector<CalibrationSlot> slots;
+    for (const FreeConstant& free : problem.free) {
+        if (!free.per_sample) slots.push_back({free.quantity, std::nullopt});
+        for (std::size_t i = 0; free.per_sample && i < problem.samples.size(); ++i)
+            slots.push_back({free.quantity, i});
+    }
+    return slots;
+}
+
+/// @throws InputError without free constants, with fewer observations than those, or with unknown samples
+void require_solvable(const CalibrationProblem& problem) {
+    const std::size_t constants = slots_of(problem).size();
+    const std::size_t observations = problem.critical_velocities.size() + problem.contact_times.size();
+    const auto unknown = [&](const auto& o) { return o.sample >= problem.samples.size(); };
+    if (std::ranges::any_of(problem.critical_velocities, unknown) ||
+        std::ranges::any_of(problem.contact_times, unknown))
+        throw InputError("an observation names a sample that does not exist");
+    if (constants == 0 || observations < constants)
+        throw InputError("the calibration has " + std::to_string(observations) + " observations for " +
+                             std::to_string(constants) + " free constants",
+                         "at least one free constant and as many observations");
+}
+
+/// A problem's samples with these logarithms of the fitted numbers in place.
+std::vector<CalibrationSample> samples_with(const CalibrationProblem& problem,
+                                            const std::vector<CalibrationSlot>& slots,
+                                            const Eigen::VectorXd& logarithms) {
+    std::vector<CalibrationSample> samples = problem.samples;
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        const double value = std::exp(logarithms[static_cast<Eigen::Index>(i)]);
+        for (std::size_t s = 0; s < samples.size(); ++s)
+            if (!slots[i].sample || *slots[i].sample == s) constant_of(samples[s], slots[i].quantity) = value;
+    }
+    return samples;
+}
+
+/// The logarithms of a problem's starting values.
+Eigen::VectorXd starting_logarithms(const CalibrationProblem& problem) {
+    const std::vector<CalibrationSlot> slots = slots_of(problem);
+    Eigen::VectorXd logarithms(static_cast<Eigen::Index>(slots.size()));
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        CalibrationSample start = problem.samples[slots[i].sample.value_or(0)];
+        logarithms[static_cast<Eigen::Index>(i)] = std::log(constant_of(start, slots[i].quantity));
+    }
+    return logarithms;
+}
+
+/// Normalised, uncorrelated residuals of a problem. The weights are computed once, at the point given to the
+/// constructor, so that chi^2 keeps its meaning during a fit.
+class CalibrationObjective {
+  public:
+    CalibrationObjective(const CalibrationProblem& problem, const Eigen::VectorXd& logarithms)
+        : problem_(&problem), slots_(slots_of(problem)) {
+        covariance_.compute(
+            calibration_residuals(problem, samples_with(problem, slots_, logarithms)).covariance);
+    }
+
+    [[nodiscard]] Eigen::VectorXd residuals(const Eigen::VectorXd& logarithms) const {
+        return residuals(*problem_, logarithms);
+    }
+    /// Those of another problem with the same observations, with the weights of this one.
+    [[nodiscard]] Eigen::VectorXd residuals(const CalibrationProblem& problem,
+                                            const Eigen::VectorXd& logarithms) const {
+        return covariance_.matrixL().solve(
+            logarithmic_residuals(problem, samples_with(problem, slots_, logarithms)));
+    }
+    /// Fit from @p start; the number at index @p held, if given, keeps its value. @throws ConvergenceError
+    [[nodiscard]] gsl::NonlinearFit fit(const Eigen::VectorXd& start,
+                                        std::optional<Eigen::Index> held = std::nullopt) const {
+        const gsl::NonlinearFitOptions options{
+            .parameter_tolerance = 1e-9, .gradient_tolerance = 1e-10, .difference_step = 1e-5};
+        std::vector<Eigen::Index> moved;
+        for (Eigen::Index i = 0; i < start.size(); ++i)
+            if (i != held) moved.push_back(i);
+        const auto with_moved = [&](const Eigen::VectorXd& x) {
+            Eigen::VectorXd all = start;
+            all(moved) = x;
+            return residuals(all);
+        };
+        return gsl::fit_nonlinear({with_moved}, start(moved), options);
+    }
+
+  private:
+    const CalibrationProblem* problem_;
+    std::vector<CalibrationSlot> slots_;
+    Eigen::LLT<Eigen::MatrixXd> covariance_;
+};
 
 std::vector<CalibratedConstant> constants_of(const std::vector<CalibrationSlot>& slots,
                                              const gsl::NonlinearFit& fit) {
@@ -121,6 +331,39 @@ Interval logarithmic_interval(const CalibrationObjective& objective, const Eigen
 
 }  // namespace
 
+CalibrationResiduals calibration_residuals(const CalibrationProblem& problem,
+                                           const std::vector<CalibrationSample>& samples) {
+    const auto velocities = static_cast<Eigen::Index>(problem.critical_velocities.size());
+    const auto times = static_cast<Eigen::Index>(problem.contact_times.size());
+    CalibrationResiduals result{{}, {}, Eigen::MatrixXd::Zero(velocities + times, velocities + times)};
+    std::vector<double> shared;
+    for (Eigen::Index i = 0; i < velocities; ++i) {
+        const auto& observed = problem.critical_velocities[static_cast<std::size_t>(i)];
+        const VelocityError error = error_of(samples[observed.sample], observed);
+        const double total = std::hypot(error.own, error.damping);
+        result.critical_velocities.push_back({observed.value, error.predicted, total, {}});
+        result.covariance(i, i) = total * total;
+        shared.push_back(error.damping);
+    }
+    for (Eigen::Index j = 0; j < times; ++j) {
+        const auto& observed = problem.contact_times[static_cast<std::size_t>(j)];
+        const TimeError error = error_of(samples[observed.sample], observed);
+        const double total = std::hypot(error.own, error.coefficients.norm());
+        result.contact_times.push_back(
+            {observed.value, error.predicted, total, captured_up_to(samples[observed.sample], observed)});
+        const Eigen::Index row = velocities + j;
+        result.covariance(row, row) = total * total;
+        for (Eigen::Index i = 0; i < velocities; ++i) {
+            const auto& velocity = problem.critical_velocities[static_cast<std::size_t>(i)];
+            if (velocity.sample != observed.sample || velocity.law != observed.law) continue;
+            const double covariance = shared[static_cast<std::size_t>(i)] * error.coefficients[0];
+            result.covariance(row, i) = covariance;
+            result.covariance(i, row) = covariance;
+        }
+    }
+    return result;
+}
+
 Dimension dimension_of(CalibrationQuantity quantity) {
     switch (quantity) {
         case CalibrationQuantity::density:
@@ -144,7 +387,11 @@ ContactPair CalibrationSample::contact() const {
 
 CalibrationSummary calibrate(const CalibrationProblem& problem) {
     CalibrationSummary summary = calibrate_despite_captures(problem);
-    require_rebounds(problem, summary);
+    for (std::size_t i = 0; i < summary.contact_times.size(); ++i)
+        if (summary.contact_times[i].captured_up_to)
+            throw ConvergenceError("calibration: the constants found capture sample " +
+                                   std::to_string(problem.contact_times[i].sample + 1) +
+                                   " at the velocity of its contact time; start nearer to the answer");
     return summary;
 }
 

@@ -13,8 +13,7 @@
 
 #include "core/quantities/names.hpp"
 #include "materials/contact_properties.hpp"
-#include "solver/contact/law.hpp"
-#include "solver/damping/damping_polynomial.hpp"
+#include "solver/inference/calibration/published_damping.hpp"
 #include "solver/statistics/interval.hpp"
 
 namespace ashimpact {
@@ -49,30 +48,6 @@ struct FreeConstant {
     bool per_sample = false;
 };
 
-/// A published critical velocity, with the critical damping it was computed from (Tables 3 and 4).
-struct CriticalVelocityObservation {
-    std::size_t sample;
-    Law law;
-    double critical_damping;              ///< eta_c [kg/s]
-    double critical_damping_uncertainty;  ///< standard, e.g. rounding/sqrt(12) [kg/s]
-    double value;                         ///< v_c [m/s]
-    double standard_uncertainty;          ///< of v_c itself [m/s]
-};
-
-/// A published contact time at a velocity where the damping is known through a fit eta(e_n) (Table 2).
-struct ContactTimeObservation {
-    std::size_t sample;
-    Law law;
-    DampingPolynomial damping_fit;  ///< of the second order [kg/s]
-    double velocity;                ///< v_in [m/s]
-    double velocity_uncertainty;    ///< standard [m/s]
-    double value;                   ///< contact time [s]
-    double standard_uncertainty;    ///< of the time itself [s]
-    /// Standard uncertainty of each coefficient, e.g. rounding/sqrt(12) [kg/s]. The error of c and that of
-    /// critical_damping of the same sample and law are one, since one printed number gives both.
-    double damping_fit_uncertainty = 0.0;
-};
-
 struct CalibrationProblem {
     std::vector<CalibrationSample> samples;
     std::vector<FreeConstant> free;
@@ -102,6 +77,18 @@ struct CalibrationResidual {
 
     [[nodiscard]] double relative_difference() const { return predicted / observed - 1.0; }
 };
+
+/// Predictions from given samples beside the observations, and how well each is known.
+struct CalibrationResiduals {
+    std::vector<CalibrationResidual> critical_velocities;
+    std::vector<CalibrationResidual> contact_times;
+    /// Covariance of ln(predicted/observed), velocities first. The damping at v_c and the constant term of
+    /// the fit that a contact time rests on are one printed number, so their rounding is one error.
+    Eigen::MatrixXd covariance;
+};
+
+[[nodiscard]] CalibrationResiduals calibration_residuals(const CalibrationProblem& problem,
+                                                         const std::vector<CalibrationSample>& samples);
 
 struct CalibrationSummary {
     std::vector<CalibratedConstant> constants;

@@ -10,7 +10,7 @@
 #include <doctest/doctest.h>
 
 #include "solver/critical_velocity/critical_velocity.hpp"
-#include "solver/inference/calibration/calibration_objective.hpp"
+#include "solver/inference/calibration/published_damping.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/errors.hpp"

@@ -1,71 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <span>
-#include <vector>
 
-#include <Eigen/Core>
 #include <Eigen/Dense>
 
 #include "solver/damping/damping_polynomial.hpp"
-#include "solver/inference/calibration/calibration.hpp"
 #include "solver/motion/impact.hpp"
-#include "solver/numeric/gsl/solvers.hpp"
 
 namespace ashimpact {
 
-/// One fitted number: a quantity of one sample, or of all.
-struct CalibrationSlot {
-    CalibrationQuantity quantity;
-    std::optional<std::size_t> sample;
+/// A published critical velocity, with the critical damping it was computed from (Tables 3 and 4).
+struct CriticalVelocityObservation {
+    std::size_t sample;
+    Law law;
+    double critical_damping;              ///< eta_c [kg/s]
+    double critical_damping_uncertainty;  ///< standard, e.g. rounding/sqrt(12) [kg/s]
+    double value;                         ///< v_c [m/s]
+    double standard_uncertainty;          ///< of v_c itself [m/s]
 };
 
-[[nodiscard]] std::vector<CalibrationSlot> slots_of(const CalibrationProblem& problem);
-
-/// @throws InputError without free constants, with fewer observations than those, or with unknown samples
-void require_solvable(const CalibrationProblem& problem);
-
-/// The logarithms of a problem's starting values.
-[[nodiscard]] Eigen::VectorXd starting_logarithms(const CalibrationProblem& problem);
-
-/// A problem's samples with these logarithms of the fitted numbers in place.
-[[nodiscard]] std::vector<CalibrationSample> samples_with(const CalibrationProblem& problem,
-                                                          const std::vector<CalibrationSlot>& slots,
-                                                          const Eigen::VectorXd& logarithms);
-
-/// Predictions from given samples beside the observations, and how well each is known.
-struct CalibrationResiduals {
-    std::vector<CalibrationResidual> critical_velocities;
-    std::vector<CalibrationResidual> contact_times;
-    /// Covariance of ln(predicted/observed), velocities first. The damping at v_c and the constant term of
-    /// the fit that a contact time rests on are one printed number, so their rounding is one error.
-    Eigen::MatrixXd covariance;
-};
-
-[[nodiscard]] CalibrationResiduals calibration_residuals(const CalibrationProblem& problem,
-                                                         const std::vector<CalibrationSample>& samples);
-
-/// Normalised, uncorrelated residuals of a problem. The weights are computed once, at the point given to the
-/// constructor, so that chi^2 keeps its meaning during a fit.
-class CalibrationObjective {
-  public:
-    CalibrationObjective(const CalibrationProblem& problem, const Eigen::VectorXd& logarithms);
-
-    [[nodiscard]] Eigen::VectorXd residuals(const Eigen::VectorXd& logarithms) const {
-        return residuals(*problem_, logarithms);
-    }
-    /// Those of another problem with the same observations, with the weights of this one.
-    [[nodiscard]] Eigen::VectorXd residuals(const CalibrationProblem& problem,
-                                            const Eigen::VectorXd& logarithms) const;
-    /// Fit from @p start; the number at index @p held, if given, keeps its value. @throws ConvergenceError
-    [[nodiscard]] gsl::NonlinearFit fit(const Eigen::VectorXd& start,
-                                        std::optional<Eigen::Index> held = std::nullopt) const;
-
-  private:
-    const CalibrationProblem* problem_;
-    std::vector<CalibrationSlot> slots_;
-    Eigen::LLT<Eigen::MatrixXd> covariance_;
+/// A published contact time at a velocity where the damping is known through a fit eta(e_n) (Table 2).
+struct ContactTimeObservation {
+    std::size_t sample;
+    Law law;
+    DampingPolynomial damping_fit;  ///< of the second order [kg/s]
+    double velocity;                ///< v_in [m/s]
+    double velocity_uncertainty;    ///< standard [m/s]
+    double value;                   ///< contact time [s]
+    double standard_uncertainty;    ///< of the time itself [s]
+    /// Standard uncertainty of each coefficient, e.g. rounding/sqrt(12) [kg/s]. The error of c and that of
+    /// critical_damping of the same sample and law are one, since one printed number gives both.
+    double damping_fit_uncertainty = 0.0;
 };
 
 /// One inverted measurement: the damping that gives back a measured restitution.
@@ -96,6 +63,11 @@ struct PublishedDamping {
     Detachment detachment;
     ContactPair contact;
     DampingPolynomial damping;  ///< eta(e_n), constant during an impact [kg/s]
+
+    /// The impact of damping eta(@p e) at a velocity [m/s].
+    [[nodiscard]] Impact impact(double e, double velocity) const {
+        return {law, detachment, {DampingLaw::constant, damping(e)}, contact, velocity};
+    }
 };
 
 /// The incident velocity at which an impact with this damping rebounds with restitution @p restitution [m/s].
