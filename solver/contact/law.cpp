@@ -15,8 +15,11 @@ std::vector<std::string> names_of_laws() {
     return names;
 }
 
-std::string law_names() {
-    return joined(names_of_laws());
+std::string law_names(bool (*fits)(Law)) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < Law::count(); ++i)
+        if (fits(Law::at(i))) names.emplace_back(Law::at(i).name());
+    return joined(names);
 }
 
 Law Law::named(std::string_view name) {

@@ -121,8 +121,8 @@ class Law {
 
 /// Names of all laws, in the order of the list.
 [[nodiscard]] std::vector<std::string> names_of_laws();
-/// "hertz, dmt, ...", for messages.
-[[nodiscard]] std::string law_names();
+/// "hertz, dmt, ...", the laws that fit, for messages.
+[[nodiscard]] std::string law_names(bool (*fits)(Law) = [](Law) { return true; });
 
 /// Whether a contact has a plastic history: the law is plastic and the yield pressure finite.
 [[nodiscard]] inline bool can_yield(Law law, const ContactPair& contact) {

@@ -29,13 +29,6 @@ bool is_treatable(Law law) {
     });
 }
 
-std::string treatable_laws() {
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < Law::count(); ++i)
-        if (is_treatable(Law::at(i))) names.emplace_back(Law::at(i).name());
-    return joined(names);
-}
-
 /// Beyond m/eta the damping term of the scheme alone would turn the motion round.
 double longest_time_step(const Impact& impact) {
     const Scale scale = Scale::of(impact.contact, impact.velocity);
@@ -52,7 +45,7 @@ void require_treatable(const Impact& impact, const ExplicitSchemeOptions& option
     require(is_treatable(impact.law),
             "the paper's explicit scheme cannot treat law '" + std::string(impact.law.name()) +
                 "': its force is not a function of overlap",
-            treatable_laws());
+            law_names(is_treatable));
     require(impact.detachment == Detachment::zero_overlap,
             "the paper's explicit scheme ends contact at zero overlap", "zero-overlap");
     require(impact.damping.law == DampingLaw::constant, "the paper's explicit scheme has constant damping",

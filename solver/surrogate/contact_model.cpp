@@ -148,22 +148,12 @@ struct NodePlaces {
 
 constexpr int most_iterations = 60;
 
-std::string names_of_self_similar_laws() {
-    std::string names;
-    for (std::size_t i = 0; i < Law::count(); ++i) {
-        if (!Law::at(i).self_similar()) continue;
-        if (!names.empty()) names += ", ";
-        names += Law::at(i).name();
-    }
-    return names;
-}
-
 void require_memoryless(Law law, const ContactPair& contact) {
     if (is_self_similar(law, contact)) return;
     if (!law.self_similar())
         throw InputError("damping cannot be found from impacts with law '" + std::string(law.name()) +
                              "', whose adhesion has a range of its own",
-                         names_of_self_similar_laws());
+                         law_names([](Law other) { return other.self_similar(); }));
     throw InputError("law '" + std::string(law.name()) + "' with a finite yield pressure has a history",
                      "a law without one for fits of damping");
 }
@@ -191,6 +181,18 @@ RestitutionMap::RestitutionMap(Law law, Detachment detachment, VelocityRange ran
     tabulate_damping();
     tabulate_times();
     check();
+}
+
+double RestitutionMap::unit_velocity(double x) const {
+    return adhesive() ? adhesion_velocity_ * std::exp(x) : 1.0;
+}
+
+double RestitutionMap::greatest_restitution(double x) const {
+    return std::sqrt(std::max(0.0, -std::expm1(2.0 * (lowest_ - x))));
+}
+
+double RestitutionMap::root_of_share(double restitution, double x) const {
+    return std::cbrt(std::max(0.0, restitution) / greatest_restitution(x));
 }
 
 ChebyshevAxis RestitutionMap::axis_of_x() const {
@@ -284,6 +286,10 @@ ContactModel::ContactModel(std::shared_ptr<const RestitutionMap> map, const Cont
 
 VelocityRange ContactModel::range() const {
     return {velocity_unit_ * std::exp(map_->range().lower), velocity_unit_ * std::exp(map_->range().upper)};
+}
+
+double ContactModel::greatest_restitution(double velocity) const {
+    return map_->greatest_restitution(x_of(velocity));
 }
 
 DampingAt ContactModel::damping(double velocity, double restitution) const {

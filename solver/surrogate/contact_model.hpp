@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -31,18 +30,15 @@ struct DampingNumber {
 /// The impacts of one law with constant damping. Scaled, an impact of any material depends on two numbers:
 /// the logarithm x = ln(v/V_a) of the velocity over the law's adhesion velocity (without effect for Hertz,
 /// which has none), and the damping number beta = eta m^(-3/5) k^(-2/5) v^(-1/5). The map is beta(e, x), the
-/// damping number that gives a restitution. It takes a microsecond, where solving the impact takes
-/// milliseconds.
+/// damping number that gives a restitution, in a microsecond; solving the impact takes milliseconds.
 ///
 /// beta is interpolated over the cube root of e/e_greatest. Near capture beta of an adhesive law expands in
-/// powers of e^(1/3), which are whole powers of the cube root. Hertz has e and e^(3/2), the power 4.5 of the
-/// cube root, which is smooth enough. The constructor compares the map with solved impacts, see accuracy().
+/// powers of e^(1/3). Hertz has e and e^(3/2), the power 4.5 of the cube root, which is smooth enough. The
+/// constructor compares the map with solved impacts, see accuracy().
 class RestitutionMap {
   public:
-    /// Solves the impacts, in some hundredths of a second. @param range of x, cut off where every impact is
-    /// captured
-    /// @throws InputError for a detachment that the law does not admit or that never captures, or an empty
-    /// range
+    /// Solves the impacts, in some hundredths of a second. @param range of x, cut off where all are captured
+    /// @throws InputError for a detachment that the law does not admit or that never captures, or no range
     RestitutionMap(Law law, Detachment detachment, VelocityRange range);
 
     [[nodiscard]] Law law() const { return law_; }
@@ -52,9 +48,7 @@ class RestitutionMap {
     /// x below which every impact is captured, damped or not; minus infinity if there is none.
     [[nodiscard]] double lowest() const { return lowest_; }
     /// Velocity of a pair whose mass, radius, stiffness and work of adhesion are 1.
-    [[nodiscard]] double unit_velocity(double x) const {
-        return adhesive() ? adhesion_velocity_ * std::exp(x) : 1.0;
-    }
+    [[nodiscard]] double unit_velocity(double x) const;
     [[nodiscard]] VelocityRange range() const { return range_; }
     /// Largest error in restitution found when the map was checked [1].
     [[nodiscard]] double accuracy() const { return accuracy_; }
@@ -62,9 +56,7 @@ class RestitutionMap {
     /// @param restitution 0 <= e <= greatest_restitution(x); @param x within range()
     [[nodiscard]] DampingNumber damping_number(double restitution, double x) const;
     /// Restitution without damping, the greatest there is [1].
-    [[nodiscard]] double greatest_restitution(double x) const {
-        return std::sqrt(std::max(0.0, -std::expm1(2.0 * (lowest_ - x))));
-    }
+    [[nodiscard]] double greatest_restitution(double x) const;
     /// Contact time in units of L/v, e > 0 [1].
     [[nodiscard]] double contact_time(double restitution, double x) const;
 
@@ -73,9 +65,7 @@ class RestitutionMap {
     void tabulate_damping();
     void tabulate_times();
     void check();
-    [[nodiscard]] double root_of_share(double restitution, double x) const {
-        return std::cbrt(std::max(0.0, restitution) / greatest_restitution(x));
-    }
+    [[nodiscard]] double root_of_share(double restitution, double x) const;
 
     Law law_;
     Detachment detachment_;
@@ -119,11 +109,8 @@ class ContactModel {
     /// @param velocity within range() [m/s] @param restitution within [0, greatest_restitution(velocity)]
     [[nodiscard]] DampingAt damping(double velocity, double restitution) const;
     /// Restitution without damping, the greatest that can be reached [1].
-    [[nodiscard]] double greatest_restitution(double velocity) const {
-        return map_->greatest_restitution(x_of(velocity));
-    }
-    /// The velocity at which an impact with this damping has this restitution; none if it lies outside
-    /// range().
+    [[nodiscard]] double greatest_restitution(double velocity) const;
+    /// The velocity at which an impact with this damping has this restitution; none if outside range().
     /// @param damping > 0 [kg/s] @param guess start of the search, if one is known [m/s]
     [[nodiscard]] std::optional<VelocityAt> velocity(double restitution, double damping,
                                                      std::optional<double> guess = std::nullopt) const;
@@ -137,8 +124,7 @@ class ContactModel {
         double guess;
         double tolerance;  ///< last change of the restitution
     };
-    /// Restitution of an impact that is no capture, by Newton's method within a bracket that only shrinks
-    /// [1].
+    /// Restitution of an impact that is no capture, by Newton's method within a shrinking bracket [1].
     [[nodiscard]] double rebound_restitution(double velocity, double damping, const Search& search) const;
     /// Contact time of a rebound [s].
     [[nodiscard]] double contact_time(double velocity, double restitution) const;
@@ -152,8 +138,7 @@ class ContactModel {
     double damping_unit_;   ///< m^(3/5) k^(2/5), unit of damping at 1 m/s [kg/s (s/m)^(1/5)]
 };
 
-/// A map of @p law that covers @p velocities for @p contact; without adhesion a map of Hertz. @throws
-/// InputError
+/// A map of @p law that covers @p velocities for @p contact; without adhesion of Hertz. @throws InputError
 [[nodiscard]] std::shared_ptr<const RestitutionMap> make_restitution_map(Law law, Detachment detachment,
                                                                          const ContactPair& contact,
                                                                          VelocityRange velocities);
