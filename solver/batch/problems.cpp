@@ -223,11 +223,10 @@ Inputs inputs_of(Law law, DampingLaw damping_law, const ContactPair& contact) {
                   .contact_modulus = {&contact.contact_modulus, 1},
                   .work_of_adhesion = {&contact.work_of_adhesion, 1},
                   .yield_pressure = {&contact.yield_pressure, 1}};
-    for (const LawParameter& parameter : parameters_for(law, damping_law)) {
+    for (const LawParameter& parameter : parameters_for(law, damping_law))
         for (const auto& entry : contact.parameters)
             if (entry.first == parameter.name)
                 inputs.parameters[inputs.parameter_count++] = {&parameter, {&entry.second, 1}};
-    }
     return inputs;
 }
 

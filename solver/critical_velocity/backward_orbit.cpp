@@ -198,16 +198,13 @@ Arrival at_damped_end(const Motion<Extended>& motion) {
     return arrival;
 }
 
-/// Whether the end of contact is a rest point of the regularised motion.
-bool ends_at_rest_point(const Motion<Extended>& motion) {
-    return std::abs(motion.slope(*motion.end)) <= 1e-12_ext * std::abs(motion.slope(motion.equilibrium));
-}
-
 /// The orbit that arrives at the end of contact with no velocity left; none if no orbit does. Without
 /// adhesion there is one only if the damping does not vanish with the contact radius.
 std::optional<Arrival> critical_arrival(const Motion<Extended>& motion) {
     const bool adhesive = motion.equilibrium > *motion.end;
-    if (adhesive && ends_at_rest_point(motion)) return RestPoint(motion).arrival(*motion.end);
+    const bool rests =  // whether the end of contact is a rest point of the regularised motion
+        std::abs(motion.slope(*motion.end)) <= 1e-12_ext * std::abs(motion.slope(motion.equilibrium));
+    if (adhesive && rests) return RestPoint(motion).arrival(*motion.end);
     if (adhesive) return Arrival{.state = {.position = *motion.end}};
     if (!(motion.damping[0] > 0)) return std::nullopt;
     return motion.damping.degree == 0 ? at_damped_end(motion) : RestPoint(motion).arrival(*motion.end);

@@ -26,11 +26,10 @@ double next(std::span<const double>& values) {
 void add_mixture(std::vector<RandomInput>& inputs, const Composition& composition) {
     const std::string basis = composition.basis == FractionBasis::weight ? "weight" : "volume";
     const FractionModel& model = composition.model;
-    for (std::size_t i = 0; i < model.amounts.size(); ++i) {
+    for (std::size_t i = 0; i < model.amounts.size(); ++i)
         inputs.push_back({.name = basis + " fraction of " + composition.components[i].name,
                           .value = model.amounts[i],
                           .standard_uncertainty = model.uncertainties[i].value_or(0.0)});
-    }
     inputs.push_back({.name = "amorphous part",
                       .value = model.parameter,
                       .standard_uncertainty = model.parameter_uncertainty.value_or(0.0)});

@@ -300,12 +300,6 @@ void take_gap(MeasuredCriticalVelocity& result) {
     result.note = "between the fastest capture and the slowest rebound";
 }
 
-/// Both outcomes at one velocity of unknown uncertainty: this is v_c, without an interval.
-void take_common_velocity(MeasuredCriticalVelocity& result) {
-    result.value = result.fastest_capture;
-    result.note = "captures end and rebounds begin at one velocity, whose uncertainty is not known";
-}
-
 void take_transition(const MeasurementSet& set, double noise, bool mixed, MeasuredCriticalVelocity& result) {
     const double gap = std::abs(*result.fastest_capture - *result.slowest_rebound);
     const OutcomeLikelihood likelihood(set, 1e-3 * std::max(noise, gap));
@@ -346,12 +340,14 @@ MeasuredCriticalVelocity measured_critical_velocity(const MeasurementSet& stated
     }
     const double noise = mean_noise(set);
     const bool mixed = *result.fastest_capture >= *result.slowest_rebound;
-    if (noise == 0.0 && !mixed)
+    if (noise == 0.0 && !mixed) {
         take_gap(result);
-    else if (noise == 0.0 && *result.fastest_capture == *result.slowest_rebound)
-        take_common_velocity(result);
-    else
+    } else if (noise == 0.0 && *result.fastest_capture == *result.slowest_rebound) {  // v_c, without interval
+        result.value = result.fastest_capture;
+        result.note = "captures end and rebounds begin at one velocity, whose uncertainty is not known";
+    } else {
         take_transition(set, noise, mixed, result);
+    }
     if (result.lower && may_be_slow_rebounds(set)) {
         result.lower.reset();
         result.note +=

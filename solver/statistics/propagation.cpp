@@ -188,11 +188,10 @@ std::vector<Influence> influences_of(const std::vector<Factor>& factors,
                                      const std::vector<SobolSums>& replicates) {
     const std::vector<SobolIndices> indices = sobol_indices(replicates);
     std::vector<Influence> influences;
-    for (std::size_t i = 0; i < indices.size(); ++i) {
+    for (std::size_t i = 0; i < indices.size(); ++i)
         influences.push_back({factors[i].name,
                               {indices[i].first, indices[i].first_error.value_or(0.0)},
                               {indices[i].total, indices[i].total_error.value_or(0.0)}});
-    }
     // Shares that are rounding alone keep the order of the factors.
     const auto rank = [](const Influence& of) { return std::round(1e9 * of.total.value); };
     std::stable_sort(influences.begin(), influences.end(),

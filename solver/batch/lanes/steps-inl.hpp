@@ -216,9 +216,8 @@ class ExtrapolatedLeapfrog {
             start[group] = started(orbits[group]);
             results[group] = {{0.0, 0.0, 0.0}, 0.0, 0.0, 0.0};
         }
-        for (int sequence = sequences; sequence >= 1; --sequence) {
+        for (int sequence = sequences; sequence >= 1; --sequence)
             run(orbits, start, sequence, results, std::make_index_sequence<group_count>{});
-        }
         for (std::size_t group = 0; group < group_count; ++group) finish(orbits[group], results[group]);
     }
 

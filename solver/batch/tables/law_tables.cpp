@@ -45,11 +45,6 @@ ContactPair sample_pair(Law law) {
             .parameters = typical_parameters(law)};
 }
 
-Scale sample_scale(Law law) {
-    const ContactPair pair = sample_pair(law);
-    return Scale::of(pair, velocity_of_adhesion(law, pair));
-}
-
 /// The power of the adhesion number at length 1 that is the length at which it is 1; 0 for a law without.
 double power_of_length(Law law) {
     return law.visit<double>([&]<template <class> class L>() {
@@ -174,13 +169,14 @@ PieceState CriticalTable::judge(const CriticalPiece& piece, int /*depth*/,
     static const Eigen::MatrixXd to_powers = chebyshev_by_powers(CriticalPolynomial::terms);
     const ChebyshevAxis axis{piece.lower(0), piece.upper(0), degree};
     const Law law = Law::at(law_);
-    const Scale scale = sample_scale(law);
+    const ContactPair pair = sample_pair(law);
+    const Scale scale = Scale::of(pair, velocity_of_adhesion(law, pair));
     const double unit = scale.energy();
     Eigen::VectorXd values(degree + 1);
     for (int i = 0; i <= degree; ++i) {
         const double beta = axis.node(i);
         const Damping damping{damping_law_, scale.damping_coefficient(damping_law_, beta)};
-        const CriticalVelocity critical = critical_velocity({law, detachment_, damping, sample_pair(law)});
+        const CriticalVelocity critical = critical_velocity({law, detachment_, damping, pair});
         // Capture only grows with damping: if v_c is not finite here, it is not at the later nodes either.
         if (!critical.value) return i == 0 ? PieceState::captured : PieceState::unknown;
         values[i] = std::log(critical.dissipated / unit / beta);

@@ -173,13 +173,6 @@ void require_no_rebound(const std::string& told_by, const Measurement& point) {
                          "one of them");
 }
 
-/// Takes the outcome that a remark states beside a reading. @throws InputError if they contradict each other
-NotedOutcome with_remark(OutcomeWord remark, const Measurement& point) {
-    if (remark == OutcomeWord::rebound) return NotedOutcome::rebound;
-    require_no_rebound("remark", point);
-    return NotedOutcome::capture;
-}
-
 /// Reads the noise of a row, and its reading unless it is a capture without one.
 void read_rebound(Measurement& point, const MeasurementHeading& heading, const TableCells& cells,
                   const TableRow& row, bool has_reading) {
@@ -212,7 +205,10 @@ std::optional<Measurement> measurement_of(const MeasurementHeading& heading, con
     if (blank && outcome != NotedOutcome::capture) return std::nullopt;
     Measurement point{.velocity = velocity.value, .rebound = 0.0, .noise = {}, .line = row.line};
     read_rebound(point, heading, cells, row, !word && !blank);
-    if (!word && !blank && remark != OutcomeWord::none) outcome = with_remark(remark, point);
+    if (!word && !blank && remark != OutcomeWord::none) {
+        if (remark != OutcomeWord::rebound) require_no_rebound("remark", point);
+        outcome = remark == OutcomeWord::rebound ? NotedOutcome::rebound : NotedOutcome::capture;
+    }
     if (outcome == NotedOutcome::capture) require_no_rebound("outcome", point);
     point.outcome = *outcome;
     require_near_zero(point);
@@ -374,20 +370,18 @@ MeasurementSet read_from_workbook(std::string_view bytes, std::string_view name,
     });
 }
 
-MeasurementSet read(std::string_view text, std::string_view name, std::string_view sheet) {
-    if (is_workbook(text)) return read_from_workbook(text, name, sheet);
-    if (!sheet.empty())
-        throw InputError("a sheet is named, and the file is no spreadsheet", "an .xlsx or .ods");
-    if (trimmed(text).empty()) throw InputError("the file is empty", "a table of impacts").at("line 1");
-    MeasurementSet set = read_table(TextLines(text, impact_table), name);
-    validate(set);
-    return set;
-}
-
 }  // namespace
 
 MeasurementSet read_measurements(std::string_view text, std::string_view name, std::string_view sheet) {
-    return at_place(FileName{std::string(name)}, [&] { return read(text, name, sheet); });
+    return at_place(FileName{std::string(name)}, [&] {
+        if (is_workbook(text)) return read_from_workbook(text, name, sheet);
+        if (!sheet.empty())
+            throw InputError("a sheet is named, and the file is no spreadsheet", "an .xlsx or .ods");
+        if (trimmed(text).empty()) throw InputError("the file is empty", "a table of impacts").at("line 1");
+        MeasurementSet set = read_table(TextLines(text, impact_table), name);
+        validate(set);
+        return set;
+    });
 }
 
 }  // namespace ashimpact
