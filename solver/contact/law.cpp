@@ -54,9 +54,7 @@ std::span<const LawParameter> Law::parameters() const {
 }
 
 bool Law::takes(const LawParameter& parameter) const {
-    const auto own = parameters();
-    return std::any_of(own.begin(), own.end(),
-                       [&](const LawParameter& known) { return known.name == parameter.name; });
+    return std::ranges::count(parameters(), parameter.name, &LawParameter::name) > 0;
 }
 
 bool Law::is_adhesive() const {

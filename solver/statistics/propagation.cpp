@@ -63,8 +63,7 @@ std::vector<Factor> factors_of(const std::vector<RandomInput>& inputs) {
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         if (inputs[i].standard_uncertainty == 0.0) continue;
         const std::string& name = inputs[i].factor.empty() ? inputs[i].name : inputs[i].factor;
-        const auto same = [&](const Factor& factor) { return factor.name == name; };
-        auto factor = std::find_if(factors.begin(), factors.end(), same);
+        auto factor = std::ranges::find(factors, name, &Factor::name);
         if (factor == factors.end()) factor = factors.insert(factors.end(), {name, {}});
         factor->inputs.push_back(i);
     }
@@ -194,8 +193,7 @@ std::vector<Influence> influences_of(const std::vector<Factor>& factors,
                               {indices[i].total, indices[i].total_error.value_or(0.0)}});
     // Shares that are rounding alone keep the order of the factors.
     const auto rank = [](const Influence& of) { return std::round(1e9 * of.total.value); };
-    std::stable_sort(influences.begin(), influences.end(),
-                     [&](const Influence& x, const Influence& y) { return rank(x) > rank(y); });
+    std::ranges::stable_sort(influences, std::ranges::greater(), rank);
     return influences;
 }
 

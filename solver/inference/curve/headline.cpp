@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "core/text/error.hpp"
@@ -163,8 +164,7 @@ std::vector<Mode> modes_of(const CurvePosterior& posterior, const std::vector<do
     std::ranges::sort(starts, {}, &std::pair<double, Vector>::first);
     std::vector<Mode> modes;
     for (std::size_t best = 0; best < 2; ++best) add_modes(modes, posterior, starts[best].second);
-    std::sort(modes.begin(), modes.end(),
-              [](const Mode& a, const Mode& b) { return a.log_weight > b.log_weight; });
+    std::ranges::sort(modes, std::ranges::greater(), &Mode::log_weight);
     if (!(modes.front().value < 1e9)) throw ConvergenceError("no curve of damping explains the impacts");
     std::erase_if(modes, [most = modes.front().log_weight](const Mode& mode) {
         return !(mode.log_weight > most - sampling::furthest_mode);

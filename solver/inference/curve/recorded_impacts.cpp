@@ -10,10 +10,6 @@ namespace ashimpact {
 
 namespace {
 
-bool slower(const RecordedImpact& a, const RecordedImpact& b) {
-    return a.velocity < b.velocity;
-}
-
 /// Sums over impacts that are merged into one.
 struct Sums {
     double count = 0.0;
@@ -105,7 +101,7 @@ double noise_of_neighbours(const std::vector<RecordedImpact>& impacts) {
     std::vector<RecordedImpact> rebounds;
     for (const RecordedImpact& impact : impacts)
         if (impact.recorded == Recorded::rebound) rebounds.push_back(impact);
-    std::sort(rebounds.begin(), rebounds.end(), slower);
+    std::ranges::sort(rebounds, {}, &RecordedImpact::velocity);
     // Squared distance of each middle rebound from the line through its two neighbours.
     std::vector<double> squares;
     for (std::size_t i = 1; i + 1 < rebounds.size(); ++i) {
@@ -125,7 +121,7 @@ double noise_of_neighbours(const std::vector<RecordedImpact>& impacts) {
 }
 
 std::vector<RecordedImpact> grouped(std::vector<RecordedImpact> impacts) {
-    std::sort(impacts.begin(), impacts.end(), slower);
+    std::ranges::sort(impacts, {}, &RecordedImpact::velocity);
     std::vector<double> captures;
     std::vector<double> rebounds;
     for (const RecordedImpact& impact : impacts)

@@ -54,8 +54,7 @@ bool above_reach(const Measurement& point) {
 
 /// The greatest median of five neighbours in velocity, which no outlier reaches alone.
 double greatest_common_restitution(std::vector<Measurement> rebounds) {
-    std::sort(rebounds.begin(), rebounds.end(),
-              [](const Measurement& a, const Measurement& b) { return a.velocity < b.velocity; });
+    std::ranges::sort(rebounds, {}, &Measurement::velocity);
     double greatest = 0.0;
     for (std::size_t i = 0; i < rebounds.size(); ++i) {
         const std::size_t first = std::min(i, rebounds.size() - std::min<std::size_t>(5, rebounds.size()));
@@ -124,9 +123,7 @@ Eigen::VectorXd starting_coefficients(const ContactModel& model, const Restituti
     std::vector<const Measurement*> rebounds;
     for (const Measurement& rebound : data.rebounds) rebounds.push_back(&rebound);
     if (robust)  // so that the order of the file does not matter
-        std::sort(rebounds.begin(), rebounds.end(), [](const Measurement* a, const Measurement* b) {
-            return std::pair(a->velocity, a->rebound) < std::pair(b->velocity, b->rebound);
-        });
+        std::ranges::sort(rebounds, {}, [](const auto* r) { return std::pair(r->velocity, r->rebound); });
     batch::for_chunks(rebounds.size(), rebounds_together, 0, [&](std::size_t first, std::size_t size) {
         for (std::size_t i = first; i < first + size; ++i) {
             const Measurement& point = *rebounds[i];

@@ -128,8 +128,7 @@ MeasurementSet binned(const MeasurementSet& set, const Binning& binning) {
     std::vector<Measurement> rebounds;
     for (const Measurement& point : set.points)
         (point.captured() ? result.points : rebounds).push_back(point);
-    std::sort(rebounds.begin(), rebounds.end(),
-              [](const Measurement& a, const Measurement& b) { return a.velocity < b.velocity; });
+    std::ranges::sort(rebounds, {}, &Measurement::velocity);
     std::vector<Measurement> bin;
     for (const Measurement& point : rebounds) {
         const bool full = binning.impacts_per_bin > 0

@@ -113,14 +113,14 @@ template <class Real>
 MotionExpansion<Extended> from_start(const MotionState<Extended>& start, const MotionExpansion<Real>& x,
                                      Extended step) {
     MotionExpansion<Extended> result{};
-    std::copy(x.position.begin(), x.position.end(), result.position.begin());
-    std::copy(x.velocity.begin(), x.velocity.end(), result.velocity.begin());
-    std::copy(x.time.begin(), x.time.end(), result.time.begin());
-    std::copy(x.dissipation.begin(), x.dissipation.end(), result.dissipation.begin());
-    result.position[0] = start.position;
-    result.velocity[0] = start.velocity;
-    result.time[0] = start.time;
-    result.dissipation[0] = start.dissipation;
+    const auto take = [](const Series<Real>& series, Extended first, Series<Extended>& to) {
+        std::ranges::copy(series, to.begin());
+        to[0] = first;
+    };
+    take(x.position, start.position, result.position);
+    take(x.velocity, start.velocity, result.velocity);
+    take(x.time, start.time, result.time);
+    take(x.dissipation, start.dissipation, result.dissipation);
     result.step = step;
     return result;
 }
