@@ -5,11 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
-#include <span>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/quantities/names.hpp"
 #include "core/quantities/parameter.hpp"
@@ -41,36 +37,6 @@ template <class Real>
 [[nodiscard]] inline double jkr_pull_off_force(const ContactPair& pair) {
     return 1.5 * std::numbers::pi * pair.work_of_adhesion * pair.effective_radius;
 }
-
-/// The parameters of all registered contact and damping laws, each name once.
-[[nodiscard]] const std::vector<LawParameter>& law_parameters();
-
-/// Parameters of a law of which too few or, of a choice, too many are given.
-struct ParameterFault {
-    std::vector<LawParameter> parameters;       ///< one, or those of a choice
-    int given;                                  ///< 0, or two or more of a choice
-    [[nodiscard]] std::string problem() const;  ///< "cohesion_energy_density is missing"
-    [[nodiscard]] std::string allowed() const;  ///< what each of them is, in words
-};
-
-/// The parameters that a contact law and a damping law take together.
-[[nodiscard]] std::vector<LawParameter> parameters_of(Law law, DampingLaw damping_law);
-
-/// The first parameter or choice of the laws that is not given as it must be; none if all are.
-[[nodiscard]] std::optional<ParameterFault> parameter_fault(
-    std::span<const LawParameter> parameters, const std::function<bool(const LawParameter&)>& is_given);
-[[nodiscard]] std::optional<ParameterFault> parameter_fault(
-    Law law, const std::function<bool(const LawParameter&)>& is_given);
-
-/// Checks one value of a parameter [SI]. @throws InputError naming it, its value, unit and what is allowed
-void require_allowed(const LawParameter& parameter, double value);
-
-/// Checks that laws have the parameters they need and that their values are allowed. @throws InputError
-void require_parameters(std::span<const LawParameter> parameters, const ParameterValues<double>& values);
-
-/// Typical values of the parameters that a law requires, one for each choice. For code whose results do not
-/// depend on them, such as tables in scaled numbers.
-[[nodiscard]] ParameterValues<double> typical_parameters(Law law);
 
 /// Where a contact ends; part of the physics, so recorded with every result.
 enum class Detachment {

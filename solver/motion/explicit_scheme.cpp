@@ -8,6 +8,7 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "solver/contact/registry.hpp"
+#include "solver/motion/impact_result.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/motion/scaled_impact.hpp"
 

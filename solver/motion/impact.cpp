@@ -10,6 +10,8 @@
 #include "core/quantities/checks.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
+#include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/motion/impact_result.hpp"
 #include "solver/motion/scaled_impact.hpp"

@@ -7,8 +7,6 @@
 #include "core/text/error.hpp"
 #include "solver/motion/branches/motion_state.hpp"
 #include "solver/motion/impact.hpp"
-#include "solver/motion/scale.hpp"
-#include "solver/numeric/number.hpp"
 
 namespace ashimpact {
 

@@ -8,6 +8,8 @@
 
 #include "core/text/error.hpp"
 #include "solver/batch/batch.hpp"
+#include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/follow.hpp"
 #include "solver/motion/impact.hpp"

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/contact/law_parameters.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
