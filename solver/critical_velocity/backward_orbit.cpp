@@ -25,14 +25,7 @@ struct Arrival {
 /// that grows with a high power of the contact radius do before.
 constexpr Extended escape = 1e25_ext;
 
-/// Expands for a step backward in time.
-template <class Branch>
-MotionExpansion<Extended> backward_expansion(const Branch& branch, const MotionState<Extended>& state,
-                                             int& steps) {
-    MotionExpansion<Extended> x = counted_expansion(branch, state, steps);
-    x.step = -x.step;
-    return x;
-}
+constexpr int backward = -1;  ///< sense of time
 
 /// Follows the outward leg on a branch backward in time to its turning point; none if the orbit escapes, so
 /// that no velocity is high enough to rebound.
@@ -43,7 +36,7 @@ std::optional<MotionState<Extended>> back_to_turn(const Branch& branch, MotionSt
     const Extended farthest = escape * std::max({1.0_ext, equilibrium, state.position});
     int steps = 0;
     while (state.position < farthest) {
-        const MotionExpansion<Extended> x = backward_expansion(branch, state, steps);
+        const MotionExpansion<Extended> x = counted_expansion(branch, state, steps, backward);
         if (!std::isfinite(x.position.back()) || !std::isfinite(x.velocity.back())) return std::nullopt;
         const auto turn = event_within(x, x.step, [](const MotionState<Extended>& s) { return -s.velocity; });
         state = x.at(turn.value_or(x.step));
@@ -60,7 +53,7 @@ template <class Branch>
 MotionState<Extended> back_to(const Branch& branch, MotionState<Extended> state, Extended place) {
     int steps = 0;
     while (true) {
-        const MotionExpansion<Extended> x = backward_expansion(branch, state, steps);
+        const MotionExpansion<Extended> x = counted_expansion(branch, state, steps, backward);
         const auto rest = event_within(x, x.step, [](const MotionState<Extended>& s) { return s.velocity; });
         const Extended part = rest.value_or(x.step);
         const auto there = event_within(x, part, way_to(place, -1.0_ext));
@@ -106,9 +99,10 @@ Extended integral(const Terms& terms, int leading, Extended z) {
 class RestPoint {
   public:
     explicit RestPoint(const Motion<Extended>& motion)
-        : fall_(Extended(-1) * motion.potential.shifted(*motion.end)),
-          slope_(motion.slope.shifted(*motion.end)),
-          drag_(motion.drag.shifted(*motion.end)) {
+        : piece_(motion.at(*motion.end)),
+          fall_(Extended(-1) * piece_.potential.shifted(*motion.end)),
+          slope_(piece_.slope.shifted(*motion.end)),
+          drag_(piece_.drag.shifted(*motion.end)) {
         fall_[0] = 0;                         // U_end - U at the end itself
         fall_[1] = slope_[0] = drag_[0] = 0;  // delta' = 0 there
         order_ = leading_power();
@@ -118,7 +112,8 @@ class RestPoint {
 
     /// The orbit where its series still hold to rounding.
     [[nodiscard]] Arrival arrival(Extended end) const {
-        const Extended z = radius(speed_) / (std::numbers::e_v<Extended> * std::numbers::e_v<Extended>);
+        const Extended within = radius(speed_) / (std::numbers::e_v<Extended> * std::numbers::e_v<Extended>);
+        const Extended z = std::min(within, std::sqrt(piece_.until - end));
         Arrival arrival;
         arrival.state.position = end + z * z;
         arrival.state.velocity = -std::pow(z, static_cast<Extended>(order_)) * value(speed_, z);
@@ -175,10 +170,11 @@ class RestPoint {
         }
     }
 
-    Polynomial<Extended> fall_;   ///< U_end - U
-    Polynomial<Extended> slope_;  ///< delta'
-    Polynomial<Extended> drag_;   ///< delta' eta
-    int order_ = 0;               ///< leading power of the speed in z
+    const MotionPiece<Extended>& piece_;  ///< that holds the end
+    Polynomial<Extended> fall_;           ///< U_end - U
+    Polynomial<Extended> slope_;          ///< delta'
+    Polynomial<Extended> drag_;           ///< delta' eta
+    int order_ = 0;                       ///< leading power of the speed in z
     Terms speed_{};
     Terms work_{};
     Terms pace_{};
@@ -187,11 +183,12 @@ class RestPoint {
 /// Hertz with constant damping beta: the critical orbit arrives along v = -beta x + (2/(3 beta)) F(x), where
 /// x is the overlap beyond the end; slower and slower, it never gets there.
 Arrival at_damped_end(const Motion<Extended>& motion) {
-    const Extended beta = motion.damping[0];
-    const int power = motion.overlap.degree;
+    const Polynomial<Extended>& overlap = motion.at(*motion.end).overlap;
+    const Extended beta = motion.damping(0);
+    const int power = overlap.degree;
     const Extended x = 1e-12_ext * std::pow(beta, 4.0_ext);
     Arrival arrival;
-    arrival.state.position = std::pow(x / motion.overlap[power], 1.0_ext / static_cast<Extended>(power));
+    arrival.state.position = std::pow(x / overlap[power], 1.0_ext / static_cast<Extended>(power));
     arrival.state.velocity = -beta * x + 2 / (3 * beta) * motion.force(arrival.state.position);
     arrival.dissipated_after = beta * beta * x * x / 2;
     arrival.time_after = std::nullopt;
@@ -206,8 +203,9 @@ std::optional<Arrival> critical_arrival(const Motion<Extended>& motion) {
         std::abs(motion.slope(*motion.end)) <= 1e-12_ext * std::abs(motion.slope(motion.equilibrium));
     if (adhesive && rests) return RestPoint(motion).arrival(*motion.end);
     if (adhesive) return Arrival{.state = {.position = *motion.end}};
-    if (!(motion.damping[0] > 0)) return std::nullopt;
-    return motion.damping.degree == 0 ? at_damped_end(motion) : RestPoint(motion).arrival(*motion.end);
+    const Polynomial<Extended>& damping = motion.at(*motion.end).damping;
+    if (!(damping[0] > 0)) return std::nullopt;
+    return damping.degree == 0 ? at_damped_end(motion) : RestPoint(motion).arrival(*motion.end);
 }
 
 /// The critical impact of an orbit followed backward from @p arrival to the state @p touch at first touch.

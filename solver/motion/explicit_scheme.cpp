@@ -76,7 +76,7 @@ struct Recurrence {
         return {.position = coordinate(now), .velocity = velocity()};
     }
     /// Work of damping over the last step.
-    [[nodiscard]] double step_work() const { return motion.damping[0] * velocity() * velocity() * step; }
+    [[nodiscard]] double step_work() const { return motion.damping(0) * velocity() * velocity() * step; }
     /// At rest in equilibrium, where a creeping approach ends: damping has taken all that is above it.
     [[nodiscard]] MotionState<double> at_rest() const {
         const double above = motion.potential(coordinate(now)) - motion.potential(motion.equilibrium);
@@ -94,7 +94,7 @@ struct Recurrence {
     }
     void advance() {
         const double next = 2.0 * now - before -
-                            step * step * (motion.damping[0] * velocity() + motion.force(coordinate(now)));
+                            step * step * (motion.damping(0) * velocity() + motion.force(coordinate(now)));
         dissipated += step_work();
         earlier = before;
         before = now;

@@ -48,12 +48,13 @@ template <class Real, class Event>
     return sign_change<Real>(along, limit);
 }
 
-/// Expands about a state, counting the steps. @throws ConvergenceError beyond most_steps
+/// Expands about a state, counting the steps. @param sense as in Motion::expand() @throws ConvergenceError
+/// beyond most_steps
 template <class Branch, class Real>
 [[nodiscard]] MotionExpansion<Real> counted_expansion(const Branch& branch, const MotionState<Real>& state,
-                                                      int& steps) {
+                                                      int& steps, int sense = 1) {
     if (++steps > most_steps) throw ConvergenceError("impact did not end within the step limit");
-    return branch.expand(state);
+    return branch.expand(state, sense);
 }
 
 /// Distance to the coordinate @p place, for a leg on which the coordinate changes with @p direction.

@@ -122,9 +122,9 @@ double power_of_lateness(const Impact& impact) {
     const StaticPoint end = curve.at_overlap(curve.end_overlap(impact.detachment));
     if (std::abs(end.force()) > 1e-9 * end.repulsive_force - 1e-9 * end.attractive_force) return 0.5;
     const auto motion = scaled_motion<Extended>(impact, Scale::of(impact.contact, impact.velocity));
-    Polynomial<Extended> fall = motion.potential.shifted(*motion.end);
+    Polynomial<Extended> fall = motion.at(*motion.end).potential.shifted(*motion.end);
     fall[0] = 0;
-    return (lowest_power(motion.slope.shifted(*motion.end)) + 1.0) / lowest_power(fall) - 0.5;
+    return (lowest_power(motion.at(*motion.end).slope.shifted(*motion.end)) + 1.0) / lowest_power(fall) - 0.5;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 
 #include "solver/contact/registry.hpp"
+#include "solver/contact/static_branch.hpp"
 #include "solver/contact/static_curve.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/numeric/polynomial.hpp"
@@ -53,14 +54,22 @@ std::vector<Real> adhesion_numbers() {
     return numbers;
 }
 
+/// Overlap and force of a law as the motion has them, near a state u.
+struct StaticPolynomials {
+    RealPolynomial overlap;
+    RealPolynomial force;
+    bool holds;  ///< a per cent to either side of u too
+};
 template <template <class> class L>
-RealPolynomial overlap_polynomial(Real adhesion) {
-    return L<RealPolynomial>{RealPolynomial(adhesion)}.overlap(RealPolynomial::identity());
-}
-
-template <template <class> class L>
-RealPolynomial force_polynomial(Real adhesion) {
-    return L<RealPolynomial>{RealPolynomial(adhesion)}.force(RealPolynomial::identity());
+StaticPolynomials polynomials(Real adhesion, Real u) {
+    const auto pieces = static_branches<L>(adhesion);
+    const auto holds = [](Real x) {
+        return [x](const StaticBranch<Real>& piece) { return x <= piece.until; };
+    };
+    const auto piece = std::ranges::find_if(pieces, holds(u));
+    return {piece->overlap, piece->forces.repulsion - piece->forces.attraction,
+            piece == std::ranges::find_if(pieces, holds(0.99L * u)) &&
+                piece == std::ranges::find_if(pieces, holds(1.01L * u))};
 }
 
 /// Sum of the magnitudes of a polynomial's terms: what its value at @p x is exact relative to.
@@ -103,9 +112,9 @@ TEST_CASE("overlap and force are the polynomials that the motion is built from, 
     for_each_law([&]<template <class> class L>() {
         for (const Real adhesion : adhesion_numbers<L>()) {
             const L<Real> law{adhesion};
-            const auto overlap = overlap_polynomial<L>(adhesion);
-            const auto force = force_polynomial<L>(adhesion);
             for (const Real u : states) {
+                const auto [overlap, force, holds] = polynomials<L>(adhesion, u);
+                if (!holds) continue;
                 const std::string where = place(law.name, std::to_string(u));
                 const auto see = [&](const RealPolynomial& p, auto&& function) {
                     const RealPolynomial derivative = p.derivative();
@@ -163,17 +172,16 @@ TEST_CASE("first touch is at zero overlap, and the special points are what their
     for_each_law([&]<template <class> class L>() {
         for (const Real adhesion : adhesion_numbers<L>()) {
             const L<Real> law{adhesion};
-            const auto overlap = overlap_polynomial<L>(adhesion);
-            const auto force = force_polynomial<L>(adhesion);
             const auto root_of = [&](const RealPolynomial& p, Real u, std::string_view point) {
                 const Real size = magnitude(p, u);
                 worst.see(size == 0 ? 0.0 : static_cast<double>(std::abs(p(u)) / size),
                           place(law.name, point));
             };
-            root_of(overlap, law.touch(), "touch");
+            root_of(polynomials<L>(adhesion, law.touch()).overlap, law.touch(), "touch");
             for (const Detachment detachment : all_values<Detachment>) {
                 const auto point = law.detachment_point(detachment);
                 if (!point) continue;
+                const auto [overlap, force, holds] = polynomials<L>(adhesion, *point);
                 switch (detachment) {
                     case Detachment::zero_overlap:
                         root_of(overlap, *point, name_of(detachment));

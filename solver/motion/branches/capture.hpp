@@ -42,8 +42,7 @@ class CaptureTest {
     Real end_overlap_{};
     Real end_potential_{};
     Real equilibrium_overlap_{};
-    Polynomial<Real> force_slope_;  ///< dF/dq
-    Real least_damping_{};          ///< smallest eta(q) beyond equilibrium
+    Real least_damping_{};  ///< smallest eta(q) beyond equilibrium
 };
 
 template <class Real>
@@ -54,7 +53,6 @@ CaptureTest<Real>::CaptureTest(const Motion<Real>& motion)
     end_overlap_ = by_place_ ? motion.overlap(*motion.end) : Real(0);
     end_potential_ = by_place_ ? motion.potential(*motion.end) : Real(0);
     equilibrium_overlap_ = motion.overlap(q);
-    force_slope_ = motion.force.derivative();
     least_damping_ = motion.damping(q);
 }
 
@@ -87,8 +85,7 @@ bool CaptureTest<Real>::creeping_up(const MotionState<Real>& state) const {
     if (std::abs(way) <= rounding && state.velocity <= damping * rounding) return true;
     if (state.velocity > damping / Real(2) * way) return false;
     // Below the line v = (eta/2)(delta_eq - delta) it stays where dF/d(delta) <= eta^2/4 all the way.
-    const Polynomial<Real> excess = force_slope_ - damping * damping / Real(4) * motion_.slope;
-    return excess.upper_bound(state.position, motion_.equilibrium) <= Real(0);
+    return motion_.is_soft(state.position, motion_.equilibrium, damping * damping / Real(4));
 }
 
 }  // namespace ashimpact

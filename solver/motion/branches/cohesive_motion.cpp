@@ -220,8 +220,10 @@ Extended TouchingBranch::slope(Extended q) const {
     return rooted_ ? 2 * q * by_radius : by_radius;
 }
 
-MotionExpansion<Extended> TouchingBranch::expand(const MotionState<Extended>& state) const {
-    return precision_ == Precision::extended ? expanded<Extended>(state) : expanded<double>(state);
+MotionExpansion<Extended> TouchingBranch::expand(const MotionState<Extended>& state, int sense) const {
+    auto x = precision_ == Precision::extended ? expanded<Extended>(state) : expanded<double>(state);
+    x.step *= sense;
+    return x;
 }
 
 template <class Real>

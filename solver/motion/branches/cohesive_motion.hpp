@@ -39,8 +39,8 @@ class TouchingBranch {
     [[nodiscard]] Extended potential(Extended q) const { return zone_.potential(state(q)); }
     [[nodiscard]] Extended damping(Extended q) const;
 
-    /// The motion as Taylor series about a state; MotionExpansion::step as in MotionStepper.
-    [[nodiscard]] MotionExpansion<Extended> expand(const MotionState<Extended>& state) const;
+    /// As Motion::expand().
+    [[nodiscard]] MotionExpansion<Extended> expand(const MotionState<Extended>& state, int sense = 1) const;
 
     /// d(delta)/dq, F and eta as power series of q - @p q.
     struct Statics {

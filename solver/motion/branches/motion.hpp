@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "solver/contact/pair.hpp"
+#include "solver/contact/static_branch.hpp"
 #include "solver/damping/registry.hpp"
 #include "solver/motion/branches/motion_state.hpp"
 #include "solver/numeric/series.hpp"
 
 namespace ashimpact {
-
-/// One branch of a static law as polynomials of u = sqrt(contact radius), scaled.
-template <class Real>
-struct StaticBranch {
-    Polynomial<Real> overlap;               ///< delta(u)
-    StaticForces<Polynomial<Real>> forces;  ///< F(u) = F_r - |F_a|
-};
 
 /// A damping law with its scaled coefficients.
 template <class Real>
@@ -45,6 +43,20 @@ struct ScaledDamping {
     [[nodiscard]] static ScaledDamping none() { return of(DampingLaw::constant, {}); }
 };
 
+/// The equation of motion along a piece of a branch, as polynomials of q.
+template <class Real>
+struct MotionPiece {
+    Polynomial<Real> overlap;                            ///< delta(q)
+    Polynomial<Real> slope;                              ///< delta'(q)
+    Polynomial<Real> force;                              ///< F(q)
+    Polynomial<Real> damping;                            ///< eta(q)
+    Polynomial<Real> stiffness;                          ///< delta'(q) F(q) = dU/dq
+    Polynomial<Real> drag;                               ///< delta'(q) eta(q)
+    Polynomial<Real> potential;                          ///< U(q), continuous from piece to piece
+    PowerChain powers;                                   ///< those of q in slope, drag and stiffness
+    Real until = std::numeric_limits<Real>::infinity();  ///< q up to which it holds
+};
+
 /// The equation of motion of one impact on one branch, scaled (mass 1, Hertz stiffness 1), in the regularised
 /// coordinate q:
 ///
@@ -56,19 +68,24 @@ template <class Real>
 struct Motion {
     using Number = Real;
 
-    Polynomial<Real> overlap;    ///< delta(q)
-    Polynomial<Real> slope;      ///< delta'(q)
-    Polynomial<Real> force;      ///< F(q)
-    Polynomial<Real> damping;    ///< eta(q)
-    Polynomial<Real> stiffness;  ///< delta'(q) F(q) = dU/dq
-    Polynomial<Real> drag;       ///< delta'(q) eta(q)
-    Polynomial<Real> potential;  ///< U(q)
-    PowerChain powers;           ///< those of q in slope, drag and stiffness
-    Real touch{};                ///< q at first touch
-    Real equilibrium{};          ///< q of the static equilibrium, the minimum of U
-    std::optional<Real> end;     ///< q at which the contact ends; none if it ends at zero total force
-    bool squared = false;        ///< q = u^2
-    bool overdamped = false;     ///< the damping captures every impact that touches at zero contact radius
+    MotionPiece<Real> first;
+    std::vector<MotionPiece<Real>> beyond{};  ///< the pieces after it, by ascending q
+    Real touch{};                             ///< q at first touch
+    Real equilibrium{};                       ///< q of the static equilibrium, the minimum of U
+    std::optional<Real> end{};  ///< q at which the contact ends; none if it ends at zero total force
+    bool squared = false;       ///< q = u^2
+    bool overdamped = false;    ///< the damping captures every impact that touches at zero contact radius
+
+    /// The piece that holds @p q, at a border the one below.
+    [[nodiscard]] const MotionPiece<Real>& at(const Real& q) const {
+        if (beyond.empty() || q <= first.until) return first;
+        return *std::ranges::find_if(beyond, [&](const auto& piece) { return q <= piece.until; });
+    }
+    [[nodiscard]] Real overlap(const Real& q) const { return at(q).overlap(q); }
+    [[nodiscard]] Real slope(const Real& q) const { return at(q).slope(q); }
+    [[nodiscard]] Real force(const Real& q) const { return at(q).force(q); }
+    [[nodiscard]] Real damping(const Real& q) const { return at(q).damping(q); }
+    [[nodiscard]] Real potential(const Real& q) const { return at(q).potential(q); }
 
     /// q of a state u = sqrt(contact radius).
     [[nodiscard]] Real coordinate(const Real& u) const { return squared ? u * u : u; }
@@ -77,50 +94,44 @@ struct Motion {
         using std::sqrt;
         return squared ? sqrt(q > Real(0) ? q : Real(0)) : q;
     }
-    [[nodiscard]] bool damped() const { return damping != Polynomial<Real>(); }
+    [[nodiscard]] bool damped() const {
+        const Polynomial<Real> none;
+        return first.damping != none ||
+               std::ranges::any_of(beyond, [&](const auto& piece) { return piece.damping != none; });
+    }
     [[nodiscard]] RestPlace<Real> rest() const {
         return {equilibrium, overlap(equilibrium), potential(equilibrium)};
     }
-    /// The motion as Taylor series about a state; the only arithmetic is products of power series.
-    [[nodiscard]] MotionExpansion<Real> expand(const MotionState<Real>& state) const;
+    /// Whether dF/d(delta) <= @p most all the way from @p from to @p to.
+    [[nodiscard]] bool is_soft(const Real& from, const Real& to, const Real& most) const;
+    /// The motion as Taylor series about a state; the only arithmetic is products of power series. The step
+    /// ends where the motion leaves a piece. @param sense of the time in which it is followed: 1 or -1
+    [[nodiscard]] MotionExpansion<Real> expand(const MotionState<Real>& state, int sense = 1) const;
 };
 
 extern template struct Motion<double>;
 extern template struct Motion<long double>;
 
-/// The equation of motion on a branch; touch, equilibrium and end remain to be set.
+/// The equation of motion on a branch of these pieces; touch, equilibrium and end remain to be set.
+template <class Real>
+[[nodiscard]] Motion<Real> branch_motion(std::span<const StaticBranch<Real>> pieces,
+                                         const ScaledDamping<Real>& eta);
 template <class Real>
 [[nodiscard]] Motion<Real> branch_motion(const StaticBranch<Real>& branch, const ScaledDamping<Real>& eta) {
-    const Polynomial<Real> damping = eta.on_branch(branch.forces);
-    const Polynomial<Real> force = branch.forces.repulsion - branch.forces.attraction;
-    Motion<Real> motion;
-    motion.overdamped = eta.overdamped;
-    motion.squared = branch.overlap.even() && force.even() && damping.even();
-    const auto reduced = [&](const Polynomial<Real>& p) { return motion.squared ? p.of_square() : p; };
-    motion.overlap = reduced(branch.overlap);
-    motion.force = reduced(force);
-    motion.damping = reduced(damping);
-    motion.slope = motion.overlap.derivative();
-    motion.stiffness = motion.slope * motion.force;
-    motion.drag = motion.slope * motion.damping;
-    motion.potential = motion.stiffness.antiderivative();
-    for (const Polynomial<Real>* p : {&motion.slope, &motion.drag, &motion.stiffness})
-        motion.powers.require(*p);
-    return motion;
+    return branch_motion<Real>(std::span(&branch, 1), eta);
 }
 
 /// The equation of motion of law L, whose static law is one branch. @param adhesion adhesion number [1]
 template <template <class> class L, class Real>
 [[nodiscard]] Motion<Real> make_motion(Real adhesion, const ScaledDamping<Real>& damping,
                                        Detachment detachment) {
-    const L<Real> numeric{adhesion};
-    const L<Polynomial<Real>> law{Polynomial<Real>(adhesion)};
-    const auto u = Polynomial<Real>::identity();
-    Motion<Real> motion = branch_motion<Real>({law.overlap(u), {power<6>(u), law.attraction(u)}}, damping);
-    motion.touch = motion.coordinate(numeric.touch());
-    motion.equilibrium = motion.coordinate(*numeric.detachment_point(Detachment::zero_force));
+    const L<Real> law{adhesion};
+    const auto pieces = static_branches<L>(adhesion);
+    Motion<Real> motion = branch_motion<Real>(std::span(pieces), damping);
+    motion.touch = motion.coordinate(law.touch());
+    motion.equilibrium = motion.coordinate(*law.detachment_point(Detachment::zero_force));
     const bool by_force = detachment == Detachment::zero_force && motion.damped();
-    if (!by_force) motion.end = motion.coordinate(*numeric.detachment_point(detachment));
+    if (!by_force) motion.end = motion.coordinate(*law.detachment_point(detachment));
     return motion;
 }
 

@@ -125,13 +125,9 @@ bool PlasticMotion<Real>::creeps_through(const MotionState<Real>& state) const {
     const Real damping = elastic_.damping(state.position);
     const Real way = loading_.overlap(loading_.equilibrium) - elastic_.overlap(state.position);
     if (!(state.velocity <= damping / Real(2) * way)) return false;
-    const auto is_soft = [&](const Motion<Real>& branch, const Real& from, const Real& to) {
-        const Polynomial<Real> excess =
-            branch.force.derivative() - damping * damping / Real(4) * branch.slope;
-        return excess.upper_bound(from, to) <= Real(0);
-    };
-    return is_soft(elastic_, state.position, elastic_.coordinate(yield())) &&
-           is_soft(loading_, loading_.touch, loading_.equilibrium);
+    const Real most = damping * damping / Real(4);
+    return elastic_.is_soft(state.position, elastic_.coordinate(yield()), most) &&
+           loading_.is_soft(loading_.touch, loading_.equilibrium, most);
 }
 
 }  // namespace ashimpact
