@@ -263,29 +263,6 @@ class UnitReader {
     std::string_view rest_;
 };
 
-struct DimensionRow {
-    Dimension dimension;
-    std::string_view name;
-    std::string_view unit;
-    std::string_view examples;
-};
-
-constexpr std::array dimension_rows{
-    DimensionRow{Dimension::fraction, "fraction", "1", "0.1, 10 %"},
-    DimensionRow{Dimension::length, "length", "m", "44 um, 4.4e-5 m"},
-    DimensionRow{Dimension::mass, "mass", "kg", "0.93 ug, 9.3e-10 kg"},
-    DimensionRow{Dimension::time, "time", "s", "294 ns, 2.94e-7 s"},
-    DimensionRow{Dimension::velocity, "velocity", "m/s", "2 m/s, 150 cm/s"},
-    DimensionRow{Dimension::density, "density", "kg/m3", "2160 kg/m3, 2.16 g/cm3"},
-    DimensionRow{Dimension::pressure, "pressure", "Pa", "90 GPa, 35.3 MPa"},
-    DimensionRow{Dimension::force, "force", "N", "40 uN, 4e-5 N"},
-    DimensionRow{Dimension::energy, "energy", "J", "1.9 nJ, 1.9e-9 J"},
-    DimensionRow{Dimension::energy_per_area, "energy per area", "J/m2", "0.3 J/m2, 300 mJ/m2, 0.3 N/m"},
-    DimensionRow{Dimension::damping, "damping", "kg/s", "0.0141 kg/s, 14.1 g/s, 0.0141 N s/m"},
-    DimensionRow{Dimension::viscosity, "viscosity", "Pa s", "300 Pa s, 0.3 kPa s"},
-    DimensionRow{Dimension::impulse, "impulse", "N s", "1.9 nN s, 1.9e-9 kg m/s"},
-};
-
 const DimensionRow& row(Dimension dimension) {
     return *std::ranges::find(dimension_rows, dimension, &DimensionRow::dimension);
 }

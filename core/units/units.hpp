@@ -10,19 +10,42 @@ namespace ashimpact {
 
 /// What a quantity measures. Inside the program every value is in the SI unit of its dimension.
 enum class Dimension {
-    fraction,         ///< [1]; "10 %" is 0.1
-    length,           ///< [m]
-    mass,             ///< [kg]
-    time,             ///< [s]
-    velocity,         ///< [m/s]
-    density,          ///< [kg/m3]
-    pressure,         ///< [Pa], moduli too
-    force,            ///< [N]
-    energy,           ///< [J]
-    energy_per_area,  ///< [J/m2], the same as N/m
-    damping,          ///< [kg/s], the same as N s/m
-    viscosity,        ///< [Pa s]
-    impulse,          ///< [N s], the same as kg m/s
+    fraction,
+    length,
+    mass,
+    time,
+    velocity,
+    density,
+    pressure,  ///< moduli too
+    force,
+    energy,
+    energy_per_area,  ///< the same as a force per length
+    damping,
+    viscosity,
+    impulse,
+};
+
+/// Every dimension, with words for messages.
+struct DimensionRow {
+    Dimension dimension;
+    std::string_view name;
+    std::string_view unit;  ///< SI
+    std::string_view examples;
+};
+inline constexpr std::array dimension_rows{
+    DimensionRow{Dimension::fraction, "fraction", "1", "0.1, 10 %"},
+    DimensionRow{Dimension::length, "length", "m", "44 um, 4.4e-5 m"},
+    DimensionRow{Dimension::mass, "mass", "kg", "0.93 ug, 9.3e-10 kg"},
+    DimensionRow{Dimension::time, "time", "s", "294 ns, 2.94e-7 s"},
+    DimensionRow{Dimension::velocity, "velocity", "m/s", "2 m/s, 150 cm/s"},
+    DimensionRow{Dimension::density, "density", "kg/m3", "2160 kg/m3, 2.16 g/cm3"},
+    DimensionRow{Dimension::pressure, "pressure", "Pa", "90 GPa, 35.3 MPa"},
+    DimensionRow{Dimension::force, "force", "N", "40 uN, 4e-5 N"},
+    DimensionRow{Dimension::energy, "energy", "J", "1.9 nJ, 1.9e-9 J"},
+    DimensionRow{Dimension::energy_per_area, "energy per area", "J/m2", "0.3 J/m2, 300 mJ/m2, 0.3 N/m"},
+    DimensionRow{Dimension::damping, "damping", "kg/s", "0.0141 kg/s, 14.1 g/s, 0.0141 N s/m"},
+    DimensionRow{Dimension::viscosity, "viscosity", "Pa s", "300 Pa s, 0.3 kPa s"},
+    DimensionRow{Dimension::impulse, "impulse", "N s", "1.9 nN s, 1.9e-9 kg m/s"},
 };
 
 /// Name of the SI unit of a dimension as files and tables show it: "Pa", "kg/m3", "1".

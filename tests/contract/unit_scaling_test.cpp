@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "core/units/units.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
@@ -28,35 +29,8 @@ constexpr double force = energy / length;
 
 /// The old SI unit of a dimension in the new one.
 double unit_of(Dimension dimension) {
-    switch (dimension) {
-        case Dimension::fraction:
-            return 1.0;
-        case Dimension::length:
-            return length;
-        case Dimension::mass:
-            return mass;
-        case Dimension::time:
-            return time_unit;
-        case Dimension::velocity:
-            return velocity;
-        case Dimension::density:
-            return mass / (length * length * length);
-        case Dimension::pressure:
-            return force / (length * length);
-        case Dimension::force:
-            return force;
-        case Dimension::energy:
-            return energy;
-        case Dimension::energy_per_area:
-            return energy / (length * length);
-        case Dimension::damping:
-            return mass / time_unit;
-        case Dimension::viscosity:
-            return mass / (length * time_unit);
-        case Dimension::impulse:
-            return mass * velocity;
-    }
-    return 0.0;
+    const auto powers = read_unit(si_unit(dimension)).value().powers;
+    return std::pow(length, powers[0]) * std::pow(mass, powers[1]) * std::pow(time_unit, powers[2]);
 }
 
 ParameterValues<double> in_other_units(const ParameterValues<double>& values) {
