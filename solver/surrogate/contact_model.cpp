@@ -172,7 +172,7 @@ RestitutionMap::RestitutionMap(Law law, Detachment detachment, VelocityRange ran
     if (critical_of(impact_at(*this, 0.1, 1.0)).verdict == CaptureVerdict::never_captured)
         throw InputError("law '" + std::string(law.name()) + "' with " + std::string(name_of(detachment)) +
                              " detachment never captures",
-                         admissible_detachments(law));
+                         std::string(name_of(Detachment::zero_overlap)));
     const CriticalVelocity undamped = critical_of(impact_at(*this, 0.0, 1.0));
     if (undamped.value) lowest_ = std::log(*undamped.value / adhesion_velocity_);
     if (adhesive())
@@ -373,8 +373,9 @@ std::shared_ptr<const RestitutionMap> make_restitution_map(Law law, Detachment d
     require_memoryless(law, contact);
     const double unit = velocity_of_adhesion(law, contact);
     if (unit == 0.0)
-        return std::make_shared<RestitutionMap>(Law::without_attraction(), Detachment::zero_overlap,
-                                                velocities);
+        return std::make_shared<RestitutionMap>(
+            Law::without_attraction(),
+            detachment == Detachment::zero_force ? detachment : Detachment::zero_overlap, velocities);
     return std::make_shared<RestitutionMap>(
         law, detachment, VelocityRange{std::log(velocities.lower / unit), std::log(velocities.upper / unit)});
 }

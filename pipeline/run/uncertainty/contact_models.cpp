@@ -6,7 +6,8 @@
 namespace ashimpact {
 
 bool has_contact_model(const LawChoice& choice, DampingLaw damping_law, const ContactPair& contact) {
-    return restitution_rises(damping_law) && is_self_similar(choice.law, contact);
+    return restitution_rises(damping_law) && choice.detachment != Detachment::zero_force &&
+           is_self_similar(choice.law, contact);
 }
 
 ContactModel ContactModels::model_for(const LawChoice& choice, const ContactPair& contact,

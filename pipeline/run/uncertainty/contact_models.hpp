@@ -20,8 +20,8 @@ namespace ashimpact {
     return law == DampingLaw::constant;
 }
 
-/// Whether measured impacts are fitted through the dynamic model of a law: constant damping and a contact
-/// without a history. Others are inverted one by one and fitted by least squares.
+/// Whether measured impacts are fitted through a dynamic model: constant damping, no history of the contact,
+/// and a detachment that can capture. Others are inverted one by one and fitted by least squares.
 [[nodiscard]] bool has_contact_model(const LawChoice& choice, DampingLaw damping_law,
                                      const ContactPair& contact);
 

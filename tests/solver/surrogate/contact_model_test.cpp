@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include "core/text/error.hpp"
 #include "solver/motion/impact.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/inference/ash_laboratory.hpp"
@@ -58,4 +59,11 @@ TEST_CASE("velocity, restitution and damping of a contact model follow from one 
         CHECK_FALSE(model.velocity(0.0, 1.01 * model.damping(range.upper, 0.0).value));
         CHECK_FALSE(model.velocity(0.0, 0.99 * model.damping(range.lower, 0.0).value));
     }
+}
+
+TEST_CASE("a contact that ends at zero force, and so never captures, has no contact model") {
+    const Law hertz = Law::of<Hertz>();
+    CHECK_THROWS_AS(
+        static_cast<void>(make_contact_model(hertz, Detachment::zero_force, ash_pair, {0.01, 30.0})),
+        InputError);
 }
