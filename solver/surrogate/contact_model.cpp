@@ -21,11 +21,12 @@ namespace ashimpact {
 
 namespace {
 
-/// The pair in place of all others: mass, radius, stiffness and work of adhesion are 1.
+/// The pair that represents all others: mass, effective radius, Hertz stiffness (4/3) E* sqrt(R*) and work of
+/// adhesion are 1.
 constexpr ContactPair unit_pair{
     .mass = 1.0, .effective_radius = 1.0, .contact_modulus = 0.75, .work_of_adhesion = 1.0};
 
-/// The unit pair with any values of the law's own parameters: scaled impacts do not depend on them.
+/// The unit pair with typical parameters of the law. Any would do: beta(e, x) does not depend on them.
 ContactPair unit_pair_of(Law law) {
     ContactPair pair = unit_pair;
     pair.parameters = typical_parameters(law);
@@ -46,21 +47,21 @@ CriticalVelocity critical_of(const Impact& impact) {
     return critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
 }
 
-/// Where a damping number is searched.
-struct Search {
-    double guess;
-    double width;  ///< of the first bracket about the guess, to either side
+/// First bracket of a search for a damping number; it is cut off at 0.
+struct FirstBracket {
+    double centre;
+    double half_width;
 };
 
-/// Root of a decreasing function near a guess. The bracket is widened until the sign changes.
-double falling_root(const std::function<double(double)>& function, const Search& search) {
-    double lower = std::max(0.0, search.guess - search.width);
-    double upper = search.guess + search.width;
-    for (double width = search.width; lower > 0.0 && function(lower) <= 0.0; width *= 4.0) {
+/// Zero of a decreasing function of the damping number. The bracket is widened until the sign changes.
+double zero_of_decreasing(const std::function<double(double)>& function, const FirstBracket& first) {
+    double lower = std::max(0.0, first.centre - first.half_width);
+    double upper = first.centre + first.half_width;
+    for (double width = first.half_width; lower > 0.0 && function(lower) <= 0.0; width *= 4.0) {
         upper = lower;
         lower = std::max(0.0, lower - 4.0 * width);
     }
-    for (double width = search.width; function(upper) > 0.0; width *= 4.0) {
+    for (double width = first.half_width; function(upper) > 0.0; width *= 4.0) {
         if (!(upper < 1e6)) throw ConvergenceError("restitution does not fall with damping");
         lower = upper;
         upper += 4.0 * width;
@@ -73,17 +74,18 @@ double solved_restitution(const RestitutionMap& map, double damping_number, doub
 }
 
 /// Damping number that gives a restitution; for restitution 0 the smallest that captures [1].
-double solved_damping_number(const RestitutionMap& map, double restitution, double x, const Search& search) {
+double solved_damping_number(const RestitutionMap& map, double restitution, double x,
+                             const FirstBracket& first) {
     if (restitution > 0.0)
-        return falling_root([&](double number) { return solved_restitution(map, number, x) - restitution; },
-                            search);
+        return zero_of_decreasing(
+            [&](double number) { return solved_restitution(map, number, x) - restitution; }, first);
     const double velocity = map.unit_velocity(x);
-    return falling_root(
+    return zero_of_decreasing(
         [&](double number) {
             const CriticalVelocity critical = critical_of(impact_at(map, number, velocity));
             return critical.value ? std::log(velocity / *critical.value) : 1.0;
         },
-        search);
+        first);
 }
 
 ImpactList impacts_at(const RestitutionMap& map, const Eigen::ArrayXd& damping_number,
@@ -113,13 +115,14 @@ Eigen::ArrayXd batch_contact_times(const RestitutionMap& map, const Eigen::Array
            x.unaryExpr([&](double each) { return Scale::of(unit_pair, map.unit_velocity(each)).time(); });
 }
 
-constexpr int root_degree = 26;      ///< along the cube root of the restitution
-constexpr int time_degree = 14;      ///< the same for contact times
-constexpr double least_timed = 0.3;  ///< cube root of e below which contact times are solved, not tabulated
-constexpr double least_in_batch = 0.3;   ///< cube root of e below which dampings are searched for one by one
+// The tables run along root = cbrt(e/e_greatest) and x.
+constexpr int root_degree = 26;          ///< of the damping numbers, root from 0 to 1
+constexpr int time_degree = 14;          ///< of the contact times, root from least_timed to 1
+constexpr double least_timed = 0.3;      ///< root below which contact times are solved, not tabulated
+constexpr double least_in_batch = 0.3;   ///< root below which damping numbers are solved one by one
 constexpr double capture_margin = 0.05;  ///< distance in x from where every impact is captured
 
-/// Degree along x: the dependence on adhesion is smooth over factors of velocity.
+/// Degree along x, by the length of the range: the tables are smooth over factors of velocity.
 int degree_for(VelocityRange range) {
     const double wanted = 6.0 + 2.0 * (range.upper - range.lower);
     return static_cast<int>(std::clamp(wanted, 8.0, 30.0));
@@ -129,8 +132,7 @@ double cube(double x) {
     return x * x * x;
 }
 
-/// Nodes of a table with the roots from @p first_root to @p end_root, the latter excluded; all roots of one x
-/// stand together.
+/// Nodes of a table: for each x of the axis @p along, the roots @p first_root to @p end_root - 1.
 struct NodePlaces {
     Eigen::ArrayXd root;
     Eigen::ArrayXd x;
@@ -205,8 +207,9 @@ ChebyshevAxis RestitutionMap::axis_of_x() const {
 void RestitutionMap::tabulate_damping() {
     const ChebyshevAxis root{0.0, 1.0, root_degree};
     const ChebyshevAxis along = axis_of_x();
-    int weak = 0;  // nodes whose rebound is too slow for the batch solver's accuracy
+    int weak = 0;  // roots whose rebounds are too slow for the batch solver's accuracy
     while (root.node(weak) < least_in_batch) ++weak;
+    // The last row, root = 1, stays 0: undamped.
     Eigen::MatrixXd numbers = Eigen::MatrixXd::Zero(root.degree + 1, along.degree + 1);
     const NodePlaces places(root, along, weak, root.degree);
     const Eigen::ArrayXd restitution = places.root.binaryExpr(
@@ -214,7 +217,7 @@ void RestitutionMap::tabulate_damping() {
     numbers.middleRows(weak, root.degree - weak) = batch_damping_numbers(*this, restitution, places.x)
                                                        .reshaped(root.degree - weak, along.degree + 1)
                                                        .matrix();
-    // From fast to slow impacts and towards e = 0, so that the last solutions predict the next one.
+    // From fast to slow impacts and towards e = 0: each guess continues from the nodes already solved.
     for (int j = along.degree; j >= 0; --j) {
         const double x = along.node(j);
         for (int i = weak - 1; i >= 0; --i) {
@@ -224,7 +227,7 @@ void RestitutionMap::tabulate_damping() {
             const double guess = first ? numbers(i + 1, j) : numbers(i, j + 1) + shift;
             const double width = first ? 0.1 : std::max(2e-4, 0.1 * std::abs(shift));
             numbers(i, j) =
-                solved_damping_number(*this, e, x, {.guess = std::max(0.0, guess), .width = width});
+                solved_damping_number(*this, e, x, {.centre = std::max(0.0, guess), .half_width = width});
         }
     }
     damping_ = ChebyshevSurface(root, along, numbers);
@@ -258,8 +261,7 @@ void RestitutionMap::check() {
 DampingNumber RestitutionMap::damping_number(double restitution, double x) const {
     const double root = root_of_share(restitution, x);
     const SurfacePoint at = damping_(root, x);
-    // d(root)/de = root/(3 e). Near e = 0 the slope is taken at a small e, where the same power of e
-    // dominates.
+    // d(root)/de = 1/(3 root^2 e_greatest) diverges at e = 0: below root = 0.01 the slope there replaces it.
     const double safe = std::max(root, 1e-2);
     const double slope = root < safe ? damping_(safe, x).by_x : at.by_x;
     const double greatest = greatest_restitution(x);
@@ -307,11 +309,9 @@ std::optional<VelocityAt> ContactModel::velocity(double restitution, double damp
     // ln eta(v, e) rises with ln v: Newton's method, kept within a bracket that only shrinks.
     double lower = map_->range().lower;
     double upper = map_->range().upper;
-    if (restitution > 0.0 &&
-        restitution < 1.0) {  // below this velocity even an undamped impact has less restitution
-        const double undamped = map_->lowest() - 0.5 * std::log1p(-restitution * restitution);
-        lower = std::max(lower, undamped);
-    }
+    // Even an undamped impact reaches this restitution only from this velocity on.
+    if (restitution > 0.0 && restitution < 1.0)
+        lower = std::max(lower, map_->lowest() - 0.5 * std::log1p(-restitution * restitution));
     const double wanted = std::log(damping / damping_unit_) - 0.2 * std::log(velocity_unit_);
     double x = std::isfinite(lower) ? 0.5 * (lower + upper) : 0.0;
     if (guess) x = std::clamp(x_of(*guess), lower, upper);
@@ -334,7 +334,7 @@ std::optional<VelocityAt> ContactModel::velocity(double restitution, double damp
 
 std::optional<double> ContactModel::critical_velocity_anywhere(double damping) const {
     if (!(damping > 0.0)) return std::nullopt;
-    if (const auto read = velocity(0.0, damping)) return read->value;
+    if (const auto tabulated = velocity(0.0, damping)) return tabulated->value;
     return ashimpact::critical_velocity(
                {map_->law(), map_->detachment(), {DampingLaw::constant, damping}, contact_})
         .value;

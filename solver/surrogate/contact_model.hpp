@@ -30,24 +30,24 @@ struct DampingNumber {
 /// The impacts of one law with constant damping. Scaled, an impact of any material depends on two numbers:
 /// the logarithm x = ln(v/V_a) of the velocity over the law's adhesion velocity (without effect for Hertz,
 /// which has none), and the damping number beta = eta m^(-3/5) k^(-2/5) v^(-1/5). The map is beta(e, x), the
-/// damping number that gives a restitution, in a microsecond; solving the impact takes milliseconds.
+/// damping number that gives a restitution. A look-up takes a microsecond, solving the impact milliseconds.
 ///
-/// beta is interpolated over the cube root of e/e_greatest. Near capture beta of an adhesive law expands in
-/// powers of e^(1/3). Hertz has e and e^(3/2), the power 4.5 of the cube root, which is smooth enough. The
-/// constructor compares the map with solved impacts, see accuracy().
+/// beta is interpolated over the cube root of e/e_greatest, because near capture beta of an adhesive law is a
+/// series in e^(1/3). That of Hertz is one in e and e^(3/2), power 4.5 of the cube root, which is smooth
+/// enough. The constructor compares the map with solved impacts, see accuracy().
 class RestitutionMap {
   public:
-    /// Solves the impacts, in some hundredths of a second. @param range of x, cut off where all are captured
-    /// @throws InputError for a detachment that the law does not admit or that never captures, or no range
+    /// Solves the impacts, in some hundredths of a second. @param range of x; where every impact is captured
+    /// it is cut off. @throws InputError for an empty range, or a detachment inadmissible or without captures
     RestitutionMap(Law law, Detachment detachment, VelocityRange range);
 
     [[nodiscard]] Law law() const { return law_; }
     [[nodiscard]] Detachment detachment() const { return detachment_; }
     /// Whether the law has adhesion; otherwise x has no effect.
     [[nodiscard]] bool adhesive() const { return adhesion_velocity_ > 0.0; }
-    /// x below which every impact is captured, damped or not; minus infinity if there is none.
+    /// x of the undamped critical velocity, below which every impact is captured; minus infinity if none.
     [[nodiscard]] double lowest() const { return lowest_; }
-    /// Velocity of a pair whose mass, radius, stiffness and work of adhesion are 1.
+    /// Velocity at @p x of the pair whose mass, radius, stiffness and work of adhesion are 1; 1 for Hertz.
     [[nodiscard]] double unit_velocity(double x) const;
     [[nodiscard]] VelocityRange range() const { return range_; }
     /// Largest error in restitution found when the map was checked [1].
@@ -55,9 +55,9 @@ class RestitutionMap {
 
     /// @param restitution 0 <= e <= greatest_restitution(x); @param x within range()
     [[nodiscard]] DampingNumber damping_number(double restitution, double x) const;
-    /// Restitution without damping, the greatest there is [1].
+    /// Restitution without damping, sqrt(1 - (v_c/v)^2) with the undamped v_c [1].
     [[nodiscard]] double greatest_restitution(double x) const;
-    /// Contact time in units of L/v, e > 0 [1].
+    /// Contact time in units of L/v, L = (m v^2/k)^(2/5) [1]. @param restitution > 0
     [[nodiscard]] double contact_time(double restitution, double x) const;
 
   private:
@@ -119,12 +119,12 @@ class ContactModel {
     [[nodiscard]] std::optional<double> critical_velocity_anywhere(double damping) const;
     /// Restitution of an impact, 0 for a capture [1]. @param velocity within range() [m/s]
     [[nodiscard]] double restitution(double velocity, double damping) const;
-    /// Where and how accurately a restitution is searched.
+    /// Options of rebound_restitution().
     struct Search {
-        double guess;
-        double tolerance;  ///< last change of the restitution
+        double guess;      ///< restitution to start from [1]
+        double tolerance;  ///< ends when the restitution changes by no more than this [1]
     };
-    /// Restitution of an impact that is no capture, by Newton's method within a shrinking bracket [1].
+    /// Restitution of an impact that rebounds, by Newton's method within a shrinking bracket [1].
     [[nodiscard]] double rebound_restitution(double velocity, double damping, const Search& search) const;
     /// Contact time of a rebound [s].
     [[nodiscard]] double contact_time(double velocity, double restitution) const;
@@ -138,7 +138,7 @@ class ContactModel {
     double damping_unit_;   ///< m^(3/5) k^(2/5), unit of damping at 1 m/s [kg/s (s/m)^(1/5)]
 };
 
-/// A map of @p law that covers @p velocities for @p contact; without adhesion of Hertz. @throws InputError
+/// A map of @p law, of Hertz if @p contact has no adhesion, for @p velocities [m/s]. @throws InputError
 [[nodiscard]] std::shared_ptr<const RestitutionMap> make_restitution_map(Law law, Detachment detachment,
                                                                          const ContactPair& contact,
                                                                          VelocityRange velocities);
