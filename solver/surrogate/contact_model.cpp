@@ -312,6 +312,7 @@ std::optional<VelocityAt> ContactModel::velocity(double restitution, double damp
     // Even an undamped impact reaches this restitution only from this velocity on.
     if (restitution > 0.0 && restitution < 1.0)
         lower = std::max(lower, map_->lowest() - 0.5 * std::log1p(-restitution * restitution));
+    if (lower > upper) return std::nullopt;  // std::clamp requires lower <= upper
     const double wanted = std::log(damping / damping_unit_) - 0.2 * std::log(velocity_unit_);
     double x = std::isfinite(lower) ? 0.5 * (lower + upper) : 0.0;
     if (guess) x = std::clamp(x_of(*guess), lower, upper);
