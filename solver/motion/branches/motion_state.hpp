@@ -21,7 +21,7 @@ struct MotionExpansion {
     Series<Real> velocity;
     Series<Real> time;
     Series<Real> dissipation;
-    Real step{};  ///< pseudo-time over which the series hold to rounding, positive
+    Real step{};  ///< pseudo-time over which the series hold to rounding; negative backward in time
 
     [[nodiscard]] MotionState<Real> at(Real h) const {
         return {value(position, h), value(velocity, h), value(time, h), value(dissipation, h)};
