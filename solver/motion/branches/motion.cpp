@@ -12,62 +12,62 @@ namespace ashimpact {
 
 namespace {
 
-/// Step of a motion that nothing accelerates, whose series end: it doubles or ends the coordinate.
+/// Step of a uniform motion, whose series converge everywhere: the coordinate doubles or becomes 0.
 template <class Real>
 Real uniform_step(const MotionState<Real>& state) {
     using std::abs;
-    const Real way = state.position != Real(0) ? abs(state.position) : Real(1);
-    return state.velocity != Real(0) ? way / abs(state.velocity) : Real(1);
+    const Real distance = state.position != Real(0) ? abs(state.position) : Real(1);
+    return state.velocity != Real(0) ? distance / abs(state.velocity) : Real(1);
 }
 
-/// The motion along one piece, by which its step is not ended.
+/// The motion as if @p piece had no borders: the step may end beyond them.
 template <class Real>
-MotionExpansion<Real> series_on(const MotionPiece<Real>& on, const MotionState<Real>& state, int sense) {
+MotionExpansion<Real> expand_on(const MotionPiece<Real>& piece, const MotionState<Real>& state, int sense) {
     MotionExpansion<Real> x{};
     x.position[0] = state.position;
     x.velocity[0] = state.velocity;
     x.time[0] = state.time;
     x.dissipation[0] = state.dissipation;
 
-    PowerSeries<Real> series;  // the on.powers of the chain are filled below
+    PowerSeries<Real> powers;  // of q; only those that piece.powers requires are set
     Series<Real> drag_series;
     Series<Real> drag_velocity;
-    const bool damped = on.drag.degree > 0 || on.drag[0] != Real(0);
+    const bool damped = piece.drag.degree > 0 || piece.drag[0] != Real(0);
     for (std::size_t n = 0; n + 1 < x.position.size(); ++n) {
-        on.powers.advance(series, x.position, n);
+        piece.powers.advance(powers, x.position, n);
         const Real factor = Real(1) / static_cast<Real>(n + 1);
-        Real acceleration = -composed(on.stiffness, series, n);
+        Real acceleration = -composed(piece.stiffness, powers, n);
         if (damped) {
-            drag_series[n] = composed(on.drag, series, n);
+            drag_series[n] = composed(piece.drag, powers, n);
             drag_velocity[n] = product_coefficient(drag_series, x.velocity, n);
             acceleration -= drag_velocity[n];
             x.dissipation[n + 1] = factor * product_coefficient(drag_velocity, x.velocity, n);
         }
         x.position[n + 1] = factor * x.velocity[n];
         x.velocity[n + 1] = factor * acceleration;
-        x.time[n + 1] = factor * composed(on.slope, series, n);
+        x.time[n + 1] = factor * composed(piece.slope, powers, n);
     }
-    const Real within = std::min(radius(x.position), radius(x.velocity));
-    const bool uniform = within == std::numeric_limits<Real>::infinity();
-    x.step = Real(sense) *
-             (uniform ? uniform_step(state) : within / (std::numbers::e_v<Real> * std::numbers::e_v<Real>));
+    const Real convergence = std::min(radius(x.position), radius(x.velocity));
+    const bool uniform = convergence == std::numeric_limits<Real>::infinity();
+    constexpr Real e = std::numbers::e_v<Real>;  // radius/e^2: the step of taylor_order
+    x.step = Real(sense) * (uniform ? uniform_step(state) : convergence / (e * e));
     return x;
 }
 
-/// Ends the step where the coordinate leaves [lower, upper]; just beyond a turn, if it does so after that.
+/// Ends the step where the coordinate leaves [lower, upper], or just beyond the turn if it leaves after one.
 template <class Real>
-void cut(MotionExpansion<Real>& x, Real lower, Real upper) {
+void end_step_at_border(MotionExpansion<Real>& x, Real lower, Real upper) {
     const Real sign = x.velocity[0] < Real(0) ? Real(-1) : Real(1);
     const auto onward = [&](Real h) { return sign * value(x.velocity, h); };
+    const auto to_upper = [&](Real h) { return upper - value(x.position, h); };
+    const auto to_lower = [&](Real h) { return value(x.position, h) - lower; };
     const bool turns = x.velocity[0] != Real(0) && onward(x.step) < Real(0);
     const Real turn = turns ? sign_change<Real>(onward, x.step) : x.step;
-    const auto below = [&](Real h) { return upper - value(x.position, h); };
-    const auto above = [&](Real h) { return value(x.position, h) - lower; };
-    if (below(turn) < Real(0))
-        x.step = sign_change<Real>(below, turn);
-    else if (above(turn) < Real(0))
-        x.step = sign_change<Real>(above, turn);
-    else if (below(x.step) < Real(0) || above(x.step) < Real(0))
+    if (to_upper(turn) < Real(0))
+        x.step = sign_change<Real>(to_upper, turn);
+    else if (to_lower(turn) < Real(0))
+        x.step = sign_change<Real>(to_lower, turn);
+    else if (to_upper(x.step) < Real(0) || to_lower(x.step) < Real(0))
         x.step = turn * (1 + 4 * std::numeric_limits<Real>::epsilon());
 }
 
@@ -89,17 +89,17 @@ bool Motion<Real>::is_soft(const Real& from, const Real& to, const Real& most) c
 
 template <class Real>
 MotionExpansion<Real> Motion<Real>::expand(const MotionState<Real>& state, int sense) const {
-    if (beyond.empty()) return series_on(first, state, sense);
+    if (beyond.empty()) return expand_on(first, state, sense);
     const Real q = state.position;
-    const Real way = state.velocity != Real(0) ? Real(sense) * state.velocity : -slope(q) * force(q);
+    // At a border the piece is that ahead of the motion; at rest, that ahead of its acceleration.
+    const Real direction = state.velocity != Real(0) ? Real(sense) * state.velocity : -slope(q) * force(q);
     const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * std::abs(q);
-    const MotionPiece<Real>& piece = at(way > Real(0) ? q + rounding : q - rounding);
-    MotionExpansion<Real> x = series_on(piece, state, sense);
-    Real lower = -std::numeric_limits<Real>::infinity();
-    for (const MotionPiece<Real>* below = &first; below->until < piece.until;
-         below = below == &first ? beyond.data() : below + 1)
-        lower = below->until;
-    cut(x, lower, piece.until);
+    const MotionPiece<Real>& piece = at(direction > Real(0) ? q + rounding : q - rounding);
+    const Real lower = &piece == &first          ? -std::numeric_limits<Real>::infinity()
+                       : &piece == beyond.data() ? first.until
+                                                 : (&piece - 1)->until;
+    MotionExpansion<Real> x = expand_on(piece, state, sense);
+    end_step_at_border(x, lower, piece.until);
     return x;
 }
 
@@ -115,7 +115,7 @@ Motion<Real> branch_motion(std::span<const StaticBranch<Real>> pieces, const Sca
     motion.beyond.reserve(pieces.size() - 1);
     for (const StaticBranch<Real>& piece : pieces) {
         const bool is_first = &piece == &pieces.front();
-        const MotionPiece<Real>& below = motion.beyond.empty() ? motion.first : motion.beyond.back();
+        const MotionPiece<Real>& before = motion.beyond.empty() ? motion.first : motion.beyond.back();
         MotionPiece<Real> m;
         m.until = motion.coordinate(piece.until);
         m.overlap = reduced(piece.overlap);
@@ -125,7 +125,7 @@ Motion<Real> branch_motion(std::span<const StaticBranch<Real>> pieces, const Sca
         m.stiffness = m.slope * m.force;
         m.drag = m.slope * m.damping;
         m.potential = m.stiffness.antiderivative();
-        if (!is_first) m.potential[0] = below.potential(below.until) - m.potential(below.until);
+        if (!is_first) m.potential[0] = before.potential(before.until) - m.potential(before.until);
         for (const Polynomial<Real>* p : {&m.slope, &m.drag, &m.stiffness}) m.powers.require(*p);
         if (is_first)
             motion.first = m;

@@ -53,7 +53,7 @@ struct MotionPiece {
     Polynomial<Real> stiffness;                          ///< delta'(q) F(q) = dU/dq
     Polynomial<Real> drag;                               ///< delta'(q) eta(q)
     Polynomial<Real> potential;                          ///< U(q), continuous from piece to piece
-    PowerChain powers;                                   ///< those of q in slope, drag and stiffness
+    PowerChain powers;                                   ///< the powers of q in slope, drag and stiffness
     Real until = std::numeric_limits<Real>::infinity();  ///< q up to which it holds
 };
 
@@ -69,14 +69,14 @@ struct Motion {
     using Number = Real;
 
     MotionPiece<Real> first;
-    std::vector<MotionPiece<Real>> beyond{};  ///< the pieces after it, by ascending q
+    std::vector<MotionPiece<Real>> beyond{};  ///< the pieces after the first, by ascending q
     Real touch{};                             ///< q at first touch
     Real equilibrium{};                       ///< q of the static equilibrium, the minimum of U
     std::optional<Real> end{};  ///< q at which the contact ends; none if it ends at zero total force
     bool squared = false;       ///< q = u^2
     bool overdamped = false;    ///< the damping captures every impact that touches at zero contact radius
 
-    /// The piece that holds @p q, at a border the one below.
+    /// The piece on which @p q is; at a border the lower one.
     [[nodiscard]] const MotionPiece<Real>& at(const Real& q) const {
         if (beyond.empty() || q <= first.until) return first;
         return *std::ranges::find_if(beyond, [&](const auto& piece) { return q <= piece.until; });
@@ -102,17 +102,17 @@ struct Motion {
     [[nodiscard]] RestPlace<Real> rest() const {
         return {equilibrium, overlap(equilibrium), potential(equilibrium)};
     }
-    /// Whether dF/d(delta) <= @p most all the way from @p from to @p to.
+    /// Whether dF/d(delta) <= @p most everywhere between @p from and @p to.
     [[nodiscard]] bool is_soft(const Real& from, const Real& to, const Real& most) const;
-    /// The motion as Taylor series about a state; the only arithmetic is products of power series. The step
-    /// ends where the motion leaves a piece. @param sense of the time in which it is followed: 1 or -1
+    /// The motion as Taylor series about a state, by products of power series alone. The step ends where the
+    /// motion leaves its piece. @param sense 1 forward in time, -1 backward
     [[nodiscard]] MotionExpansion<Real> expand(const MotionState<Real>& state, int sense = 1) const;
 };
 
 extern template struct Motion<double>;
 extern template struct Motion<long double>;
 
-/// The equation of motion on a branch of these pieces; touch, equilibrium and end remain to be set.
+/// The equation of motion on a branch of these pieces; the caller sets touch, equilibrium and end.
 template <class Real>
 [[nodiscard]] Motion<Real> branch_motion(std::span<const StaticBranch<Real>> pieces,
                                          const ScaledDamping<Real>& eta);
@@ -130,8 +130,8 @@ template <template <class> class L, class Real>
     Motion<Real> motion = branch_motion<Real>(std::span(pieces), damping);
     motion.touch = motion.coordinate(law.touch());
     motion.equilibrium = motion.coordinate(*law.detachment_point(Detachment::zero_force));
-    const bool by_force = detachment == Detachment::zero_force && motion.damped();
-    if (!by_force) motion.end = motion.coordinate(*law.detachment_point(detachment));
+    const bool ends_by_force = detachment == Detachment::zero_force && motion.damped();
+    if (!ends_by_force) motion.end = motion.coordinate(*law.detachment_point(detachment));
     return motion;
 }
 
