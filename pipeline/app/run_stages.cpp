@@ -2,6 +2,7 @@
 #include "pipeline/app/run_stages.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <spdlog/spdlog.h>
 
@@ -22,16 +23,16 @@ namespace {
 struct Work {
     Run run{};
     Artifacts artifacts{};
-    std::vector<Artifact> all{};  ///< in the order of the folder
+    std::vector<Artifact> all{};  ///< in the order of the stages
     ContactModels models{};
 
-    void keep(const Artifact& artifact) {
+    void add(const Artifact& artifact) {
         all.push_back(artifact);
         artifacts.add(artifact);
     }
 };
 
-/// Begins a run with the case as 0-case.json has it, so that continuing from there gives the same results.
+/// Adds the artifact of the case and reads the case back from it, as a later run from that file will.
 Artifact begin(const LoadedCase& loaded, Work& work) {
     Envelope envelope{.record = {.stage = "case", .file = std::string(case_artifact)},
                       .inputs = loaded.inputs,
@@ -39,13 +40,13 @@ Artifact begin(const LoadedCase& loaded, Work& work) {
     for (const SampleFinding& each : loaded.findings) envelope.record.note(each.finding, each.sample);
     Artifact artifact = sealed_artifact(envelope, case_json(loaded.data), {});
     artifact.place = loaded.inputs.front().file;
-    work.keep(artifact);
+    work.add(artifact);
     read_artifact(work.artifacts, case_artifact, work.run);
     return artifact;
 }
 
-/// Computes a stage. Errors without a place get one: the edited artifact, else the first input.
-void compute(const Stage& stage, Work& work) {
+/// Computes the result of a stage. Errors without a place get one: the edited artifact, else the first input.
+void compute_result(const Stage& stage, Work& work) {
     try {
         compute_stage(stage, work.run, work.models);
     } catch (const InputError& error) {
@@ -60,24 +61,24 @@ void compute(const Stage& stage, Work& work) {
 /// Notes edited artifacts that a stage reads. @return whether its result rests on an edit
 bool note_edits(const Stage& stage, const Artifacts& before, StageRecord& record) {
     bool edited = false;
-    bool rests = false;
+    bool rests_on_edit = false;  // an artifact that is read was itself computed from an edited one
     for (const std::string_view file : stage.reads) {
         const Artifact& artifact = before.at(file);
         if (artifact.edited)
             record.note(
                 {"edited", Severity::remark, std::string(file) + " was edited after ashimpact wrote it"});
         edited = edited || artifact.edited;
-        rests = rests || artifact.document.at("provenance").value("edited", false);
+        rests_on_edit = rests_on_edit || artifact.document.at("provenance").value("edited", false);
     }
-    if (rests && !edited)
+    if (rests_on_edit && !edited)
         record.note(
             {"rests-on-edit", Severity::remark, "computed from artifacts that rest on an edited one"});
-    return rests || edited;
+    return rests_on_edit || edited;
 }
 
-/// Computes a stage and seals its artifact.
-Artifact computed(const Stage& stage, Work& work) {
-    compute(stage, work);
+/// Computes a stage and adds its artifact, sealed.
+Artifact add_stage(const Stage& stage, Work& work) {
+    compute_result(stage, work);
     StageRecord& record = work.run.records.back();
     const bool rests_on_edit = note_edits(stage, work.artifacts, record);
     Envelope envelope{
@@ -87,7 +88,7 @@ Artifact computed(const Stage& stage, Work& work) {
     Artifact artifact = sealed_artifact(envelope, result_json(work.run, stage.file),
                                         run_of(work.artifacts.at(stage.reads.front()).document));
     record.sha256 = sha256(artifact.bytes);
-    work.keep(artifact);
+    work.add(artifact);
     return artifact;
 }
 
@@ -109,26 +110,25 @@ Artifact manifest_of(const RunPlan& plan, const std::vector<Artifact>& all,
     return sealed_artifact(envelope, {{"artifacts", std::move(list)}}, run_of(written.front().document));
 }
 
-/// The run as a whole: as it was computed, or with what the folder has of the stages that were not.
-Run whole_run(const RunPlan& plan, Work& work) {
+/// The complete run: moved out of @p work, or, if only some stages ran, read from all artifacts.
+Run complete_run(const RunPlan& plan, Work& work) {
     if (plan.from.empty() && plan.only.empty()) return std::move(work.run);
     for (const std::string_view file : report::report_artifacts())
         if (!work.artifacts.has(file)) work.artifacts.add(loaded_artifact(plan.folder, file));
     return read_run(work.artifacts);
 }
 
-/// Report and figures of a run; of a part of one, where the folder has the artifacts of the rest.
+/// Report and figures, which it adds to the summary; for part of a run without the other artifacts, a remark.
 std::vector<FileContent> presentation(const RunPlan& plan, Work& work, RunSummary& summary) {
     if (!plan.report && !plan.figures) return {};
     try {
         std::vector<report::RunData> runs;
-        runs.emplace_back(whole_run(plan, work), "");
+        runs.emplace_back(complete_run(plan, work), "");
         std::vector<FileContent> files;
         if (plan.figures) files = report::figure_files(runs.front(), plan.folder);
-        summary.figures = files.size();
-        if (!plan.report) return files;
-        summary.report = plan.folder / report::report_file;
-        files.push_back({summary.report, report::run_page(runs)});
+        if (plan.report) files.push_back({plan.folder / report::report_file, report::run_page(runs)});
+        if (plan.report) summary.report = files.back().path;
+        summary.figures = files.size() - (plan.report ? 1 : 0);
         return files;
     } catch (const InputError& error) {
         if (plan.from.empty() && plan.only.empty()) throw;
@@ -147,7 +147,7 @@ std::vector<std::string> artifact_names() {
     return names;
 }
 
-/// Removes figures of an earlier run that this run does not make again: they would show other results.
+/// Removes figures of an earlier run that this run does not replace: they would show other results.
 void remove_old_figures(const std::filesystem::path& folder, const std::vector<FileContent>& made) {
     std::size_t removed = 0;
     for (const std::filesystem::path& old : report::own_figures(folder)) {
@@ -165,20 +165,20 @@ void remove_old_figures(const std::filesystem::path& folder, const std::vector<F
                  folder.string(), removed);
 }
 
-/// The folder of a run, for this run alone; where it is not there yet, from the time it is made.
+/// The folder of a run, locked for this run. A new folder is made, and locked, only by write().
 class RunFolder {
   public:
     explicit RunFolder(const std::filesystem::path& folder)
         : folder_(folder.empty() ? std::filesystem::path(".") : folder), names_(artifact_names()) {
         require_writable_folder(folder_);
-        if (std::filesystem::is_directory(folder_)) take();
+        if (std::filesystem::is_directory(folder_)) lock();
     }
 
-    /// Replaces the artifacts and the report as one; figures, which have a folder of their own, after them.
+    /// Replaces artifacts and report, all or none; then the figures, which are in a subfolder.
     void write(const std::vector<Artifact>& artifacts, std::vector<FileContent> presentation) {
         if (!lock_) {
             make_folder(folder_);
-            take();
+            lock();
         }
         std::vector<NamedContent> files;
         std::vector<FileContent> figures;
@@ -193,13 +193,13 @@ class RunFolder {
         const bool reported =
             std::ranges::find(files, report::report_file, &NamedContent::name) != files.end();
         if (!reported && report::is_own_page(folder_ / report::report_file))
-            files.push_back({std::string(report::report_file), {}});  // removes that of other artifacts
+            files.push_back({std::string(report::report_file), {}});  // removes the outdated report
         replace_files(folder_, files);
         if (!figures.empty()) write_files(figures);
     }
 
   private:
-    void take() {
+    void lock() {
         require_plain_files(folder_, names_);
         lock_.emplace(folder_);
     }
@@ -209,8 +209,8 @@ class RunFolder {
     std::optional<FolderLock> lock_;
 };
 
-/// Refuses a folder in which the run would write over what it reads.
-void keep_inputs(const std::vector<InputFile>& inputs, const std::filesystem::path& folder) {
+/// Refuses a folder in which the run would write over its input files.
+void refuse_to_overwrite(const std::vector<InputFile>& inputs, const std::filesystem::path& folder) {
     const std::vector<std::string> files = artifact_names();
     for (const InputFile& input : inputs)
         for (const std::string& file : files)
@@ -224,9 +224,7 @@ void keep_inputs(const std::vector<InputFile>& inputs, const std::filesystem::pa
 struct Range {
     std::size_t first = 0;
     std::size_t end = stages().size();
-    bool with_case = true;
-
-    [[nodiscard]] bool holds(std::size_t i) const { return i >= first && i < end; }
+    bool with_case = true;  ///< the case is read from its own file, not from 0-case.json
 };
 
 Range range_of(const RunPlan& plan) {
@@ -249,9 +247,10 @@ bool is_read(const Range& range, std::string_view file) {
     return false;
 }
 
-/// The artifacts in the folder that this run neither reads nor writes: only their bytes and their run matter.
-void add_left(const std::filesystem::path& folder, std::string_view file, std::string_view stage,
-              std::vector<Artifact>& all) {
+/// Adds an artifact that the run neither reads nor writes, if it exists: checked, but kept without its
+/// result.
+void add_unused(const std::filesystem::path& folder, std::string_view file, std::string_view stage,
+                std::vector<Artifact>& all) {
     const auto path = folder / file;
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) return;
@@ -268,8 +267,8 @@ void add_left(const std::filesystem::path& folder, std::string_view file, std::s
     all.push_back({std::string(file), std::move(document), std::move(bytes), path.string()});
 }
 
-/// Every note in the folder of the run, whichever run wrote it, and the number of samples.
-void add_remarks(const std::vector<Artifact>& all, RunSummary& summary) {
+/// Adds all notes in the folder, of this run and earlier ones, and the number of samples.
+void summarize(const std::vector<Artifact>& all, RunSummary& summary) {
     for (const Artifact& artifact : all) {
         for (const Note& note : read_notes(View(artifact.document)))
             summary.remarks.push_back({artifact.file, note});
@@ -279,14 +278,16 @@ void add_remarks(const std::vector<Artifact>& all, RunSummary& summary) {
     }
 }
 
-/// The work up to and with a stage, nothing written.
-void work_through(const std::optional<std::string>& case_file, std::string_view last_stage,
-                  bool allow_outside, Work& work) {
+/// Results and artifacts of a case up to and with a stage; nothing is written.
+std::pair<Run, Artifacts> computed(const std::optional<std::string>& case_file, std::string_view last_stage,
+                                   bool allow_outside) {
+    Work work;
     begin(load_case(case_file, allow_outside), work);
     for (const Stage& stage : stages()) {
-        computed(stage, work);
+        add_stage(stage, work);
         if (stage.name == last_stage) break;
     }
+    return {std::move(work.run), std::move(work.artifacts)};
 }
 
 }  // namespace
@@ -299,16 +300,12 @@ std::vector<std::string> stage_names() {
 
 Run compute_run(const std::optional<std::string>& case_file, std::string_view last_stage,
                 bool allow_outside) {
-    Work work;
-    work_through(case_file, last_stage, allow_outside, work);
-    return std::move(work.run);
+    return computed(case_file, last_stage, allow_outside).first;
 }
 
 Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::string_view last_stage,
                             bool allow_outside) {
-    Work work;
-    work_through(case_file, last_stage, allow_outside, work);
-    return std::move(work.artifacts);
+    return computed(case_file, last_stage, allow_outside).second;
 }
 
 RunSummary run_stages(const RunPlan& plan) {
@@ -317,35 +314,35 @@ RunSummary run_stages(const RunPlan& plan) {
     RunFolder folder(plan.folder);
     Work work;
     RunSummary summary;
-    const auto read_before = [&](std::string_view file, std::string_view stage) {
-        if (!is_read(range, file)) return add_left(plan.folder, file, stage, work.all);
-        work.keep(loaded_artifact(plan.folder, file));
+    const auto add_earlier = [&](std::string_view file, std::string_view stage) {
+        if (!is_read(range, file)) return add_unused(plan.folder, file, stage, work.all);
+        work.add(loaded_artifact(plan.folder, file));
     };
     if (range.with_case) {
         const LoadedCase loaded = load_case(plan.case_file, plan.allow_outside);
-        keep_inputs(loaded.inputs, plan.folder);
+        refuse_to_overwrite(loaded.inputs, plan.folder);
         summary.written.push_back(begin(loaded, work));
     } else {
-        read_before(case_artifact, "case");
+        add_earlier(case_artifact, "case");
     }
-    for (std::size_t i = 0; i < range.first; ++i) read_before(stages()[i].file, stages()[i].name);
-    std::vector<Artifact> after;
+    for (std::size_t i = 0; i < range.first; ++i) add_earlier(stages()[i].file, stages()[i].name);
+    std::vector<Artifact> later;
     for (std::size_t i = range.end; i < stages().size(); ++i)
-        add_left(plan.folder, stages()[i].file, stages()[i].name, after);
+        add_unused(plan.folder, stages()[i].file, stages()[i].name, later);
     if (!range.with_case) {
         std::vector<Artifact> old = work.all;
-        old.insert(old.end(), after.begin(), after.end());
+        old.insert(old.end(), later.begin(), later.end());
         require_one_run(old);
         for (const std::string& line : outdated(work.all)) spdlog::warn("warning: {}", line);
         work.run = read_run(work.artifacts);
     }
     for (std::size_t i = range.first; i < range.end; ++i) {
-        summary.written.push_back(computed(stages()[i], work));
+        summary.written.push_back(add_stage(stages()[i], work));
         spdlog::debug("{}: done", stages()[i].name);
     }
-    work.all.insert(work.all.end(), after.begin(), after.end());
+    work.all.insert(work.all.end(), later.begin(), later.end());
     summary.written.push_back(manifest_of(plan, work.all, summary.written));
-    add_remarks(work.all, summary);
+    summarize(work.all, summary);
     folder.write(summary.written, presentation(plan, work, summary));
     return summary;
 }

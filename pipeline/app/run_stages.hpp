@@ -16,32 +16,33 @@ namespace ashimpact {
 struct RunPlan {
     std::optional<std::string> case_file;  ///< none: the built-in case
     std::filesystem::path folder;          ///< of the artifacts
-    std::string from{};    ///< stage to start from, with the artifacts before it as they are; empty: the case
-    std::string only{};    ///< the one stage to run; empty: all from there on
-    bool report = true;    ///< report.html beside the artifacts
-    bool figures = false;  ///< every figure as a file of its own, in the folder "figures"
-    bool allow_outside = false;  ///< the case may name files outside of its folder
+    std::string
+        from{};  ///< stage to start from, with earlier artifacts read from the folder; empty: the case
+    std::string only{};          ///< the one stage to run, likewise; empty: all from `from` on
+    bool report = true;          ///< report.html beside the artifacts
+    bool figures = false;        ///< every figure as a file of its own, in the folder "figures"
+    bool allow_outside = false;  ///< the case may name files outside its own folder
 };
 
 /// A finished run.
 struct RunSummary {
     std::vector<Artifact> written;   ///< in order, the manifest last
-    std::size_t samples = 0;         ///< of the run
-    std::vector<Remark> remarks{};   ///< of all artifacts in the folder, those from before this run too
+    std::size_t samples = 0;         ///< samples of the case
+    std::vector<Remark> remarks{};   ///< of all artifacts in the folder, also those of earlier runs
     std::filesystem::path report{};  ///< file of the report; empty: none was made
     std::size_t figures = 0;         ///< files of figures written
 };
 
-/// Runs the stages. All is read, checked and computed first; then all artifacts are replaced at once.
+/// Runs the stages. Everything is read, checked and computed first; then all artifacts are replaced at once.
 /// @throws InputError, ConvergenceError; nothing is written then
 [[nodiscard]] RunSummary run_stages(const RunPlan& plan);
 
-/// The results of a case up to and with a stage, nothing written.
-/// @param allow_outside whether the case may name files outside of its folder
+/// The results of a case up to and with @p last_stage; nothing is written.
+/// @param allow_outside whether the case may name files outside its own folder
 [[nodiscard]] Run compute_run(const std::optional<std::string>& case_file, std::string_view last_stage,
                               bool allow_outside = false);
 
-/// The artifacts of the same.
+/// Like compute_run(), but returns the artifacts.
 [[nodiscard]] Artifacts compute_artifacts(const std::optional<std::string>& case_file,
                                           std::string_view last_stage, bool allow_outside = false);
 
