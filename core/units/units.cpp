@@ -22,10 +22,10 @@ struct Row {
     std::string_view symbols;  ///< separated by blanks; case matters
     std::string_view names;    ///< separated by blanks; in any case, with or without a plural ending
     double factor;
-    std::array<double, 4> powers;  ///< of m, kg, s and others
+    std::array<double, 4> powers;  ///< as of Unit
 };
 
-/// Powers of m, kg, s and others.
+/// Powers of m, kg, s and, as one, of all units that are not mechanical.
 namespace of {
 constexpr std::array<double, 4> number{0, 0, 0, 0};
 constexpr std::array<double, 4> length{1, 0, 0, 0};
@@ -41,9 +41,9 @@ constexpr std::array<double, 4> power{2, 1, -3, 0};
 constexpr std::array<double, 4> other{0, 0, 0, 1};
 }  // namespace of
 
-/// Mechanical units of the field and of its neighbours, with the values of UDUNITS-2 2.2.28. Other units have
-/// rows here so that messages can distinguish them from unknown ones, and so that no symbol is read as a
-/// prefix and another unit: without "cd", a candela would be a hundredth of a day.
+/// Mechanical units of the field and of its neighbours, with the values of UDUNITS-2 2.2.28. Other units are
+/// listed so that messages can distinguish them from unknown ones, and so that none is taken for a prefix and
+/// another unit: without a row for the candela, "cd" would be a hundredth of a day.
 constexpr std::array rows{
     Row{"%", "percent", 1e-2, of::number},
     Row{"ppm", "", 1e-6, of::number},
@@ -134,8 +134,8 @@ constexpr std::array prefixes{
     Prefix{"a", "atto", 1e-18}, Prefix{"z", "zepto", 1e-21}, Prefix{"y", "yocto", 1e-24},
 };
 
-/// Whether a list of words, separated by blanks, has this word.
-bool holds(std::string_view words, std::string_view word) {
+/// Whether a list of words, separated by blanks, contains a word.
+bool contains_word(std::string_view words, std::string_view word) {
     if (word.empty()) return false;
     for (auto at = words.find(word); at != std::string_view::npos; at = words.find(word, at + 1)) {
         const std::size_t end = at + word.size();
@@ -144,15 +144,16 @@ bool holds(std::string_view words, std::string_view word) {
     return false;
 }
 
-/// The row of a symbol or a name without prefix, null if there is none.
-const Row* row_of(std::string_view text) {
+/// The row of a symbol or name without a prefix; null if there is none.
+const Row* unit_row(std::string_view text) {
     const std::string name = lower_case(text);
     const auto is_name_of = [&](const Row& row, std::string_view ending) {
         return name.ends_with(ending) &&
-               holds(row.names, std::string_view(name).substr(0, name.size() - ending.size()));
+               contains_word(row.names, std::string_view(name).substr(0, name.size() - ending.size()));
     };
     for (const Row& row : rows)
-        if (holds(row.symbols, text) || is_name_of(row, "") || is_name_of(row, "s") || is_name_of(row, "es"))
+        if (contains_word(row.symbols, text) || is_name_of(row, "") || is_name_of(row, "s") ||
+            is_name_of(row, "es"))
             return &row;
     return nullptr;
 }
@@ -223,7 +224,7 @@ class UnitReader {
         return name.empty() ? std::nullopt : unit_named(name);
     }
 
-    /// Letters and digits, of which a letter is the last, as in "cmH2O".
+    /// Length of the name in front: letters and digits, but a letter first and last, as in "cmH2O".
     [[nodiscard]] std::size_t length_of_name() const {
         std::size_t length = 0;
         for (std::size_t i = 0; i < rest_.size() && (is_letter(rest_[i]) || is_digit(rest_[i])); ++i) {
@@ -263,17 +264,16 @@ class UnitReader {
     std::string_view rest_;
 };
 
-const DimensionRow& row(Dimension dimension) {
+const DimensionRow& row_of(Dimension dimension) {
     return *std::ranges::find(dimension_rows, dimension, &DimensionRow::dimension);
 }
 
 std::string allowed(Dimension dimension) {
-    const auto& [_, name, unit, examples] = row(dimension);
+    const auto& [_, name, unit, examples] = row_of(dimension);
     return with_article(name) + " [" + std::string(unit) + "], e.g. " + std::string(examples);
 }
 
-/// The factor rounded to 15 significant digits, which removes the rounding errors of a product of unit
-/// factors.
+/// The factor rounded to 15 significant digits: a product of unit factors has errors beyond them.
 double without_rounding_noise(double factor) {
     return whole_decimal(fmt::format("{:.14e}", factor)).value_or(factor);
 }
@@ -281,7 +281,7 @@ double without_rounding_noise(double factor) {
 }  // namespace
 
 std::optional<Unit> unit_named(std::string_view name) {
-    if (const Row* row = row_of(name)) return Unit{row->factor, row->powers};
+    if (const Row* row = unit_row(name)) return Unit{row->factor, row->powers};
     if (name.ends_with('%')) return std::nullopt;
     const std::string lower = lower_case(name);
     for (const Prefix& prefix : prefixes)
@@ -289,7 +289,7 @@ std::optional<Unit> unit_named(std::string_view name) {
             const std::string_view word = by_name ? prefix.name : prefix.symbol;
             const std::string_view text = by_name ? std::string_view(lower) : name;
             if (!text.starts_with(word)) continue;
-            if (const Row* row = row_of(name.substr(word.size())))
+            if (const Row* row = unit_row(name.substr(word.size())))
                 return Unit{prefix.factor * row->factor, row->powers};
         }
     return std::nullopt;
@@ -314,11 +314,11 @@ std::string ascii_unit(std::string_view text) {
 }
 
 std::string_view si_unit(Dimension dimension) {
-    return row(dimension).unit;
+    return row_of(dimension).unit;
 }
 
 std::string_view dimension_name(Dimension dimension) {
-    return row(dimension).name;
+    return row_of(dimension).name;
 }
 
 SiConversion::SiConversion(std::string_view unit, Dimension expected) : expected_(expected) {
