@@ -17,7 +17,7 @@ namespace ashimpact {
 
 namespace {
 
-/// Removes a plain number from the front of `text`; none if there is no finite one.
+/// Removes a number from the front of `text` and returns it; none if there is no finite one.
 std::optional<double> take_number(std::string_view& text) {
     if (text.starts_with('+') && text.size() > 1 && text[1] != '-' && text[1] != '+') text.remove_prefix(1);
     double value = 0;
@@ -39,14 +39,15 @@ double last_place(std::string_view printed) {
     return whole_decimal(unit).value_or(0);
 }
 
+/// Likewise for "+-3", "+/-3", "±3", "(0.3)" or "(3)", which counts last places of the printed value.
 std::optional<double> take_uncertainty(std::string_view& text, std::string_view printed) {
     if (text.starts_with('(')) {
         text.remove_prefix(1);
-        const bool own_point = text.substr(0, text.find(')')).find('.') != std::string_view::npos;
+        const bool has_point = text.substr(0, text.find(')')).find('.') != std::string_view::npos;
         const auto uncertainty = take_number(text);
         if (!uncertainty || !text.starts_with(')')) return std::nullopt;
         text.remove_prefix(1);
-        return own_point ? *uncertainty : *uncertainty * last_place(printed);
+        return has_point ? *uncertainty : *uncertainty * last_place(printed);
     }
     for (const std::string_view sign : {"+-", "+/-", "\u00b1"}) {
         if (!text.starts_with(sign)) continue;
@@ -64,8 +65,8 @@ std::pair<std::size_t, std::size_t> plus_minus_in(std::string_view text) {
     return {text.size(), 0};
 }
 
-/// Where the uncertainty in the last digits of a number ends, as in "60(3) um"; 0 without one.
-std::size_t end_of_last_digits(std::string_view text) {
+/// Position behind the bracket of "60(3) um"; 0 if the text has no such uncertainty.
+std::size_t end_of_bracket(std::string_view text) {
     const auto open = text.find('(');
     const auto close = text.find(')');
     if (open == std::string_view::npos || close == std::string_view::npos || open == 0 || close < open)
@@ -73,8 +74,8 @@ std::size_t end_of_last_digits(std::string_view text) {
     return read_number(text.substr(0, close + 1)) ? close + 1 : 0;
 }
 
-/// "60(3) um"; @p end is behind the bracket.
-Quantity read_last_digits(const std::string& text, std::size_t end, Dimension expected) {
+/// Reads "60(3) um"; @p end is the position behind the bracket.
+Quantity read_with_bracket(const std::string& text, std::size_t end, Dimension expected) {
     const PrintedNumber number = read_number(std::string_view(text).substr(0, end)).value();
     const std::string rest = text.substr(end);
     const std::string unit(trimmed(rest).empty() ? si_unit(expected) : trimmed(rest));
@@ -84,9 +85,9 @@ Quantity read_last_digits(const std::string& text, std::size_t end, Dimension ex
     return quantity;
 }
 
-/// "60 um", "60 +- 3 um", "60 um +- 3 um", "60 um +- 5 %", "60(3) um".
+/// Reads "60 um", "60 +- 3 um", "60 um +- 3 um", "60 um +- 5 %" or "60(3) um".
 Quantity read_text(const std::string& text, Dimension expected) {
-    if (const std::size_t end = end_of_last_digits(text)) return read_last_digits(text, end, expected);
+    if (const std::size_t end = end_of_bracket(text)) return read_with_bracket(text, end, expected);
     const auto [place, length] = plus_minus_in(text);
     if (length == 0) return make_quantity(parse_quantity(text, expected), expected);
     if (const std::string remedy = remedy_for_commas(text); !remedy.empty())
@@ -109,14 +110,14 @@ Quantity read_text(const std::string& text, Dimension expected) {
     return make_quantity(value, expected, uncertainty);
 }
 
-struct ReadingUnit {
+struct DisplayUnit {
     std::string_view si;
-    std::string_view shown;
-    double scale;  ///< of one shown unit [SI unit]
+    std::string_view name;
+    double factor;  ///< value of this unit [SI unit]
 };
 
-/// Largest first within each SI unit; a unit that is not here is shown as it is.
-constexpr std::array<ReadingUnit, 36> reading_units{{
+/// The largest first within each SI unit. SI units that are not listed are displayed themselves.
+constexpr std::array<DisplayUnit, 36> display_units{{
     {"Pa", "GPa", 1e9},  {"Pa", "MPa", 1e6},    {"Pa", "Pa", 1},       {"m", "m", 1},
     {"m", "mm", 1e-3},   {"m", "um", 1e-6},     {"m", "nm", 1e-9},     {"m", "pm", 1e-12},
     {"s", "s", 1},       {"s", "ms", 1e-3},     {"s", "us", 1e-6},     {"s", "ns", 1e-9},
@@ -128,14 +129,16 @@ constexpr std::array<ReadingUnit, 36> reading_units{{
     {"N s", "N s", 1},   {"N s", "uN s", 1e-6}, {"N s", "nN s", 1e-9}, {"N s", "pN s", 1e-12},
 }};
 
-/// The shown unit in which the number is at least 1, or 0.01 for velocities: 0.05 m/s, not 50 mm/s.
-const ReadingUnit* unit_for(double value, std::string_view si) {
+/// The largest unit in which the number is at least 1, or 0.01 for velocities: 0.05 m/s, not 50 mm/s. The SI
+/// unit itself if it is not listed or the value is 0.
+DisplayUnit display_unit(double value, std::string_view si) {
     const double least = si == "m/s" ? 1e-2 : 1.0;
-    const ReadingUnit* chosen = nullptr;
-    for (const ReadingUnit& unit : reading_units) {
+    DisplayUnit chosen{si, si, 1};
+    if (value == 0) return chosen;
+    for (const DisplayUnit& unit : display_units) {
         if (unit.si != si) continue;
-        chosen = &unit;
-        if (std::abs(value) >= least * unit.scale) break;
+        chosen = unit;
+        if (std::abs(value) >= least * unit.factor) break;
     }
     return chosen;
 }
@@ -193,34 +196,31 @@ std::string readable_number(double value, int digits) {
 
 std::string readable(double value, std::string_view unit) {
     if (unit == "1") return readable_number(value);
-    const ReadingUnit* shown = value == 0 ? nullptr : unit_for(value, unit);
-    if (shown == nullptr) return fmt::format("{} {}", readable_number(value), unit);
-    return fmt::format("{} {}", readable_number(value / shown->scale), shown->shown);
+    const DisplayUnit shown = display_unit(value, unit);
+    return fmt::format("{} {}", readable_number(value / shown.factor), shown.name);
 }
 
 std::string readable(const Quantity& quantity) {
-    constexpr double least_share = 1e-4;
+    constexpr double least_relative = 1e-4;
     if (!quantity.standard_uncertainty ||
-        !(std::abs(*quantity.standard_uncertainty) > least_share * std::abs(quantity.value)))
+        !(std::abs(*quantity.standard_uncertainty) > least_relative * std::abs(quantity.value)))
         return readable(quantity.value, quantity.unit);
-    const ReadingUnit* shown = quantity.value == 0 ? nullptr : unit_for(quantity.value, quantity.unit);
-    const double scale = shown == nullptr ? 1 : shown->scale;
-    const std::string unit = shown == nullptr ? quantity.unit : std::string(shown->shown);
-    const double uncertainty = *quantity.standard_uncertainty / scale;
-    // The decimal of the second digit of the uncertainty, as it will be rounded.
+    const DisplayUnit shown = display_unit(quantity.value, quantity.unit);
+    const std::string unit = shown.name == "1" ? "" : " " + std::string(shown.name);
+    const double value = quantity.value / shown.factor;
+    const double uncertainty = *quantity.standard_uncertainty / shown.factor;
+    // Decimals that show two digits of the uncertainty after rounding; negative: zeros before the point.
     const std::string rounded = fmt::format("{:.1e}", uncertainty);
     const int decimals = 1 - std::stoi(rounded.substr(rounded.find('e') + 1));
     constexpr int most_decimals = 6;
     if (decimals > most_decimals || decimals < -3)
-        return fmt::format("{} +- {}{}", readable_number(quantity.value / scale),
-                           readable_number(uncertainty, 2), unit == "1" ? "" : " " + unit);
-    const double step = std::pow(10.0, std::max(-decimals, 0));  // of the last digit before the point
+        return fmt::format("{} +- {}{}", readable_number(value), readable_number(uncertainty, 2), unit);
+    const double step = std::pow(10.0, std::max(-decimals, 0));
     const auto text = [&](double number) {
         return decimals > 0 ? fmt::format("{:.{}f}", number, decimals)
                             : fmt::format("{:.0f}", step * std::round(number / step));
     };
-    return fmt::format("{} +- {}{}", text(quantity.value / scale), text(uncertainty),
-                       unit == "1" ? "" : " " + unit);
+    return fmt::format("{} +- {}{}", text(value), text(uncertainty), unit);
 }
 
 std::string uncertainty_legend(std::string_view text) {

@@ -41,14 +41,14 @@ struct PrintedNumber {
 /// ("44 um", "148.1 GPa"). Files never hold this form.
 [[nodiscard]] std::string readable(double value, std::string_view unit);
 
-/// The same with its standard uncertainty of two digits, "148.1 +- 9.2 GPa", and the value to its last digit;
-/// without it where it is below a ten-thousandth of the value.
+/// The same with the standard uncertainty to two digits and the value to the same decimal: "148.1 +- 9.2
+/// GPa". An uncertainty of 1e-4 of the value or less is left out.
 [[nodiscard]] std::string readable(const Quantity& quantity);
 
-/// What "+-" means, as a line, for a text that has one; else nothing.
+/// A line that explains "+-" if the text contains it, else an empty text.
 [[nodiscard]] std::string uncertainty_legend(std::string_view text);
 
-/// A number for a reader, with that many significant digits.
+/// A number for a reader, with @p digits significant digits.
 [[nodiscard]] std::string readable_number(double value, int digits = 4);
 
 }  // namespace ashimpact
