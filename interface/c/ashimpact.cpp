@@ -126,7 +126,7 @@ struct SphereImpacts {
 
 /// The model behind a handle of the C interface; immutable.
 struct ashimpact_model {  // NOLINT(readability-identifier-naming): the name of the C interface
-    ashimpact::Choice choice;
+    ashimpact::ModelChoice choice;
     std::array<std::optional<double>, ashimpact::most_parameters> constants{};
     std::optional<ashimpact::SphereImpacts> spheres{};  ///< none: constants for a sphere are missing
 

@@ -215,7 +215,7 @@ void Parameters::require(Parameter parameter) const {
                      "a parameter of the model or a column of the call");
 }
 
-Choice choice_named(const char* law, const char* detachment, const char* damping_law) {
+ModelChoice choice_named(const char* law, const char* detachment, const char* damping_law) {
     if (law == nullptr) throw InputError("no law is given", law_names());
     const Law chosen = Law::named(law);
     return {.law = chosen,

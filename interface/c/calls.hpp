@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Calls of C and Python: numbers by name, for the batch solver.
+// What the C and Python interfaces share: parameters by name, and calls of the batch solver.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace ashimpact {
 
-/// Parameters of calls by name; those of laws follow, in the order of law_parameters().
+/// Parameters of every law; those of single laws follow, in the order of law_parameters().
 enum class Parameter : std::size_t {
     density,
     mass,
@@ -27,7 +27,7 @@ enum class Parameter : std::size_t {
     velocity,
     restitution,
 };
-/// Most names that there may be.
+/// Room for all parameters, those of laws included.
 inline constexpr std::size_t most_parameters = 24;
 
 [[nodiscard]] inline std::size_t place_of(Parameter parameter) {
@@ -36,18 +36,18 @@ inline constexpr std::size_t most_parameters = 24;
 [[nodiscard]] std::string_view name_of(Parameter parameter);
 /// The parameter of that name. @throws InputError naming all of them
 [[nodiscard]] Parameter parameter_named(std::string_view name);
-/// Mass for density, diameter for effective_radius, and back; the same parameter for others.
+/// What may be set instead: mass for density, diameter for effective_radius, vice versa; others: themselves.
 [[nodiscard]] Parameter alternative_to(Parameter parameter);
-/// @throws InputError for a parameter that only other laws declare
+/// @throws InputError if the parameter belongs to other laws than @p law
 void require_taken(Law law, Parameter parameter);
 
-/// Mass of a sphere [kg] of a density [kg/m3] and a diameter [m]; every way through the interface multiplies
-/// in this order, so that results agree bit by bit.
+/// Mass of a sphere [kg] from density [kg/m3] and diameter [m]. All interfaces use it, so that their results
+/// agree bit by bit: the order of the factors matters.
 [[nodiscard]] inline double mass_of_sphere(double density, double diameter) {
     return density * std::numbers::pi / 6.0 * diameter * diameter * diameter;
 }
 
-/// Numbers for consecutive problems: value i at values[i stride]; none where values is null.
+/// Numbers of consecutive problems: that of problem i is values[i * stride]. Null values: not set.
 struct Strided {
     const double* values = nullptr;
     std::size_t stride = 0;
@@ -55,17 +55,18 @@ struct Strided {
     [[nodiscard]] double operator[](std::size_t i) const { return values[i * stride]; }
 };
 
-/// A constant or a column for each parameter; setting one removes its alternative.
+/// A constant (stride 0) or a column for each parameter. Setting one unsets its alternative.
 class Parameters {
   public:
     void set(Parameter parameter, Strided source);
-    /// The source of a parameter; its values are null where it was not set.
+    /// The source of a parameter; its values are null if it was not set.
     [[nodiscard]] const Strided& operator[](Parameter parameter) const {
         return sources_[place_of(parameter)];
     }
     [[nodiscard]] bool has(Parameter parameter) const { return (*this)[parameter].values != nullptr; }
-    /// @throws InputError naming what a contact lacks
+    /// @throws InputError naming what is missing: a radius, mass or density
     void require_contact() const;
+    /// @throws InputError if the parameter is not set
     void require(Parameter parameter) const;
 
   private:
@@ -73,35 +74,36 @@ class Parameters {
 };
 
 /// A contact law, how its contacts end and how they are damped.
-struct Choice {
+struct ModelChoice {
     Law law;
     Detachment detachment;
     DampingLaw damping_law;
 };
-/// The choice of these names; NULL: the law's own detachment, constant damping. @throws InputError
-[[nodiscard]] Choice choice_named(const char* law, const char* detachment, const char* damping_law);
+/// The choice of these names; null: the law's default detachment, constant damping. @throws InputError
+[[nodiscard]] ModelChoice choice_named(const char* law, const char* detachment, const char* damping_law);
 
 /// Problems of one call.
 struct Call {
-    Choice choice;
+    ModelChoice choice;
     Parameters parameters;
-    std::size_t count;
-    int threads = 1;                      ///< 0: one for each core; no bit of a result depends on it
-    std::size_t chunk = 2048;             ///< problems at a time
+    std::size_t count;                    ///< of problems
+    int threads = 1;                      ///< 0: one per core; results do not depend on it
+    std::size_t chunk = 2048;             ///< problems solved at a time
     std::function<void()> after_chunk{};  ///< may throw, which ends the call
 };
 
-/// Where results go, an array of call.count numbers each; null where one is not asked for.
+/// Arrays for the results, of call.count numbers each; null for a result that is not needed.
 struct DampingOutputs {
-    double* damping = nullptr;               ///< NaN where there is none [unit of the damping law]
-    double* greatest_restitution = nullptr;  ///< without damping [1]
+    double* damping = nullptr;               ///< NaN if none gives the restitution [unit of the damping law]
+    double* greatest_restitution = nullptr;  ///< restitution without damping [1]
 };
 
-/// Solve the problems of a call; impacts by tables where the results asked for are in them.
-/// @throws InputError naming the first impact it concerns, where there are several; ConvergenceError
+/// Solves impacts: from tables, unless approach time or maximum overlap are needed.
+/// @throws InputError, ConvergenceError, like the next two, naming the first problem of several that fails
 void solve_impacts(const Call& call, const BatchOutputs& outputs);
-/// v_c; 0 where nothing is captured, infinite where everything is [m/s].
+/// Solves critical velocities [m/s]: 0 if no impact is captured, infinity if every impact is.
 void solve_critical_velocities(const Call& call, double* critical_velocity);
+/// Solves for the damping that gives each restitution.
 void solve_dampings(const Call& call, const DampingOutputs& outputs);
 
 }  // namespace ashimpact
