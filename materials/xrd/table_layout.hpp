@@ -15,13 +15,13 @@
 
 namespace ashimpact::xrd {
 
-/// What a column of a table holds.
+/// What a column of a table contains.
 enum class Role {
     other,
     sample,
     phase,
-    weight,
-    volume,
+    weight,  ///< fraction by weight
+    volume,  ///< fraction by volume
     uncertainty,
     density,
     intensity,
@@ -30,49 +30,50 @@ enum class Role {
     standard,  ///< known weight fraction of an added internal standard
 };
 
-/// What a row of a table of fractions holds, by its name.
+/// What a row of a table of fractions contains.
 enum class RowMeaning { phase, total, crystalline_total };
 
-/// Whether a heading states per cent or a fraction.
+/// Whether the numbers under a heading are per cent or fractions.
 enum class Scale { not_stated, per_cent, fraction };
 
 /// The parts of a heading: "Weight [wt.%]" is a weight in per cent.
 struct Heading {
-    std::string text;  ///< without the unit in brackets
-    std::string unit;  ///< in brackets; may be empty
+    std::string text;  ///< without unit and coverage
+    std::string unit;  ///< without its brackets; may be empty
     Role role = Role::other;
     Scale scale = Scale::not_stated;
     std::string written{};      ///< the whole heading as in the file
-    StatedCoverage coverage{};  ///< of its uncertainties
+    StatedCoverage coverage{};  ///< of the uncertainties under it
 };
 
 [[nodiscard]] Heading read_heading(std::string_view text);
 
-/// A total, of all phases or of the crystalline ones, unless the name is that of a phase.
+/// What the row of a name contains: a total of all or of the crystalline phases, else a phase.
 [[nodiscard]] RowMeaning meaning_of_row(std::string_view name);
 
-/// One entry of the table, whatever its layout.
+/// The numbers of one phase in one sample, as written except for density; uncertainties are standard ones.
 struct Entry {
     std::string sample;
     std::string phase;
     std::size_t line = 0;
-    std::optional<PrintedNumber> amount{};
-    std::optional<double> uncertainty{};
-    std::optional<double> density{};  ///< [kg/m3]
+    std::optional<PrintedNumber> amount{};  ///< by weight or volume
+    std::optional<double> uncertainty{};    ///< of the amount
+    std::optional<double> density{};        ///< [kg/m3]
     std::optional<PrintedNumber> intensity{};
     std::optional<PrintedNumber> ratio{};
     std::optional<double> ratio_uncertainty{};
-    std::optional<PrintedNumber> standard{};  ///< known weight
+    std::optional<PrintedNumber> standard{};  ///< known weight fraction
 };
 
 /// A table cut into cells.
 struct Table {
-    std::size_t heading_line = 0;
+    std::size_t heading_line = 0;  ///< number of the line in the file
     std::vector<Heading> headings;
     std::vector<TableRow> rows;
     char separator = ',';
     std::vector<Finding> warnings{};
 
+    /// Index of the first column of a role.
     [[nodiscard]] std::optional<std::size_t> column(Role role) const {
         for (std::size_t i = 0; i < headings.size(); ++i)
             if (headings[i].role == role) return i;
@@ -83,22 +84,22 @@ struct Table {
 
 /// How the entries of a table are arranged.
 enum class Layout {
-    fractions,            ///< one row a phase: phase, weight or volume
-    peaks,                ///< one row a phase: phase, intensity, rir
-    one_column_a_phase,   ///< one row a sample
-    one_column_a_sample,  ///< one row a phase
+    fractions,            ///< a row per phase: phase, weight or volume
+    peaks,                ///< a row per phase: phase, intensity, reference intensity ratio
+    one_column_a_phase,   ///< and a row per sample
+    one_column_a_sample,  ///< and a row per phase
 };
 
-/// Whether one of the first lines is a heading of a table.
+/// Whether one of the first lines can be the heading of a table.
 [[nodiscard]] bool has_heading(const TextLines& file);
 
 /// Cuts a file into heading and rows. Errors: InputError at the line.
 [[nodiscard]] Table parse_table(const TextLines& file);
 
-/// The arrangement of a table, from its headings. Errors: InputError at the heading.
+/// The layout of a table, from its headings. Errors: InputError at the heading.
 [[nodiscard]] Layout layout_of(const Table& table);
 
-/// All entries, row by row. Errors: InputError at the line.
+/// All entries, row by row. Errors: InputError at the line of the entry.
 [[nodiscard]] std::vector<Entry> entries_of(const Table& table, Layout layout);
 
 }  // namespace ashimpact::xrd
