@@ -14,7 +14,7 @@ namespace {
 
 using Columns = std::vector<std::vector<double>>;
 
-/// Merges sums, or lists of them element by element; an empty list takes the other as it is.
+/// Merges sums, or lists of them element by element; an empty list becomes a copy of the other.
 template <class Sums>
 void merge_sums(Sums& sums, const Sums& others) {
     if constexpr (std::is_arithmetic_v<Sums>) {
@@ -27,11 +27,11 @@ void merge_sums(Sums& sums, const Sums& others) {
     }
 }
 
-/// One chunk while it is computed. Its impacts stand in blocks of one for each point: a; or a, b, and a with
-/// each variable in turn from b.
+/// One chunk while it is computed. Impacts are stored in blocks of one impact per point: the sample a. With
+/// sensitivity (Saltelli et al. 2010) the blocks are a, b, and for each variable a with that variable from b.
 class Chunk {
   public:
-    /// @param memory of another chunk, to be used again
+    /// @param memory buffer that successive chunks reuse
     Chunk(const SweepPlan& plan, std::uint64_t number, Columns& memory)
         : plan_(plan),
           number_(number),
@@ -40,14 +40,14 @@ class Chunk {
           variables_(memory) {
         variables_.resize(plan.design().variables());
         for (std::size_t variable = 0; variable < variables_.size(); ++variable) {
-            variables_[variable].resize(impacts());
+            variables_[variable].resize(impact_count());
             fill(variable, variables_[variable]);
         }
     }
 
     void compute(const ImpactSolver& solver, BlockResult& into) {
         const SweepSpec& spec = plan_.spec();
-        const ImpactColumns impacts(plan_.spec(), variables_, this->impacts());
+        const ImpactColumns impacts(spec, variables_, impact_count());
         Columns table = spec.table.empty() ? Columns{} : variables_;
         into.sums.laws.resize(spec.laws.size());
         into.counts.resize(spec.laws.size());
@@ -65,9 +65,9 @@ class Chunk {
     }
 
   private:
-    [[nodiscard]] std::size_t impacts() const { return points_ * plan_.impacts_a_point(); }
+    [[nodiscard]] std::size_t impact_count() const { return points_ * plan_.impacts_a_point(); }
 
-    /// Fills in a variable in every impact.
+    /// Sets the values of a variable in all blocks.
     void fill(std::size_t variable, std::span<double> values) const {
         for (std::size_t sample = 0; sample < plan_.samples_a_point(); ++sample)
             plan_.design().fill(sample, variable, first_, values.subspan(sample * points_, points_));
@@ -106,7 +106,7 @@ class Chunk {
             sums.sensitivity.push_back(sobol_by_group(values_of(observable, results, impacts)));
     }
 
-    /// The values of impacts that are a sample of the variables.
+    /// The values of the sample a, or a and b, without those of the mixed blocks.
     [[nodiscard]] std::span<const double> samples_of(std::span<const double> values) const {
         return values.first(points_ * plan_.samples_a_point());
     }
@@ -119,7 +119,7 @@ class Chunk {
                        moments_by_group(values.subspan(block, points_), plan_.design().groups(), first_));
     }
 
-    /// The same for captures, which are restitutions of 0.
+    /// Like add_values() for the observable captured: 1 where the restitution is 0, else 0.
     void add_captures(std::span<const double> restitutions, std::vector<Moments>& moments,
                       Histogram& histogram) const {
         for (std::size_t block = 0; block < restitutions.size(); block += points_)
@@ -142,7 +142,7 @@ class Chunk {
         }
     }
 
-    /// Sums of each group of points, without points of which an impact did not converge.
+    /// Sums of each group of points; a point is left out if one of its impacts did not converge.
     [[nodiscard]] std::vector<SobolSums> sobol_by_group(const std::vector<double>& values) const {
         const std::uint32_t groups = plan_.design().groups();
         std::vector<SobolSums> sums;
@@ -150,10 +150,10 @@ class Chunk {
             Columns blocks(plan_.impacts_a_point());
             for (std::size_t i = (group + groups - first_ % groups) % groups; i < points_; i += groups) {
                 const auto value = [&](std::size_t block) { return values[block * points_ + i]; };
-                bool known = true;
+                bool converged = true;
                 for (std::size_t block = 0; block < blocks.size(); ++block)
-                    known = known && !std::isnan(value(block));
-                for (std::size_t block = 0; known && block < blocks.size(); ++block)
+                    converged = converged && !std::isnan(value(block));
+                for (std::size_t block = 0; converged && block < blocks.size(); ++block)
                     blocks[block].push_back(value(block));
             }
             sums.push_back(SobolSums::of({blocks[0], blocks[1], {blocks.begin() + 2, blocks.end()}}));
@@ -161,7 +161,7 @@ class Chunk {
         return sums;
     }
 
-    /// Columns with the impacts of one point side by side.
+    /// Reorders columns from block by block to point by point.
     [[nodiscard]] Columns in_order_of_points(const Columns& columns) const {
         const std::size_t blocks = plan_.impacts_a_point();
         Columns ordered;
@@ -181,16 +181,16 @@ class Chunk {
     Columns& variables_;
 };
 
-/// Impacts of a chunk and law: a millisecond or less for a fast solver, buffers that stay in the cache.
+/// Impacts of a chunk for one law: at most a millisecond of a fast solver, and the buffers fit the cache.
 constexpr std::size_t chunk_impacts = 8192;
-constexpr std::uint64_t tabulated_from = 500'000;  ///< points from which a table pays
+constexpr std::uint64_t tabulated_from = 500'000;  ///< points from which making a table saves time
 
 Design design_of(const SweepSpec& spec) {
     return {distributions_of(spec), spec.sampling,
             spec.sensitivity.empty() ? std::size_t{1} : std::size_t{2}};
 }
 
-bool asks_for(const SweepSpec& spec, Observable observable) {
+bool has_observable(const SweepSpec& spec, Observable observable) {
     return std::ranges::count(spec.sensitivity, observable) + std::ranges::count(spec.table, observable) +
                std::ranges::count(spec.statistics, observable, &ObservableStatistics::observable) >
            0;
@@ -255,10 +255,10 @@ std::size_t SweepPlan::points_in(std::uint64_t chunk) const {
 }
 
 WantedResults SweepPlan::wanted() const {
-    // The method depends on nothing that is asked for: asking for more does not change a bit of the rest.
+    // The method depends on the number of points alone: one more observable must not change other results.
     const bool tabulated = design_.points() >= tabulated_from;
-    return {.contact_time = asks_for(spec(), Observable::contact_time),
-            .maximum_overlap = asks_for(spec(), Observable::maximum_overlap),
+    return {.contact_time = has_observable(spec(), Observable::contact_time),
+            .maximum_overlap = has_observable(spec(), Observable::maximum_overlap),
             .method = tabulated ? BatchMethod::table : BatchMethod::integration};
 }
 

@@ -20,9 +20,9 @@ struct TableColumn {
     std::string description;
 };
 
-/// A spec with its division into work. Points come in chunks of a fixed number. Each point gives one impact;
-/// for sensitivity indices it gives one at a, one at b and one at a for each variable taken from b. Each
-/// impact is solved with every law.
+/// A spec and its division into chunks of a fixed number of points. A point is one impact. For sensitivity
+/// indices a point is a pair of samples a and b of the variables, and its impacts are a, b, and for each
+/// variable a with that variable from b. Each impact is solved with every law.
 class SweepPlan {
   public:
     /// @throws InputError
@@ -38,12 +38,12 @@ class SweepPlan {
     [[nodiscard]] bool with_sensitivity() const { return !spec().sensitivity.empty(); }
     /// Impacts of one point and one law.
     [[nodiscard]] std::size_t impacts_a_point() const;
-    /// Impacts of one point that are a sample of the variables, for statistics: all but the mixed ones.
+    /// Impacts of one point that count for statistics: a, or a and b, not the mixed ones.
     [[nodiscard]] std::size_t samples_a_point() const { return design_.samples(); }
     [[nodiscard]] std::uint64_t chunks() const {
         return (design_.points() + chunk_points_ - 1) / chunk_points_;
     }
-    /// Points of a chunk; the last one has what is left.
+    /// Points of a chunk; the last chunk has the remaining ones.
     [[nodiscard]] std::size_t points_in(std::uint64_t chunk) const;
     [[nodiscard]] std::uint64_t first_point(std::uint64_t chunk) const { return chunk * chunk_points_; }
     /// Rows of the full table in a whole chunk.
@@ -53,7 +53,7 @@ class SweepPlan {
     [[nodiscard]] std::uint64_t impacts() const { return rows() * spec().laws.size(); }
 
     [[nodiscard]] WantedResults wanted() const;
-    /// Columns of the full table; none where no table is wanted.
+    /// Columns of the full table; empty if the spec has no table.
     [[nodiscard]] std::vector<TableColumn> table_columns() const;
 
   private:
@@ -63,7 +63,7 @@ class SweepPlan {
     std::size_t chunk_points_;
 };
 
-/// 2^level consecutive chunks from a multiple of 2^level on: a node of the merge tree, one unit of work.
+/// 2^level consecutive chunks, the first a multiple of 2^level: a node of the merge tree, a unit of work.
 struct Block {
     std::uint64_t first = 0;
     unsigned level = 0;
@@ -133,7 +133,7 @@ struct SweepProgress {
     FailedImpacts failed;
     std::uint64_t row_bytes = 0;  ///< of their packed rows
 
-    /// Adds the next block, which begins at chunk `chunks`; its rows are up to the caller.
+    /// Adds the next block, which begins at chunk `chunks`. Its rows are left to the caller.
     void add(const Block& block, BlockResult result);
     void transfer(auto& archive) { archive(chunks, sums, counts, failed, row_bytes); }
 };
