@@ -19,7 +19,7 @@ double plane_strain_compliance(const ElasticBody& body) {
     return (1 - body.poisson_ratio * body.poisson_ratio) / body.young_modulus;
 }
 
-double interfacial_energy(const SurfaceEnergies& energies) {
+double required_interfacial_energy(const SurfaceEnergies& energies) {
     if (!energies.interfacial)
         throw InputError("the rule dupre has no interfacial energy", "an energy per area [J/m2]");
     require_not_negative("interfacial energy", *energies.interfacial, Dimension::energy_per_area);
@@ -82,7 +82,7 @@ double work_of_adhesion(AdhesionRule rule, const SurfaceEnergies& energies) {
     require_not_negative("surface energy of the particle", energies.particle, Dimension::energy_per_area);
     require_not_negative("surface energy of the wall", energies.wall, Dimension::energy_per_area);
     if (rule == AdhesionRule::dupre) {
-        const double w = energies.particle + energies.wall - interfacial_energy(energies);
+        const double w = energies.particle + energies.wall - required_interfacial_energy(energies);
         require_not_negative("work of adhesion by the rule dupre", w, Dimension::energy_per_area);
         return w;
     }
@@ -99,15 +99,16 @@ double roughness_reduction(double effective_radius, const Roughness& roughness) 
     require_not_negative("rms roughness", roughness.rms, Dimension::length);
     require_positive("closest distance of the surfaces", roughness.closest_distance, Dimension::length);
     if (roughness.rms == 0) return 1;
-    const double asperity = 1.48 * roughness.rms;
-    const double wall_distance = 1 + asperity / roughness.closest_distance;  // in units of H_0
-    return 1 / (1 + effective_radius / asperity) + 1 / (wall_distance * wall_distance);
+    const double asperity_radius = 1.48 * roughness.rms;
+    const double wall_distance = 1 + asperity_radius / roughness.closest_distance;  // in units of H_0
+    return 1 / (1 + effective_radius / asperity_radius) + 1 / (wall_distance * wall_distance);
 }
 
 double separation_energy_constant(Separation separation) {
-    const double first_touch = 6 * std::cbrt(4.0);
-    const double end = separation == Separation::pull_off ? 1 : -3 * std::cbrt(3.0);
-    return std::cbrt(std::pow(std::numbers::pi, 5)) * (first_touch + end) / 10;
+    // -Phi at first touch and Phi at the break, in units of pi^(5/3)/10 (w^5 R^4/E*^2)^(1/3).
+    const double minus_touch = 6 * std::cbrt(4.0);
+    const double at_break = separation == Separation::pull_off ? 1 : -3 * std::cbrt(3.0);
+    return std::cbrt(std::pow(std::numbers::pi, 5)) * (minus_touch + at_break) / 10;
 }
 
 double separation_velocity_constant(Separation separation) {

@@ -34,8 +34,8 @@ struct RigidWall {};
 /// A flat wall is an infinite r2, which gives R* = r1.
 [[nodiscard]] double effective_radius(double particle_radius, double wall_radius);
 
-/// Returns the effective mass m* [kg]: 1/m* = 1/m1 + 1/m2. The paper prints m* = 1/m1 + 1/m2 after Eq. 2,
-/// which is not a mass. A fixed wall is an infinite m2, which gives m* = m1.
+/// Returns the effective mass m* [kg]: 1/m* = 1/m1 + 1/m2 (misprinted as m* = 1/m1 + 1/m2 after Eq. 2 of Dong
+/// et al. 2013). A fixed wall is an infinite m2, which gives m* = m1.
 [[nodiscard]] double effective_mass(double particle_mass, double wall_mass);
 
 /// Returns the mass of a homogeneous sphere [kg]: (4/3) pi rho r^3.
@@ -47,7 +47,7 @@ struct RigidWall {};
 /// How the work of adhesion w follows from the surface energies g1, g2 of the two bodies.
 enum class AdhesionRule {
     girifalco_good,  ///< w = 2 sqrt(g1 g2)
-    dong2013,        ///< w = sqrt(g1 g2), half of the above, as the paper prints it
+    dong2013,        ///< w = sqrt(g1 g2), half of Girifalco-Good's, as the paper prints it
     dupre,           ///< w = g1 + g2 - g12, needs the interfacial energy
 };
 
@@ -65,9 +65,9 @@ struct SurfaceEnergies {
 };
 
 /// Returns the work of adhesion w [J/m2], the reversible work per unit area to separate the two surfaces.
-/// Source: Girifalco & Good 1957 (J. Phys. Chem. 61:904, interaction parameter 1); Dupre 1869 as in
-/// Israelachvili 2011, section 17.1; Dong et al. 2013, text under Eq. 11, whose printed g1 + g2 + g12 is a
-/// misprint and whose result w = sqrt(g1 g2) is half of what g12 = g1 + g2 - 2 sqrt(g1 g2) gives.
+/// Sources: Girifalco & Good 1957 (J. Phys. Chem. 61:904, interaction parameter 1); Dupre 1869 as in
+/// Israelachvili 2011, section 17.1; Dong et al. 2013, text under Eq. 11. There w = g1 + g2 + g12 is a
+/// misprint, and w = sqrt(g1 g2) is half of what Dupre's rule gives with g12 = g1 + g2 - 2 sqrt(g1 g2).
 /// Errors: InputError for negative energies, for g12 missing (dupre) or given (others), for w below zero.
 [[nodiscard]] double work_of_adhesion(AdhesionRule rule, const SurfaceEnergies& energies);
 
@@ -80,12 +80,12 @@ struct Roughness {
 /// Returns the factor by which roughness reduces the work of adhesion [1], by the modified Rumpf model of
 /// Rabinovich et al. 2000 (J. Colloid Interface Sci. 232:10, after Rumpf 1990):
 ///     w_rough/w = 1/(1 + R*/(1.48 rms)) + 1/(1 + 1.48 rms/H_0)^2.
-/// A hemispherical asperity of radius 1.48 rms separates sphere and wall. The first term is the van der
-/// Waals force of the asperity on the sphere, the second that of the wall, which the asperity holds off. The
-/// model gives the ratio of pull-off forces; it scales w here, since pull-off forces are proportional to w
-/// R*. Validity: rms below about 20 nm and far below R*, one asperity under the contact, elastic deformation
-/// small against the asperity (hard particles). 1 for rms = 0. A lower estimate: for wide asperities
-/// Rabinovich et al. measured up to ten times more.
+/// A hemispherical asperity of radius 1.48 rms separates sphere and wall. The first term is the van der Waals
+/// force of the asperity on the sphere, the second that of the wall at the distance H_0 + 1.48 rms. The model
+/// gives the ratio of pull-off forces. Here it scales w, to which pull-off forces are proportional. Validity:
+/// rms below about 20 nm and far below R*, one asperity under the contact, elastic deformation small against
+/// the asperity (hard particles). 1 for rms = 0. A lower estimate: for wide asperities Rabinovich et al.
+/// measured up to ten times more.
 /// Errors: InputError for a negative rms or a radius or H_0 that is not positive.
 [[nodiscard]] double roughness_reduction(double effective_radius, const Roughness& roughness);
 
@@ -120,8 +120,8 @@ struct AdhesiveContact {
 [[nodiscard]] double separation_energy(const AdhesiveContact& contact,
                                        Separation separation = Separation::pull_off);
 
-/// Returns the analytic critical velocity of an undamped JKR impact, v_s = sqrt(2 W_s/m) [m/s]. Eqs. 29, 30
-/// for a sphere of that density on a flat wall (effective radius = radius of the sphere).
+/// Returns the analytic critical velocity of an undamped JKR impact, v_s = sqrt(2 W_s/m) [m/s], of a sphere
+/// of that density on a flat wall (effective radius = radius of the sphere). Source: Eqs. 29 and 30.
 [[nodiscard]] double separation_velocity(const AdhesiveContact& contact, double density,
                                          Separation separation = Separation::pull_off);
 
@@ -137,7 +137,7 @@ inline constexpr double velocity_constant = 1.84;           ///< Eq. 30
 /// Returns v_s by Eq. 29 [m/s], for any effective mass [kg].
 [[nodiscard]] double separation_velocity_from_mass(const AdhesiveContact& contact, double mass);
 
-/// Returns v_s by Eq. 30 [m/s]; 6e-5 larger, relatively, than Eq. 29, which is rounded differently.
+/// Returns v_s by Eq. 30 [m/s]. The rounding of the constants makes it larger than by Eq. 29, by 6e-5 of v_s.
 [[nodiscard]] double separation_velocity(const AdhesiveContact& contact, double density);
 
 }  // namespace dong2013

@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::string_view modulus_code = "modulus";  // of findings on the modulus
 
-/// Inputs of one evaluation, all as numbers, so that the results can be differentiated by each.
+/// Inputs of one evaluation. All are plain numbers, so that results can be differentiated with respect to
+/// each.
 struct Mixture {
     FractionBasis basis;
     FractionModel model;
@@ -33,9 +34,9 @@ struct Mixture {
 };
 
 struct Results {
-    std::vector<double> rules;  ///< in the order of MixtureRule
-    PorousModuli chosen;
-    double density;
+    std::vector<double> rules;  ///< Young's moduli, dense, in the order of MixtureRule
+    PorousModuli chosen;        ///< by the chosen rule, porosity applied
+    double density;             ///< dense
 };
 
 Results evaluate(const Mixture& mixture) {
@@ -77,7 +78,7 @@ Mixture mixture_of(const Composition& composition, const ModulusOptions& options
     return mixture;
 }
 
-/// @throws InputError if the rule or the porosity law needs what no source gives
+/// @throws InputError for an invalid porosity, or a rule that needs a Poisson ratio that is not known
 Mixture checked_mixture(const Composition& composition, const ModulusOptions& options) {
     if (options.porosity) require_valid(*options.porosity);
     Mixture mixture = mixture_of(composition, options);
@@ -88,18 +89,17 @@ Mixture checked_mixture(const Composition& composition, const ModulusOptions& op
     return mixture;
 }
 
-/// The inputs of a mixture in one list with their uncertainties. mixture() rebuilds a mixture from their
-/// values.
-class Parameters {
+/// The inputs of a mixture as one list with uncertainties; mixture() is the inverse, from the values.
+class MixtureInputs {
   public:
-    Parameters(const Composition& composition, const Mixture& mixture) : mixture_(mixture) {
+    MixtureInputs(const Composition& composition, const Mixture& mixture) : mixture_(mixture) {
         const auto& components = composition.components;
-        const std::string by = composition.basis == FractionBasis::weight ? "weight" : "volume";
+        const std::string basis = composition.basis == FractionBasis::weight ? "weight" : "volume";
         const FractionModel& model = mixture.model;
         for (std::size_t i = 0; i < model.amounts.size(); ++i)
-            add(by + " fraction of " + components[i].name, model.amounts[i], model.uncertainties[i]);
+            add(basis + " fraction of " + components[i].name, model.amounts[i], model.uncertainties[i]);
         add(model.kind == FractionModel::Kind::remainder ? "scale of the internal standard"
-                                                         : "amorphous " + by + " fraction",
+                                                         : "amorphous " + basis + " fraction",
             model.parameter, model.parameter_uncertainty);
         for (const Component& c : components)
             add("density of " + c.phase.name, c.phase.density.value, c.phase.density.uncertainty());
@@ -114,7 +114,7 @@ class Parameters {
             add("porosity", mixture.options.porosity->value, mixture.options.porosity->standard_uncertainty);
     }
 
-    [[nodiscard]] const std::vector<UncertainInput>& inputs() const { return inputs_; }
+    [[nodiscard]] const std::vector<UncertainInput>& list() const { return list_; }
 
     [[nodiscard]] Mixture mixture(const std::vector<double>& values) const {
         Mixture m = mixture_;
@@ -129,15 +129,15 @@ class Parameters {
 
   private:
     void add(const std::string& what, double value, std::optional<double> uncertainty) {
-        inputs_.push_back({.what = what, .value = value, .standard_uncertainty = uncertainty.value_or(0)});
+        list_.push_back({.what = what, .value = value, .standard_uncertainty = uncertainty.value_or(0)});
     }
 
     Mixture mixture_;
-    std::vector<UncertainInput> inputs_;
+    std::vector<UncertainInput> list_;
 };
 
-/// Results as a flat list: the chosen modulus, the density, then the rules.
-std::vector<double> flat(const Results& results) {
+/// Results as a list: the chosen modulus, the density, then the rules.
+std::vector<double> listed(const Results& results) {
     std::vector<double> list{results.chosen.young_modulus, results.density};
     list.insert(list.end(), results.rules.begin(), results.rules.end());
     return list;
@@ -184,14 +184,14 @@ void note_dominant(const std::vector<Contribution>& contributions, std::vector<F
 std::vector<PropagatedUncertainty> propagate_linearly(
     const std::function<std::vector<double>(const std::vector<double>&)>& function,
     const std::vector<UncertainInput>& inputs) {
-    constexpr double step_factor = 6e-6;  // third root of the rounding error
+    constexpr double relative_step = 6e-6;  // cube root of epsilon: least error of a central difference
     std::vector<double> x;
     for (const UncertainInput& input : inputs) x.push_back(input.value);
     std::vector<PropagatedUncertainty> results(function(x).size());
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const double u = inputs[i].standard_uncertainty;
         if (u == 0) continue;
-        const double step = step_factor * std::max(std::abs(inputs[i].value), u);
+        const double step = relative_step * std::max(std::abs(inputs[i].value), u);
         x[i] = inputs[i].value + step;
         const std::vector<double> above = function(x);
         x[i] = inputs[i].value - step;
@@ -199,7 +199,7 @@ std::vector<PropagatedUncertainty> propagate_linearly(
         x[i] = inputs[i].value;
         for (std::size_t k = 0; k < results.size(); ++k) {
             const double change = (above[k] - below[k]) / (2 * step) * u;
-            // The variance for now; divided by the sum below.
+            // Variances at first; the loop below divides them by their sum.
             results[k].contributions.push_back({.what = inputs[i].what, .share = change * change});
         }
     }
@@ -232,9 +232,9 @@ double young_modulus_of(const Composition& composition, const ModulusOptions& op
 
 ModulusEstimate estimate_modulus(const Composition& composition, const ModulusOptions& options) {
     const Mixture mixture = checked_mixture(composition, options);
-    const Parameters parameters(composition, mixture);
-    const auto function = [&](const std::vector<double>& x) { return flat(evaluate(parameters.mixture(x))); };
-    const auto uncertainties = propagate_linearly(function, parameters.inputs());
+    const MixtureInputs inputs(composition, mixture);
+    const auto function = [&](const std::vector<double>& x) { return listed(evaluate(inputs.mixture(x))); };
+    const auto uncertainties = propagate_linearly(function, inputs.list());
     const Results results = evaluate(mixture);
 
     ModulusEstimate estimate{.young_modulus = results.chosen.young_modulus,
@@ -265,8 +265,8 @@ ParticleDensity particle_density(double true_density, std::optional<double> poro
     result.apparent_density = true_density * (1 - result.porosity);
     if (!measured_density) return result;
     const double measured_porosity = porosity_from_densities(*measured_density, true_density);
-    constexpr double disagreement = 0.005;
-    if (porosity && std::abs(measured_porosity - *porosity) > disagreement)
+    constexpr double tolerance = 0.005;
+    if (porosity && std::abs(measured_porosity - *porosity) > tolerance)
         result.notes.push_back({"density", Severity::doubt,
                                 "the measured density gives a porosity of " +
                                     shortest(std::round(1e4 * measured_porosity) / 1e4) + ", stated is " +

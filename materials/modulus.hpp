@@ -21,7 +21,7 @@ struct UncertainInput {
     double standard_uncertainty = 0;  ///< [SI]; 0 if unknown
 };
 
-/// How much one input adds to the variance of a result.
+/// What one input adds to the variance of a result.
 struct Contribution {
     std::string what;
     double share = 0;  ///< [1] of the variance
@@ -41,14 +41,14 @@ struct PropagatedUncertainty {
     const std::function<std::vector<double>(const std::vector<double>&)>& function,
     const std::vector<UncertainInput>& inputs);
 
-/// How one Young's modulus is taken from those of the phases.
+/// How the Young's modulus of a mixture follows from those of its phases; see mixture_rules.hpp.
 enum class MixtureRule {
     parallel,                ///< Eq. 1, the default
     series,                  ///< Reuss on E
-    hill,                    ///< mean of the two
+    hill,                    ///< mean of parallel and series
     voigt,                   ///< upper bounds on K and G; from here on every Poisson ratio is needed
     reuss,                   ///< lower bounds on K and G
-    voigt_reuss_hill,        ///< mean of the two
+    voigt_reuss_hill,        ///< mean of voigt and reuss
     hashin_shtrikman_lower,  ///< lower bounds on K and G for isotropic mixtures
     hashin_shtrikman_upper,  ///< upper bounds on K and G for isotropic mixtures
 };
@@ -118,8 +118,8 @@ struct ParticleDensity {
     std::vector<Finding> notes{};
 };
 
-/// Returns the density of a particle: the measured (apparent) one if given, else true (1 - P). A measured
-/// density without a porosity gives the porosity; given both, a disagreement of more than 0.005 is noted.
+/// Returns the density of a particle: the measured (apparent) one if given, else true_density (1 - P). P is
+/// the stated porosity, else that of the measured density; a difference of more than 0.005 gives a note.
 /// Errors: InputError for a measured density above the true one, or a porosity outside [0, 1).
 [[nodiscard]] ParticleDensity particle_density(double true_density, std::optional<double> porosity,
                                                std::optional<double> measured_density);
