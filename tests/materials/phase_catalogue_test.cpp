@@ -4,11 +4,13 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <string>
 
 #include <doctest/doctest.h>
 
+#include "core/text/text.hpp"
 #include "tests/materials/catalogue.hpp"
-#include "tests/relative_difference.hpp"
+#include "tests/support/checks.hpp"
 
 namespace ashimpact::test {
 
@@ -205,6 +207,22 @@ TEST_CASE("a broken catalogue says where it is broken") {
                R"(}, {"name": "y", "synonyms": ["X"], )" + good + "}]}")
               .starts_with("/phases: \"X\" stands for both x and y"));
     CHECK(read(std::string(5000, '[')).find("nested too deeply") != std::string::npos);
+}
+
+TEST_CASE("docs/phases.md shows the catalogue as it is") {
+    const std::string page = file_text(ASHIMPACT_DOCS "/phases.md");
+    const PhaseCatalogue catalogue = shipped_catalogue();
+    for (const PhaseSet& set : catalogue.sets()) {
+        for (const Phase& phase : set.phases) {
+            std::string row = "| " + phase.name + " | " + phase.formula + " | " +
+                              shortest(phase.density.value / 1000) + " | " +
+                              shortest(phase.young_modulus.value / 1e9) + " | ";
+            CAPTURE(row);
+            CHECK(contains(page, row));
+            if (phase.remark.empty()) continue;
+            CHECK(contains(page, "**" + phase.name + "**: " + phase.remark));
+        }
+    }
 }
 
 }  // namespace ashimpact::test

@@ -11,7 +11,7 @@
 #include "tests/oracles/comparison.hpp"
 #include "tests/oracles/impact_case.hpp"
 #include "tests/oracles/time_domain.hpp"
-#include "tests/relative_difference.hpp"
+#include "tests/support/checks.hpp"
 
 namespace ashimpact::oracles {
 
@@ -48,20 +48,20 @@ VerificationPage& verification_page() {
     return page;
 }
 
-std::string label(const ImpactCase& impact) {
+std::string label(const Impact& impact) {
     std::ostringstream text;
-    text << name(impact.law) << " R " << impact.radius << " m " << impact.mass << " E* "
-         << impact.contact_modulus << " w " << impact.work_of_adhesion << " damping " << impact.damping
-         << " v " << impact.velocity;
+    text << impact.law.name() << " R " << impact.contact.effective_radius << " m " << impact.contact.mass
+         << " E* " << impact.contact.contact_modulus << " w " << impact.contact.work_of_adhesion
+         << " damping " << impact.damping.coefficient << " v " << impact.velocity;
     return text.str();
 }
 
 // Contact that ends where it began, at zero overlap, takes nothing without damping; at zero force it never
 // captures.
-std::vector<ImpactCase> with_a_critical_velocity(std::vector<ImpactCase> impacts) {
-    std::erase_if(impacts, [](const ImpactCase& impact) {
+std::vector<Impact> with_a_critical_velocity(std::vector<Impact> impacts) {
+    std::erase_if(impacts, [](const Impact& impact) {
         return impact.detachment == Detachment::zero_force ||
-               (impact.detachment == Detachment::zero_overlap && impact.damping == 0);
+               (impact.detachment == Detachment::zero_overlap && impact.damping.coefficient == 0);
     });
     return impacts;
 }
@@ -109,8 +109,8 @@ TEST_CASE("solver and oracles agree on capture and rebound around the critical v
 TEST_CASE("the solver agrees with GSL on laws and ends of contact that no DEM code has") {
     const std::vector pair{time_domain_oracle(), solver_under_test()};
     for (const auto& one : compare_impacts(pair, grid_beyond_dem_codes())) {
-        const ImpactResult& oracle = one.answers.front().result;
-        const ImpactResult& solver = one.answers.back().result;
+        const OracleResult& oracle = one.answers.front().result;
+        const OracleResult& solver = one.answers.back().result;
         CAPTURE(label(one.impact));
         CHECK(solver.rebound == oracle.rebound);
         CHECK(deviation(solver, oracle) < 1e-10);
@@ -118,7 +118,7 @@ TEST_CASE("the solver agrees with GSL on laws and ends of contact that no DEM co
 }
 
 TEST_CASE("the solver agrees with GSL on the critical velocity") {
-    for (const ImpactCase& impact : with_a_critical_velocity(grid_beyond_dem_codes())) {
+    for (const Impact& impact : with_a_critical_velocity(grid_beyond_dem_codes())) {
         CAPTURE(label(impact));
         const double bisected = time_domain_critical_velocity(impact);
         CHECK(test::relative_difference(solver_critical_velocity(impact), bisected) < 1e-9);

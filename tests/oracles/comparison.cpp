@@ -10,7 +10,7 @@
 #include "solver/motion/impact.hpp"
 #include "tests/oracles/dem/dem_code.hpp"
 #include "tests/oracles/time_domain.hpp"
-#include "tests/relative_difference.hpp"
+#include "tests/support/checks.hpp"
 
 namespace ashimpact::oracles {
 
@@ -19,44 +19,33 @@ namespace {
 Column dem_oracle(const DemCode& code) {
     return {.name = code.name,
             .covers = code.covers,
-            .impacts = [code](std::span<const ImpactCase> impacts) { return dem_impacts(code, impacts); },
-            .rebounds = [code](std::span<const ImpactCase> impacts) { return dem_rebounds(code, impacts); }};
+            .impacts = [code](std::span<const Impact> impacts) { return dem_impacts(code, impacts); },
+            .rebounds = [code](std::span<const Impact> impacts) { return dem_rebounds(code, impacts); }};
 }
 
 // For what computes an impact within the program.
-Column one_by_one(const std::string& name, ImpactResult (*compute)(const ImpactCase&)) {
+Column one_by_one(const std::string& name, OracleResult (*compute)(const Impact&)) {
     return {.name = name,
-            .covers = [](const ImpactCase&) { return true; },
+            .covers = [](const Impact&) { return true; },
             .impacts =
-                [compute](std::span<const ImpactCase> impacts) {
-                    std::vector<ImpactResult> results;
+                [compute](std::span<const Impact> impacts) {
+                    std::vector<OracleResult> results;
                     std::transform(impacts.begin(), impacts.end(), std::back_inserter(results), compute);
                     return results;
                 },
             .rebounds =
-                [compute](std::span<const ImpactCase> impacts) {
+                [compute](std::span<const Impact> impacts) {
                     std::vector<bool> results;
                     std::transform(impacts.begin(), impacts.end(), std::back_inserter(results),
-                                   [compute](const ImpactCase& impact) { return compute(impact).rebound; });
+                                   [compute](const Impact& impact) { return compute(impact).rebound; });
                     return results;
                 }};
 }
 
-Impact posed(const ImpactCase& impact) {
-    return {.law = ashimpact::Law::named(name(impact.law)),
-            .detachment = named<ashimpact::Detachment>(name(impact.detachment)),
-            .damping = {.law = DampingLaw::constant, .coefficient = impact.damping},
-            .contact = {.mass = impact.mass,
-                        .effective_radius = impact.radius,
-                        .contact_modulus = impact.contact_modulus,
-                        .work_of_adhesion = impact.work_of_adhesion},
-            .velocity = impact.velocity};
-}
-
-ImpactResult solved_impact(const ImpactCase& impact) {
+OracleResult solved_impact(const Impact& impact) {
     constexpr double promised = 1e-10;
     const auto estimate = [](double value) { return Estimate{value, promised * value}; };
-    const auto result = solve_impact(posed(impact));
+    const auto result = solve_impact(impact);
     return {.rebound = result.outcome == Outcome::rebound,
             .restitution = estimate(result.restitution),
             .contact_time = estimate(result.contact_time.value_or(0)),
@@ -78,21 +67,16 @@ Column solver_under_test() {
     return one_by_one("ashimpact", solved_impact);
 }
 
-double solver_critical_velocity(const ImpactCase& impact) {
-    const Impact problem = posed(impact);
-    return critical_velocity({.law = problem.law,
-                              .detachment = problem.detachment,
-                              .damping = problem.damping,
-                              .contact = problem.contact})
-        .value.value();
+double solver_critical_velocity(const Impact& impact) {
+    return critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact}).value.value();
 }
 
 std::vector<Column> columns() {
     return {time_domain_oracle(), lammps_oracle(), liggghts_oracle(), solver_under_test()};
 }
 
-bool rebounds(const Column& column, const ImpactCase& impact, double velocity) {
-    const ImpactCase moved = at_velocity(impact, velocity);
+bool rebounds(const Column& column, const Impact& impact, double velocity) {
+    const Impact moved = at_velocity(impact, velocity);
     return column.rebounds(std::span(&moved, 1)).front();
 }
 
@@ -101,15 +85,15 @@ namespace {
 constexpr double slower = 0.999;
 constexpr double faster = 1.001;
 
-std::vector<ImpactCase> covered(const Column& column, std::span<const ImpactCase> impacts) {
-    std::vector<ImpactCase> selected;
+std::vector<Impact> covered(const Column& column, std::span<const Impact> impacts) {
+    std::vector<Impact> selected;
     std::copy_if(impacts.begin(), impacts.end(), std::back_inserter(selected), column.covers);
     return selected;
 }
 
 using Quantities = std::array<Estimate, 3>;
 
-Quantities quantities(const ImpactResult& result) {
+Quantities quantities(const OracleResult& result) {
     return {result.restitution, result.contact_time, result.maximum_overlap};
 }
 
@@ -120,10 +104,12 @@ std::string formatted(const char (&format)[size], Arguments... arguments) {
     return text.data();
 }
 
-std::string parameters(const ImpactCase& impact) {
-    return formatted("| %s | %.3g | %.0f | %.3g | %.3g | %.3g ", name(impact.law).c_str(),
-                     impact.radius * 1e6, impact.mass / sphere_mass(impact.radius, 1),
-                     impact.contact_modulus * 1e-9, impact.work_of_adhesion, impact.damping);
+std::string parameters(const Impact& impact) {
+    return formatted("| %s | %.3g | %.0f | %.3g | %.3g | %.3g ", impact.law.name().c_str(),
+                     impact.contact.effective_radius * 1e6,
+                     impact.contact.mass / sphere_mass(impact.contact.effective_radius, 1),
+                     impact.contact.contact_modulus * 1e-9, impact.contact.work_of_adhesion,
+                     impact.damping.coefficient);
 }
 
 const std::string parameter_headings =
@@ -144,7 +130,7 @@ const typename Compared::Answer* answer_of(const Column& column, const Compared&
 
 }  // namespace
 
-double deviation(const ImpactResult& a, const ImpactResult& b) {
+double deviation(const OracleResult& a, const OracleResult& b) {
     const auto ours = quantities(a);
     const auto theirs = quantities(b);
     double worst = 0;
@@ -153,7 +139,7 @@ double deviation(const ImpactResult& a, const ImpactResult& b) {
     return worst;
 }
 
-double claimed_error(const ImpactResult& result) {
+double claimed_error(const OracleResult& result) {
     double worst = 0;
     for (const Estimate& quantity : quantities(result))
         worst = std::max(worst, quantity.error / quantity.value);
@@ -161,9 +147,9 @@ double claimed_error(const ImpactResult& result) {
 }
 
 std::vector<ComparedImpact> compare_impacts(std::span<const Column> columns,
-                                            std::span<const ImpactCase> impacts) {
+                                            std::span<const Impact> impacts) {
     std::vector<ComparedImpact> compared;
-    for (const ImpactCase& impact : impacts) compared.push_back({impact, {}});
+    for (const Impact& impact : impacts) compared.push_back({impact, {}});
     for (const Column& column : columns) {
         const auto results = column.impacts(covered(column, impacts));
         auto result = results.begin();
@@ -173,13 +159,13 @@ std::vector<ComparedImpact> compare_impacts(std::span<const Column> columns,
     return compared;
 }
 
-std::vector<ComparedVerdict> compare_verdicts(
-    std::span<const Column> columns, std::span<const ImpactCase> impacts,
-    const std::function<double(const ImpactCase&)>& critical_velocity) {
+std::vector<ComparedVerdict> compare_verdicts(std::span<const Column> columns,
+                                              std::span<const Impact> impacts,
+                                              const std::function<double(const Impact&)>& critical_velocity) {
     std::vector<ComparedVerdict> compared;
-    for (const ImpactCase& impact : impacts) compared.push_back({impact, critical_velocity(impact), {}});
+    for (const Impact& impact : impacts) compared.push_back({impact, critical_velocity(impact), {}});
     for (const Column& column : columns) {
-        std::vector<ImpactCase> tries;
+        std::vector<Impact> tries;
         for (const auto& one : compared)
             if (column.covers(one.impact))
                 for (const double factor : {slower, faster})
@@ -201,7 +187,7 @@ std::string impacts_table(std::span<const Column> columns, std::span<const Compa
     for (const Column& column : columns.subspan(1)) headings += ' ' + column.name + " deviates | claims |";
     std::string table = headings + '\n' + rule(headings);
     for (const auto& one : compared) {
-        const ImpactResult& first = one.answers.front().result;
+        const OracleResult& first = one.answers.front().result;
         table += parameters(one.impact) + formatted("| %.3g | %.9f | %.9g | %.9g |", one.impact.velocity,
                                                     first.restitution.value, first.contact_time.value * 1e9,
                                                     first.maximum_overlap.value * 1e9);

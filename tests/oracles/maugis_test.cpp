@@ -19,7 +19,7 @@
 #include "solver/motion/branches/cohesive_motion.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/motion/scale.hpp"
-#include "tests/relative_difference.hpp"
+#include "tests/support/checks.hpp"
 #include "tests/support/ode.hpp"
 #include "tests/support/random.hpp"
 
@@ -36,7 +36,7 @@ struct MaugisCase {
     DampingLaw damping_law;  ///< acts only where the spheres touch
     double damping;          ///< eta, eta/a or eta/sqrt(a)
     double velocity;         ///< where the surfaces come into reach
-    ashimpact::Detachment detachment = ashimpact::Detachment::pull_off;
+    Detachment detachment = Detachment::pull_off;
 };
 
 struct MaugisResult {
@@ -181,7 +181,7 @@ class MaugisIntegration {
     }
 
     MaugisResult run() {
-        const bool from_zero = impact_.detachment == ashimpact::Detachment::zero_overlap;
+        const bool from_zero = impact_.detachment == Detachment::zero_overlap;
         MaugisEquation::State now{0, from_zero ? 0 : static_cast<double>(-law_.reach()), impact_.velocity};
         const auto join = static_cast<double>(law_.join_overlap());
         if (!law_.fold_in_contact() && now[1] < join) now = until(MaugisClock::overlap, now[1], join, now);
@@ -190,10 +190,9 @@ class MaugisIntegration {
         MaugisResult result{.maximum_overlap = now[1]};
         double last = static_cast<double>(law_.least_overlap());
         if (from_zero) last = 0;
-        if (impact_.detachment == ashimpact::Detachment::load_controlled)
+        if (impact_.detachment == Detachment::load_controlled)
             last = static_cast<double>(law_.overlap_of_greatest_tension());
-        const bool through_gap =
-            !law_.fold_in_contact() && impact_.detachment == ashimpact::Detachment::pull_off;
+        const bool through_gap = !law_.fold_in_contact() && impact_.detachment == Detachment::pull_off;
         const auto left = outward(now, through_gap ? join : last);
         if (!left) return result;
         now = *left;
@@ -295,7 +294,7 @@ Impact in_si(const MaugisCase& c) {
     pair.parameters = {{stated_tabor.name, c.lambda / transition_per_tabor()}};
     const double unit = maugis_velocity(pair);
     const Scale scale = Scale::of(pair, unit);
-    return {.law = ashimpact::Law::of<MaugisDugdale>(),
+    return {.law = Law::of<MaugisDugdale>(),
             .detachment = c.detachment,
             .damping = {c.damping_law, scale.damping_coefficient(c.damping_law, c.damping)},
             .contact = pair,
@@ -303,16 +302,14 @@ Impact in_si(const MaugisCase& c) {
 }
 
 MaugisCase random_case(Random& random) {
-    constexpr ashimpact::Detachment ends[] = {ashimpact::Detachment::pull_off,
-                                              ashimpact::Detachment::zero_overlap,
-                                              ashimpact::Detachment::load_controlled};
+    constexpr Detachment ends[] = {Detachment::pull_off, Detachment::zero_overlap,
+                                   Detachment::load_controlled};
     MaugisCase c{.lambda = random.log_uniform(0.05, 50.0),
                  .damping_law = all_values<DampingLaw>[random.below(all_values<DampingLaw>.size())],
                  .damping = random.uniform(0.0, 0.5),
                  .velocity = random.log_uniform(0.5, 50.0),
                  .detachment = ends[random.below(3)]};
-    if (cohesive_refusal(CohesiveZone(c.lambda), c.detachment))
-        c.detachment = ashimpact::Detachment::pull_off;
+    if (cohesive_refusal(CohesiveZone(c.lambda), c.detachment)) c.detachment = Detachment::pull_off;
     return c;
 }
 }  // namespace
@@ -326,12 +323,12 @@ TEST_CASE("200 random Maugis-Dugdale impacts agree with their integration in tim
         CAPTURE(c.lambda);
         CAPTURE(c.damping);
         CAPTURE(c.velocity);
-        CAPTURE(ashimpact::name_of(c.damping_law));
-        CAPTURE(ashimpact::name_of(c.detachment));
+        CAPTURE(name_of(c.damping_law));
+        CAPTURE(name_of(c.detachment));
         const Impact impact = in_si(c);
         const MaugisUnits units = maugis_units(impact.contact);
         const double time = units.overlap / maugis_velocity(impact.contact);
-        const ashimpact::ImpactResult solved = solve_impact(impact);
+        const ImpactResult solved = solve_impact(impact);
         const MaugisResult integrated = maugis_impact(c);
         REQUIRE((solved.outcome == Outcome::rebound) == integrated.rebound);
         CHECK(relative_difference(solved.maximum_overlap, integrated.maximum_overlap * units.overlap) < 1e-8);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/oracles/time_domain.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
+#include <stdexcept>
 
 #include "core/text/error.hpp"
-#include "tests/oracles/contact_force.hpp"
 #include "tests/support/ode.hpp"
 
 namespace ashimpact::oracles {
@@ -56,9 +58,9 @@ class Integration {
   public:
     using State = Motion::State;
 
-    explicit Integration(const ImpactCase& impact)
+    explicit Integration(const Impact& impact)
         : force_(impact),
-          motion_{force_, impact.mass, impact.damping, clock_},
+          motion_{force_, impact.contact.mass, impact.damping.coefficient, clock_},
           ode_(motion_,
                {relative_tolerance,
                 {relative_tolerance * force_.time_scale(), relative_tolerance * force_.overlap_scale(),
@@ -66,7 +68,7 @@ class Integration {
           zero_force_(impact.detachment == Detachment::zero_force),
           incident_velocity_(impact.velocity) {}
 
-    ImpactResult run() {
+    OracleResult run() {
         State now{0, 0, incident_velocity_};
         const double horizon = patience * force_.time_scale();
         double t = 0;
@@ -121,7 +123,7 @@ class Integration {
         return now[2] > 0 && !at_rest(before) ? until(Clock::velocity, before[2], 0, before)[1] : now[1];
     }
 
-    [[nodiscard]] ImpactResult rebound(const State& turned, const State& end) const {
+    [[nodiscard]] OracleResult rebound(const State& turned, const State& end) const {
         const double restitution = -end[2] / incident_velocity_;
         return {.rebound = true,
                 .restitution = {restitution, loss},
@@ -129,8 +131,8 @@ class Integration {
                 .maximum_overlap = {turned[1], loss * turned[1]}};
     }
 
-    static ImpactResult capture(double maximum_overlap) {
-        ImpactResult result;
+    static OracleResult capture(double maximum_overlap) {
+        OracleResult result;
         result.maximum_overlap = {maximum_overlap, loss * maximum_overlap};
         return result;
     }
@@ -145,11 +147,11 @@ class Integration {
 
 }  // namespace
 
-ImpactResult time_domain_impact(const ImpactCase& impact) {
+OracleResult time_domain_impact(const Impact& impact) {
     return Integration(impact).run();
 }
 
-double time_domain_critical_velocity(const ImpactCase& impact) {
+double time_domain_critical_velocity(const Impact& impact) {
     double captured = 1e-6;
     double rebounds = 1e3;
     const auto rebound_at = [&](double velocity) {
@@ -162,6 +164,95 @@ double time_domain_critical_velocity(const ImpactCase& impact) {
         (rebound_at(middle) ? rebounds : captured) = middle;
     }
     return std::sqrt(captured * rebounds);
+}
+
+using std::numbers::pi;
+
+namespace {
+
+double stretch(const Impact& impact) {
+    return std::sqrt(2 * pi * impact.contact.work_of_adhesion / impact.contact.contact_modulus);
+}
+
+double jkr_overlap(const Impact& impact, double contact_radius) {
+    return contact_radius * contact_radius / impact.contact.effective_radius -
+           stretch(impact) * std::sqrt(contact_radius);
+}
+
+// dx/da = 0
+double fold_contact_radius(const Impact& impact) {
+    return std::cbrt(std::pow(stretch(impact) * impact.contact.effective_radius / 4, 2));
+}
+
+// F = -(3/2) pi w R, where a controlled load would pull the surfaces apart
+double load_controlled_contact_radius(const Impact& impact) {
+    return std::cbrt(9 * pi * impact.contact.work_of_adhesion * impact.contact.effective_radius *
+                     impact.contact.effective_radius / (8 * impact.contact.contact_modulus));
+}
+
+double end_of_contact(const Impact& impact) {
+    switch (impact.detachment) {
+        case Detachment::zero_overlap:
+        case Detachment::zero_force:
+            return 0;
+        case Detachment::pull_off:
+            return jkr_overlap(impact, fold_contact_radius(impact));
+        case Detachment::load_controlled:
+            return jkr_overlap(impact, load_controlled_contact_radius(impact));
+    }
+    throw std::logic_error("unknown detachment");
+}
+
+}  // namespace
+
+ContactForce::ContactForce(const Impact& impact)
+    : law_(impact.law),
+      radius_(impact.contact.effective_radius),
+      contact_modulus_(impact.contact.contact_modulus),
+      work_of_adhesion_(impact.contact.work_of_adhesion),
+      stiffness_(4.0 / 3.0 * impact.contact.contact_modulus * std::sqrt(impact.contact.effective_radius)),
+      constant_pull_(2 * pi * impact.contact.work_of_adhesion * impact.contact.effective_radius),
+      radius_pull_(2 * pi * std::sqrt(impact.contact.effective_radius) *
+                   std::cbrt(6 * impact.contact.work_of_adhesion * impact.contact.work_of_adhesion *
+                             impact.contact.effective_radius * impact.contact.contact_modulus / pi)),
+      stretch_(stretch(impact)),
+      fold_overlap_(jkr_overlap(impact, fold_contact_radius(impact))),
+      end_overlap_(end_of_contact(impact)),
+      overlap_scale_(std::pow(impact.contact.mass * impact.velocity * impact.velocity / stiffness_, 0.4)),
+      time_scale_(overlap_scale_ / impact.velocity) {}
+
+double ContactForce::operator()(double overlap) const {
+    if (law_ == Law::of<Jkr>()) return jkr_force(overlap);
+    const double x = std::max(overlap, 0.0);
+    const double hertz = stiffness_ * x * std::sqrt(x);
+    if (law_ == Law::of<Dmt>()) return hertz - constant_pull_;
+    if (law_ == Law::of<BrachDunn>()) return hertz - radius_pull_ * std::sqrt(x);
+    return hertz;
+}
+
+double ContactForce::hertz_slope(double overlap) const {
+    return 1.5 * stiffness_ * std::sqrt(std::max(overlap, 0.0));
+}
+
+double ContactForce::jkr_force(double overlap) const {
+    const double a = jkr_contact_radius(std::max(overlap, fold_overlap_));
+    const double cube = a * a * a;
+    return 4.0 / 3.0 * contact_modulus_ * cube / radius_ -
+           std::sqrt(8 * pi * work_of_adhesion_ * contact_modulus_ * cube);
+}
+
+// Newton from above: x(a) is convex and rising on the stable branch, so the iterates fall to the root.
+double ContactForce::jkr_contact_radius(double overlap) const {
+    double a = std::sqrt(radius_ * std::max(overlap, 0.0)) + std::cbrt(std::pow(stretch_ * radius_, 2));
+    for (int i = 0; i < 100; ++i) {
+        const double root = std::sqrt(a);
+        const double excess = a * a / radius_ - stretch_ * root - overlap;
+        const double slope = 2 * a / radius_ - stretch_ / (2 * root);
+        const double next = a - excess / slope;
+        if (!(next < a) || slope <= 0) break;
+        a = next;
+    }
+    return a;
 }
 
 }  // namespace ashimpact::oracles

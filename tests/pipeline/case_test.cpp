@@ -9,7 +9,7 @@
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/files/schema.hpp"
 #include "tests/pipeline/sandbox.hpp"
-#include "tests/relative_difference.hpp"
+#include "tests/support/checks.hpp"
 
 using namespace ashimpact;
 using test::relative_difference;

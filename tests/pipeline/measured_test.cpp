@@ -9,7 +9,7 @@
 #include "solver/inference/calibration/published_damping.hpp"
 #include "solver/motion/impact.hpp"
 #include "tests/pipeline/sandbox.hpp"
-#include "tests/relative_difference.hpp"
+#include "tests/support/checks.hpp"
 
 using namespace ashimpact;
 using test::computed_from;

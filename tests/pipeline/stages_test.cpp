@@ -16,7 +16,7 @@
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/trajectory.hpp"
 #include "tests/pipeline/sandbox.hpp"
-#include "tests/relative_difference.hpp"
+#include "tests/support/checks.hpp"
 
 using namespace ashimpact;
 using test::computed_from;

@@ -86,7 +86,7 @@ void take(Tally& tally, const ContactModel& model, const MeasurementSet& set, do
 }
 
 Tally run(const studies::Row& row, const Law& law, int repetitions, unsigned long seed) {
-    const studies::Laboratories laboratories(row, oracles::law_from(std::string(law.name())));
+    const studies::Laboratories laboratories(row, law);
     const double truth = laboratories.critical_velocity();
     const ContactModel model = studies::model_of(law, truth);
     test::Random random(seed);

@@ -46,7 +46,7 @@ MeasuredDamping analysed(const ContactModel& model, const MeasurementSet& set, b
 }
 
 bool run(const studies::Row& row, const Law& law, int repetitions) {
-    const studies::Laboratories laboratories(row, oracles::law_from(std::string(law.name())));
+    const studies::Laboratories laboratories(row, law);
     const double truth = laboratories.critical_velocity();
     const ContactModel model = studies::model_of(law, truth);
     test::Random random(studies::default_seed);

@@ -12,29 +12,28 @@ namespace ashimpact::studies {
 namespace {
 
 /// a, b, c of eta = a e^2 + b e + c, 96 um, Table 2 [kg/s].
-std::vector<double> table_2(oracles::Law law) {
-    if (law == oracles::Law::hertz) return {0.0104, -0.0229, 0.0155};
-    if (law == oracles::Law::dmt) return {0.0115, -0.0235, 0.0156};
+std::vector<double> table_2(Law law) {
+    if (law == Law::of<Hertz>()) return {0.0104, -0.0229, 0.0155};
+    if (law == Law::of<Dmt>()) return {0.0115, -0.0235, 0.0156};
     return {0.0101, -0.0213, 0.0149};
 }
 
-oracles::ImpactCase ash(oracles::Law law, double diameter) {
+Impact ash(Law law, double diameter) {
     const double radius = 48e-6 * diameter;
     return {.law = law,
-            .detachment =
-                law == oracles::Law::jkr ? oracles::Detachment::pull_off : oracles::Detachment::zero_overlap,
-            .radius = radius,
-            .mass = oracles::sphere_mass(radius, 2158.5),
-            .contact_modulus = 90e9,
-            .work_of_adhesion = 0.2959,
-            .damping = 0.0,
+            .detachment = law == Law::of<Jkr>() ? Detachment::pull_off : Detachment::zero_overlap,
+            .damping = {},
+            .contact = {.mass = sphere_mass(radius, 2158.5),
+                        .effective_radius = radius,
+                        .contact_modulus = 90e9,
+                        .work_of_adhesion = 0.2959},
             .velocity = 1.0};
 }
 
-double restitution_of(oracles::ImpactCase impact, double velocity, double damping) {
+double restitution_of(Impact impact, double velocity, double damping) {
     impact.velocity = velocity;
-    impact.damping = damping;
-    const oracles::ImpactResult result = oracles::time_domain_impact(impact);
+    impact.damping.coefficient = damping;
+    const oracles::OracleResult result = oracles::time_domain_impact(impact);
     return result.rebound ? result.restitution.value : 0.0;
 }
 
@@ -69,14 +68,14 @@ double by_camera(test::Random& random, const Camera& camera, double velocity) {
 
 }  // namespace
 
-TrueCurve::TrueCurve(oracles::Law law, TrueDamping damping, double diameter) {
-    const oracles::ImpactCase impact = ash(law, diameter);
+TrueCurve::TrueCurve(Law law, TrueDamping damping, double diameter) {
+    const Impact impact = ash(law, diameter);
     const std::vector<double> abc = table_2(law);
     if (damping == TrueDamping::quadratic_in_restitution) {
         from_restitution(impact, abc);
         return;
     }
-    const oracles::ImpactCase nominal = ash(law, 1.0);
+    const Impact nominal = ash(law, 1.0);
     const double unit = threshold([&](double v) { return restitution_of(nominal, v, abc[2]); }, 0.02, 20.0);
     const auto power = [=](double v) { return abc[2] * std::pow(v / unit, -0.35); };
     const auto bump = [=](double v) {
@@ -88,7 +87,7 @@ TrueCurve::TrueCurve(oracles::Law law, TrueDamping damping, double diameter) {
         from_velocity(impact, bump, unit);
 }
 
-void TrueCurve::from_restitution(const oracles::ImpactCase& impact, const std::vector<double>& abc) {
+void TrueCurve::from_restitution(const Impact& impact, const std::vector<double>& abc) {
     critical_velocity_ = threshold([&](double v) { return restitution_of(impact, v, abc[2]); }, 0.005, 50.0);
     velocity_ = {critical_velocity_};
     restitution_ = {0.0};
@@ -112,7 +111,7 @@ void TrueCurve::from_restitution(const oracles::ImpactCase& impact, const std::v
     }
 }
 
-void TrueCurve::from_velocity(const oracles::ImpactCase& impact, const std::function<double(double)>& damping,
+void TrueCurve::from_velocity(const Impact& impact, const std::function<double(double)>& damping,
                               double near) {
     const auto restitution = [&](double v) { return restitution_of(impact, v, damping(v)); };
     critical_velocity_ = threshold(restitution, 0.1 * near, 10.0 * near);
@@ -152,7 +151,7 @@ const std::vector<Row>& rows() {
     return all;
 }
 
-Laboratories::Laboratories(const Row& row, oracles::Law law) : row_(row) {
+Laboratories::Laboratories(const Row& row, Law law) : row_(row) {
     if (row.flaw != Flaw::scatter_of_size) {
         curves_.emplace_back(law, row.damping);
         return;

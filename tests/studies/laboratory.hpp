@@ -22,16 +22,15 @@ enum class TrueDamping { quadratic_in_restitution, power_of_velocity, bump_in_ve
 class TrueCurve {
   public:
     /// @param diameter over that of the 96 um sample of Dong et al. 2013
-    TrueCurve(oracles::Law law, TrueDamping damping, double diameter = 1.0);
+    TrueCurve(Law law, TrueDamping damping, double diameter = 1.0);
 
     [[nodiscard]] double critical_velocity() const { return critical_velocity_; }  ///< [m/s]
     /// Restitution at a velocity up to about 10 critical velocities; 0 for a capture.
     [[nodiscard]] double restitution(double velocity) const;
 
   private:
-    void from_restitution(const oracles::ImpactCase& impact, const std::vector<double>& abc);
-    void from_velocity(const oracles::ImpactCase& impact, const std::function<double(double)>& damping,
-                       double near);
+    void from_restitution(const Impact& impact, const std::vector<double>& abc);
+    void from_velocity(const Impact& impact, const std::function<double(double)>& damping, double near);
 
     double critical_velocity_ = 0.0;
     std::vector<double> velocity_;
@@ -54,7 +53,7 @@ struct Row {
 /// the velocity in every other laboratory, evenly over its logarithm in the rest.
 class Laboratories {
   public:
-    Laboratories(const Row& row, oracles::Law law);
+    Laboratories(const Row& row, Law law);
 
     [[nodiscard]] double critical_velocity() const { return curves_[nominal_].critical_velocity(); }
     [[nodiscard]] MeasurementSet measure(test::Random& random) const;

@@ -4,8 +4,6 @@
 #include <array>
 #include <stdexcept>
 
-#include "tests/support/data_file.hpp"
-
 namespace ashimpact::test {
 
 const PublishedLaw& PublishedSample::of(Law law) const {

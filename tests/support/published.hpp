@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "solver/contact/law.hpp"
 #include "solver/damping/damping_polynomial.hpp"
@@ -31,5 +35,13 @@ struct PublishedSample {
 
 /// tests/data/published/dong2013.json.
 [[nodiscard]] std::vector<PublishedSample> published_samples();
+
+/// A JSON file of tests/data. @throws std::runtime_error where it cannot be read
+[[nodiscard]] inline nlohmann::json data_file(const std::string& name) {
+    const std::string path = std::string(ASHIMPACT_TEST_DATA "/").append(name);
+    std::ifstream file(path);
+    if (!file) throw std::runtime_error("cannot read " + path);
+    return nlohmann::json::parse(file);
+}
 
 }  // namespace ashimpact::test

@@ -14,8 +14,8 @@
 #include <system_error>
 #include <utility>
 
-#include "tests/oracles/contact_force.hpp"
 #include "tests/oracles/dem/program.hpp"
+#include "tests/oracles/time_domain.hpp"
 
 namespace ashimpact::oracles {
 
@@ -23,56 +23,59 @@ namespace {
 
 using std::numbers::pi;
 
-bool hertz_or_dmt(const ImpactCase& impact) {
-    return (impact.law == Law::hertz || impact.law == Law::dmt) &&
+bool hertz_or_dmt(const Impact& impact) {
+    return (impact.law == Law::of<Hertz>() || impact.law == Law::of<Dmt>()) &&
            impact.detachment == Detachment::zero_overlap;
 }
 
-DeckValues wall_values(const ImpactCase& impact) {
-    return {{"radius", exact(impact.radius)},
-            {"diameter", exact(2 * impact.radius)},
+DeckValues wall_values(const Impact& impact) {
+    return {{"radius", exact(impact.contact.effective_radius)},
+            {"diameter", exact(2 * impact.contact.effective_radius)},
             {"velocity", exact(impact.velocity)},
-            {"box", exact(10 * impact.radius)},
-            {"skin", exact(0.1 * impact.radius)}};
+            {"box", exact(10 * impact.contact.effective_radius)},
+            {"skin", exact(0.1 * impact.contact.effective_radius)}};
 }
 
 // E = 2 E* and nu = 0 are right for a pair and for the wall, whose effective modulus this version of LAMMPS
 // takes as E/(2 (1 - nu)); its surface energy is that of one surface, w/2.
-std::string lammps_material(const ImpactCase& impact) {
-    return exact(2 * impact.contact_modulus) + " " + exact(impact.damping) + " 0 " +
-           exact(impact.work_of_adhesion / 2);
+std::string lammps_material(const Impact& impact) {
+    return exact(2 * impact.contact.contact_modulus) + " " + exact(impact.damping.coefficient) + " 0 " +
+           exact(impact.contact.work_of_adhesion / 2);
 }
 
-DemCode::Setup lammps_wall(const ImpactCase& impact) {
+DemCode::Setup lammps_wall(const Impact& impact) {
     auto values = wall_values(impact);
-    values["mass"] = exact(impact.mass);
-    values["normal_model"] = impact.law == Law::dmt ? "dmt " + lammps_material(impact)
-                                                    : "hertz " + exact(4.0 / 3.0 * impact.contact_modulus) +
-                                                          " " + exact(impact.damping);
+    values["mass"] = exact(impact.contact.mass);
+    values["normal_model"] = impact.law == Law::of<Dmt>()
+                                 ? "dmt " + lammps_material(impact)
+                                 : "hertz " + exact(4.0 / 3.0 * impact.contact.contact_modulus) + " " +
+                                       exact(impact.damping.coefficient);
     return {deck_template("lammps_wall.in"), std::move(values)};
 }
 
-DemCode::Setup lammps_pair(const ImpactCase& impact) {
-    const double distance = 4 * impact.radius;
+DemCode::Setup lammps_pair(const Impact& impact) {
+    const double distance = 4 * impact.contact.effective_radius;
     DeckValues values{{"distance", exact(distance)},
                       {"within", exact(2 * std::numeric_limits<double>::epsilon() * distance)},
                       {"diameter", exact(distance)},
-                      {"mass", exact(impact.mass)},
+                      {"mass", exact(impact.contact.mass)},
                       {"velocity", exact(impact.velocity)},
                       {"normal_model", "jkr " + lammps_material(impact)},
-                      {"box", exact(20 * impact.radius)},
-                      {"skin", exact(0.1 * impact.radius)}};
+                      {"box", exact(20 * impact.contact.effective_radius)},
+                      {"skin", exact(0.1 * impact.contact.effective_radius)}};
     return {deck_template("lammps_pair.in"), std::move(values)};
 }
 
-DemCode::Setup liggghts_wall(const ImpactCase& impact) {
+DemCode::Setup liggghts_wall(const Impact& impact) {
     auto values = wall_values(impact);
-    const double stiffness = 4.0 / 3.0 * impact.contact_modulus * std::sqrt(impact.radius);
-    const double fraction = impact.damping / (2 * std::sqrt(impact.mass * stiffness));
-    values["density"] = exact(impact.mass / sphere_mass(impact.radius, 1));
-    values["young_modulus"] = exact(2 * impact.contact_modulus);
+    const double stiffness =
+        4.0 / 3.0 * impact.contact.contact_modulus * std::sqrt(impact.contact.effective_radius);
+    const double fraction = impact.damping.coefficient / (2 * std::sqrt(impact.contact.mass * stiffness));
+    values["density"] = exact(impact.contact.mass / sphere_mass(impact.contact.effective_radius, 1));
+    values["young_modulus"] = exact(2 * impact.contact.contact_modulus);
     values["damping_restitution"] = exact(std::exp(-pi * fraction / std::sqrt(1 - fraction * fraction)));
-    values["pull_off_force"] = exact(-2 * pi * impact.work_of_adhesion * impact.radius);
+    values["pull_off_force"] =
+        exact(-2 * pi * impact.contact.work_of_adhesion * impact.contact.effective_radius);
     return {deck_template("liggghts_wall.in"), std::move(values)};
 }
 
@@ -149,13 +152,13 @@ DemCode lammps() {
             .program = "lmp",
             .debian_package = "lammps",
             .covers =
-                [](const ImpactCase& impact) {
+                [](const Impact& impact) {
                     return hertz_or_dmt(impact) ||
-                           (impact.law == Law::jkr && impact.detachment == Detachment::load_controlled);
+                           (impact.law == Law::of<Jkr>() && impact.detachment == Detachment::load_controlled);
                 },
             .setup =
-                [](const ImpactCase& impact) {
-                    return impact.law == Law::jkr ? lammps_pair(impact) : lammps_wall(impact);
+                [](const Impact& impact) {
+                    return impact.law == Law::of<Jkr>() ? lammps_pair(impact) : lammps_wall(impact);
                 }};
 }
 
@@ -198,13 +201,13 @@ constexpr double rounding = 1e-11;
 constexpr std::size_t verdict_steps = 20000;  // a Hertz contact
 constexpr std::size_t verdict_horizon = 12;   // in Hertz contacts
 
-double hertz_time(const ImpactCase& impact) {
+double hertz_time(const Impact& impact) {
     return hertz_contact_time * ContactForce(impact).time_scale();
 }
 
-std::vector<double> error_powers(const ImpactCase& impact) {
-    const bool smooth = impact.law == Law::jkr;
-    const bool damped = impact.damping > 0;
+std::vector<double> error_powers(const Impact& impact) {
+    const bool smooth = impact.law == Law::of<Jkr>();
+    const bool damped = impact.damping.coefficient > 0;
     if (smooth) return damped ? std::vector{1., 2., 3., 4.} : std::vector{2., 4., 6., 8.};
     return damped ? std::vector{1., 2., 2.5, 3.} : std::vector{2., 2.5, 3.5, 4.};
 }
@@ -231,16 +234,16 @@ double mid_step_end(std::span<const double> contact_time_fit, int steps) {
     return step;
 }
 
-std::vector<DemRun> coarse_runs(std::span<const ImpactCase> impacts) {
+std::vector<DemRun> coarse_runs(std::span<const Impact> impacts) {
     std::vector<DemRun> runs;
-    for (const ImpactCase& impact : impacts)
+    for (const Impact& impact : impacts)
         for (const int steps : coarse_steps)
             runs.push_back(
                 {impact, hertz_time(impact) / steps, static_cast<std::size_t>(coarse_horizon * steps)});
     return runs;
 }
 
-std::vector<DemRun> fine_runs(std::span<const ImpactCase> impacts, std::span<const Contact> coarse) {
+std::vector<DemRun> fine_runs(std::span<const Impact> impacts, std::span<const Contact> coarse) {
     std::vector<DemRun> runs;
     for (std::size_t i = 0; i < impacts.size(); ++i) {
         std::array<double, coarse_steps.size()> steps{};
@@ -256,7 +259,7 @@ std::vector<DemRun> fine_runs(std::span<const ImpactCase> impacts, std::span<con
     return runs;
 }
 
-ImpactResult extrapolated(std::span<const DemRun> runs, std::span<const Contact> found) {
+OracleResult extrapolated(std::span<const DemRun> runs, std::span<const Contact> found) {
     std::array<double, fine_steps.size()> step{};
     std::array<double, fine_steps.size()> restitution{};
     std::array<double, fine_steps.size()> contact_time{};
@@ -284,20 +287,20 @@ ImpactResult extrapolated(std::span<const DemRun> runs, std::span<const Contact>
 
 }  // namespace
 
-std::vector<ImpactResult> dem_impacts(const DemCode& code, std::span<const ImpactCase> impacts) {
+std::vector<OracleResult> dem_impacts(const DemCode& code, std::span<const Impact> impacts) {
     const auto coarse = contacts(code, coarse_runs(impacts), code.program + "-coarse");
     const auto runs = fine_runs(impacts, coarse);
     const auto found = contacts(code, runs, code.program + "-fine");
-    std::vector<ImpactResult> results;
+    std::vector<OracleResult> results;
     for (std::size_t i = 0; i < runs.size(); i += fine_steps.size())
         results.push_back(extrapolated(std::span(runs).subspan(i, fine_steps.size()),
                                        std::span(found).subspan(i, fine_steps.size())));
     return results;
 }
 
-std::vector<bool> dem_rebounds(const DemCode& code, std::span<const ImpactCase> impacts) {
+std::vector<bool> dem_rebounds(const DemCode& code, std::span<const Impact> impacts) {
     std::vector<DemRun> runs;
-    for (const ImpactCase& impact : impacts) {
+    for (const Impact& impact : impacts) {
         constexpr std::size_t steps = verdict_steps * verdict_horizon;
         runs.push_back({impact, hertz_time(impact) / verdict_steps, steps, steps});
     }

@@ -24,8 +24,8 @@ struct DemCode {
     std::string name;
     std::string program;
     std::string debian_package;
-    std::function<bool(const ImpactCase&)> covers;
-    std::function<Setup(const ImpactCase&)> setup;
+    std::function<bool(const Impact&)> covers;
+    std::function<Setup(const Impact&)> setup;
 };
 
 /// Hertz and DMT on a wall; JKR as a pair of spheres, ending load-controlled.
@@ -36,7 +36,7 @@ DemCode liggghts();
 
 /// One run of one impact.
 struct DemRun {
-    ImpactCase impact{};
+    Impact impact{};
     double time_step = 0;          ///< [s]
     std::size_t steps = 0;         ///< from first touch
     std::size_t output_every = 1;  ///< steps between samples
@@ -56,9 +56,9 @@ std::vector<Track> run(const DemCode& code, std::span<const DemRun> runs, const 
 /// and the five steps are then chosen such that every contact ends in the middle of a step: only then are the
 /// half powers there to be extrapolated away.
 /// @throws std::runtime_error if an impact is a capture, or the code fails
-std::vector<ImpactResult> dem_impacts(const DemCode& code, std::span<const ImpactCase> impacts);
+std::vector<OracleResult> dem_impacts(const DemCode& code, std::span<const Impact> impacts);
 
 /// Tells rebound (true) from capture by one finely stepped run each.
-std::vector<bool> dem_rebounds(const DemCode& code, std::span<const ImpactCase> impacts);
+std::vector<bool> dem_rebounds(const DemCode& code, std::span<const Impact> impacts);
 
 }  // namespace ashimpact::oracles

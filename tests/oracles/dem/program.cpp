@@ -7,7 +7,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -41,28 +40,6 @@ std::string fill(const std::string& deck, const DeckValues& values) {
     return filled.append(deck, position);
 }
 
-namespace {
-
-constexpr int cannot_start = 127;
-
-[[noreturn]] void become(const std::filesystem::path& program, std::vector<std::string> words,
-                         const std::filesystem::path& directory) {
-    words.insert(words.begin(), program.string());
-    std::vector<char*> argv;
-    argv.reserve(words.size() + 1);
-    for (auto& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    const int nothing = open("/dev/null", O_RDWR);
-    if (nothing >= 0 && chdir(directory.c_str()) == 0) {
-        for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nothing, stream);
-        setenv("OMP_NUM_THREADS", "1", 1);
-        execv(program.c_str(), argv.data());
-    }
-    _exit(cannot_start);
-}
-
-}  // namespace
-
 std::filesystem::path find_program(const std::string& program, const std::string& debian_package) {
     const char* path = std::getenv("PATH");
     std::istringstream folders(path ? path : "");
@@ -76,11 +53,11 @@ std::filesystem::path find_program(const std::string& program, const std::string
 
 int run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                 const std::filesystem::path& directory) {
-    const pid_t child = fork();
-    if (child == 0) become(program, arguments, directory);
-    int status = 0;
-    const bool ended = child > 0 && waitpid(child, &status, 0) == child && WIFEXITED(status);
-    return ended ? WEXITSTATUS(status) : cannot_start;
+    std::string command =
+        "cd '" + directory.string() + "' && OMP_NUM_THREADS=1 exec '" + program.string() + "'";
+    for (const std::string& argument : arguments) command += " '" + argument + "'";
+    const int status = std::system((command + " </dev/null >/dev/null 2>&1").c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 127;
 }
 
 }  // namespace ashimpact::oracles

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <Eigen/LU>
+
 namespace ashimpact::oracles {
 
 namespace {
@@ -76,45 +78,27 @@ Contact read_contact(const Track& track, double end_overlap) {
     return contact;
 }
 
-namespace {
-
-using Row = std::vector<long double>;  // coefficients and, last, the right-hand side
-
-std::vector<double> solve(std::vector<Row> rows) {
-    const std::size_t n = rows.size();
-    for (std::size_t column = 0; column < n; ++column) {
-        std::size_t pivot = column;
-        for (std::size_t i = column + 1; i < n; ++i)
-            if (std::abs(rows[i][column]) > std::abs(rows[pivot][column])) pivot = i;
-        std::swap(rows[column], rows[pivot]);
-        for (std::size_t i = 0; i < n; ++i) {
-            if (i == column) continue;
-            const long double factor = rows[i][column] / rows[column][column];
-            for (std::size_t j = column; j <= n; ++j) rows[i][j] -= factor * rows[column][j];
-        }
-    }
-    std::vector<double> solution(n);
-    for (std::size_t i = 0; i < n; ++i) solution[i] = static_cast<double>(rows[i][n] / rows[i][i]);
-    return solution;
-}
-
-}  // namespace
-
 std::vector<double> fit_powers(std::span<const double> steps, std::span<const double> values,
                                std::span<const double> powers) {
     assert(steps.size() == values.size() && steps.size() == powers.size() + 1);
+    const auto count = static_cast<Eigen::Index>(steps.size());
     const long double unit = steps.front();
-    std::vector<Row> rows;
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-        Row row{1};
-        for (const double power : powers)
-            row.push_back(std::pow(steps[i] / unit, static_cast<long double>(power)));
-        row.push_back(values[i]);
-        rows.push_back(std::move(row));
+    Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> matrix(count, count);
+    Eigen::Vector<long double, Eigen::Dynamic> right(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        right[i] = values[row];
+        matrix(i, 0) = 1;
+        for (Eigen::Index j = 1; j < count; ++j)
+            matrix(i, j) = std::pow(steps[row] / unit,
+                                    static_cast<long double>(powers[static_cast<std::size_t>(j - 1)]));
     }
-    auto coefficients = solve(std::move(rows));
-    for (std::size_t i = 0; i < powers.size(); ++i)
-        coefficients[i + 1] /= static_cast<double>(std::pow(unit, static_cast<long double>(powers[i])));
+    const Eigen::Vector<long double, Eigen::Dynamic> solution = matrix.partialPivLu().solve(right);
+    std::vector<double> coefficients(steps.size());
+    for (std::size_t j = 0; j < coefficients.size(); ++j)
+        coefficients[j] =
+            static_cast<double>(solution[static_cast<Eigen::Index>(j)] /
+                                (j == 0 ? 1 : std::pow(unit, static_cast<long double>(powers[j - 1]))));
     return coefficients;
 }
 

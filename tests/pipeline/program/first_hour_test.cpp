@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "tests/pipeline/sandbox.hpp"
-#include "tests/support/sanitized.hpp"
+#include "tests/support/checks.hpp"
 
 using namespace ashimpact;
 using test::ashimpact_program;

@@ -12,8 +12,7 @@
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/schema.hpp"
 #include "tests/pipeline/sandbox.hpp"
-#include "tests/relative_difference.hpp"
-#include "tests/support/sanitized.hpp"
+#include "tests/support/checks.hpp"
 
 using namespace ashimpact;
 using test::ashimpact_program;
@@ -36,6 +35,12 @@ Json json_of(const Sandbox& sandbox, const std::string& arguments) {
 
 double value(const Json& quantity) {
     return quantity.at("value").get<double>();
+}
+
+/// What `calibrate` finds for the built-in case: computed once, since it takes long.
+const Json& built_in_calibration() {
+    static const Json found = json_of(Sandbox(), "calibrate");
+    return found;
 }
 
 }  // namespace
@@ -563,8 +568,7 @@ TEST_CASE("cross-check: the published fits of one sample imply nearly the same i
 // Calibrations take minutes with sanitizers; tests/solver/calibration runs the same code with them.
 TEST_CASE("calibrate finds constants that reproduce the published velocities" *
           doctest::skip(test::sanitized)) {
-    const Sandbox sandbox;
-    const Json json = json_of(sandbox, "calibrate");
+    const Json& json = built_in_calibration();
     REQUIRE(json["constants"].size() >= 3);
     for (const auto& constant : json["constants"]) {
         CHECK(value(constant["interval_95"][0]) < value(constant["value"]));
@@ -609,11 +613,10 @@ TEST_CASE("calibrate's table says which constants the published values do not fi
 TEST_CASE("the built-in case carries what calibration finds, to its printed digits" *
           doctest::skip(test::sanitized)) {
     const Sandbox sandbox;
-    const Json found = json_of(sandbox, "calibrate");
     REQUIRE(ashimpact_program(sandbox, "run -o results").status == 0);
     const Json samples = sandbox.json("results/2-contact.json")["result"]["samples"];
     int compared = 0;
-    for (const auto& constant : found["constants"]) {
+    for (const auto& constant : built_in_calibration()["constants"]) {
         const std::string quantity = constant["quantity"];
         const double half_digit = quantity == "density" ? 0.05 : 0.00005;
         for (const auto& sample : samples) {

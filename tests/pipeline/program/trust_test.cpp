@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdlib>
+#include <filesystem>
+
+#include <doctest/doctest.h>
+
+#include "tests/pipeline/sandbox.hpp"
+
 // What nobody's file and no surroundings may do: SECURITY.md.
 #include <cstdlib>
 #include <string>
@@ -78,4 +85,94 @@ TEST_CASE("no environment variable and no locale changes a byte of an artifact, 
         ++compared;
     }
     CHECK(compared > 10);
+}
+
+using test::check_refused;
+
+TEST_CASE("a run does not write over the case or the data that it reads") {
+    const Sandbox sandbox;
+    test::write_example(sandbox, test::example_case());
+    std::filesystem::rename(sandbox.path("case.json"), sandbox.path("0-case.json"));
+    check_refused(sandbox, "run 0-case.json -o .",
+                  "0-case.json: the run reads this file and would write 0-case.json over it; allowed: ");
+    check_refused(sandbox, "run ./0-case.json -o '" + sandbox.folder().string() + "'", "another folder; -o");
+
+    Json document = test::example_case();
+    document["samples"][0]["restitution"]["file"] = "5-damping.json";
+    std::filesystem::rename(sandbox.path("impacts.csv"), sandbox.path("5-damping.json"));
+    sandbox.write("case.json", document.dump());
+    check_refused(sandbox, "run case.json -o .", "5-damping.json: the run reads this file");
+    std::filesystem::create_directory(sandbox.folder() / "out");
+    std::filesystem::create_symlink("../case.json", sandbox.folder() / "out/comparison.json");
+    check_refused(sandbox, "run case.json -o out", "case.json: the run reads this file");
+}
+
+TEST_CASE("a folder that cannot be written is refused before the first stage") {
+    const Sandbox sandbox;
+    sandbox.write("file", "x");
+    check_refused(sandbox, "run none.json -o file", "file: cannot be written: it is no folder");
+    check_refused(sandbox, "run -o file/below", "file: cannot be written: it is no folder");
+    check_refused(sandbox, "run -o " + std::string(300, 'x'), "cannot be written: File name too long");
+}
+
+TEST_CASE("names with control characters do not reach the terminal raw") {
+    const Sandbox sandbox;
+    Json document = test::example_under("dmt");
+    document["samples"][0]["name"] = "fine\x1b[31m";
+    document["samples"][0]["composition"]["xrd_sample"] = "fine";
+    test::write_example(sandbox, document);
+    const auto run = ashimpact_program(sandbox, "run case.json -o out -v");
+    REQUIRE_MESSAGE(run.status == 0, run.err);
+    const auto shown = ashimpact_program(sandbox, "inspect out/2-contact.json");
+    CHECK(shown.out == containing("fine?[31m"));
+    for (const std::string& text : {run.out, run.err, shown.out, shown.err})
+        CHECK(text != containing("\x1b"));
+}
+
+TEST_CASE("help that cannot be written is an error") {
+    const Sandbox sandbox;
+    const auto help = ashimpact_program(sandbox, "--help >/dev/full 2>err; echo $? >status; true");
+    CHECK(sandbox.read("status") == "2\n");
+    CHECK(sandbox.read("err") == "standard output: cannot be written; allowed: a place with room\n");
+}
+
+TEST_CASE("a limit on the size of files is an error of the write and leaves nothing behind") {
+    const Sandbox sandbox;
+    const Sandbox outputs;
+    const std::string command = "cd '" + sandbox.folder().string() +
+                                "' && (ulimit -f 8; '" ASHIMPACT_PROGRAM "' run -o out) >/dev/null 2>'" +
+                                outputs.path("err") + "'";
+    const int result = std::system(command.c_str());
+    CHECK(result == 2 << 8);  // its exit status, no signal
+    CHECK(outputs.read("err") == containing("cannot be written: File too large"));
+    for (const auto& file : sandbox.everything()) CHECK_MESSAGE(file.first == "out", file.first);
+}
+
+TEST_CASE("without ashimpact-sweep beside it the program says what is missing") {
+    const Sandbox sandbox;
+    std::filesystem::copy_file(ASHIMPACT_PROGRAM, sandbox.path("alone"));
+    const Sandbox outputs;
+    const std::string command = "cd '" + sandbox.folder().string() +
+                                "' && ./alone sweep s.json -o o.json 2>'" + outputs.path("err") + "'";
+    const int result = std::system(command.c_str());
+    CHECK(result == 2 << 8);
+    CHECK(outputs.read("err") == containing("/ashimpact-sweep: cannot be started: No such file"));
+}
+
+TEST_CASE("what init says can be typed as it stands, and so can the examples of help") {
+    const Sandbox sandbox;
+    const auto init = ashimpact_program(sandbox, "init 'my case'");
+    REQUIRE(init.status == 0);
+    const std::string program = "/ashimpact ";
+    const auto at = init.out.rfind(program);
+    REQUIRE(at != std::string::npos);
+    CHECK(ashimpact_program(sandbox, init.out.substr(at + program.size())).status == 0);
+    CHECK(sandbox.has("my case/results/comparison.json"));
+
+    REQUIRE(ashimpact_program(sandbox, "init my-case").status == 0);
+    const auto modulus =
+        ashimpact_program(sandbox, "modulus my-case/ash.csv --amorphous-fraction '42 +- 2 %'");
+    CHECK_MESSAGE(modulus.status == 0, modulus.err);
+    check_refused(sandbox, "modulus my-case/ash.csv --amorphous-fraction '42 +- 200 %'",
+                  "--amorphous-fraction: a standard uncertainty of 2; allowed: a fraction of the whole");
 }

@@ -15,7 +15,7 @@
 #include "pipeline/files/file.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "tests/pipeline/sandbox.hpp"
-#include "tests/relative_difference.hpp"
+#include "tests/support/checks.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;

@@ -3,7 +3,7 @@
 
 #include "pipeline/present/text/layout.hpp"
 #include "tests/pipeline/sandbox.hpp"
-#include "tests/support/sanitized.hpp"
+#include "tests/support/checks.hpp"
 
 using namespace ashimpact;
 using test::ashimpact_program;

@@ -5,8 +5,8 @@
 
 #include "core/text/error.hpp"
 #include "solver/batch/batch.hpp"
-#include "tests/relative_difference.hpp"
 #include "tests/solver/batch/batch_sample.hpp"
+#include "tests/support/checks.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;

@@ -13,12 +13,10 @@
 #include "solver/motion/regime.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/motion/trajectory.hpp"
-#include "tests/relative_difference.hpp"
+#include "tests/support/checks.hpp"
 #include "tests/support/contact_cases.hpp"
-#include "tests/support/errors.hpp"
 #include "tests/support/quadrature.hpp"
 #include "tests/support/random.hpp"
-#include "tests/support/worst.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;

@@ -7,9 +7,8 @@
 
 #include "materials/contact_properties.hpp"
 #include "solver/critical_velocity/backward_orbit.hpp"
-#include "tests/relative_difference.hpp"
+#include "tests/support/checks.hpp"
 #include "tests/support/contact_cases.hpp"
-#include "tests/support/errors.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;

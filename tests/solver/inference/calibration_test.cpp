@@ -12,8 +12,7 @@
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/calibration/published_damping.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
-#include "tests/relative_difference.hpp"
-#include "tests/support/errors.hpp"
+#include "tests/support/checks.hpp"
 #include "tests/support/published.hpp"
 #include "tests/support/random.hpp"
 

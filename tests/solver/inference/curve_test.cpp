@@ -7,9 +7,8 @@
 
 #include "solver/inference/curve/headline.hpp"
 #include "solver/inference/curve/recorded_impacts.hpp"
-#include "tests/relative_difference.hpp"
 #include "tests/solver/inference/ash_laboratory.hpp"
-#include "tests/support/errors.hpp"
+#include "tests/support/checks.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;

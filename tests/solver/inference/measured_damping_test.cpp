@@ -11,9 +11,8 @@
 
 #include "core/text/text.hpp"
 #include "solver/statistics/moments.hpp"
-#include "tests/relative_difference.hpp"
 #include "tests/solver/inference/ash_laboratory.hpp"
-#include "tests/support/errors.hpp"
+#include "tests/support/checks.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
 #include "solver/inference/impacts/measurement.hpp"
+#include "solver/motion/impact.hpp"
+#include "solver/surrogate/contact_model.hpp"
+#include "tests/solver/inference/ash_laboratory.hpp"
+#include "tests/support/checks.hpp"
 
 using namespace ashimpact;
 
@@ -180,5 +185,53 @@ TEST_CASE("the usual headings of impacts are known, in English, German and Frenc
             read_measurements("v_in [m/s];" + std::string(heading) + "\n2;0,5\n", "t.csv");
         REQUIRE(set.points.size() == 1);
         CHECK(set.points.front().rebound == doctest::Approx(1.0));
+    }
+}
+
+using namespace ashimpact::test;
+
+TEST_CASE("a contact model is the solver's impact: its restitution and contact time at the model's damping") {
+    for (const Law law : fitted_laws) {
+        const ContactModel model = ash_model(law);
+        for (const double v : {0.5, 2.0, 11.0})
+            for (const double share : {0.1, 0.5, 0.9}) {
+                CAPTURE(law.name());
+                CAPTURE(v);
+                const double e = share * model.greatest_restitution(v);
+                const ImpactResult result = solve_impact({law,
+                                                          law.default_detachment(),
+                                                          {DampingLaw::constant, model.damping(v, e).value},
+                                                          model.contact(),
+                                                          v});
+                CHECK(std::abs(result.restitution - e) < 10 * model.map().accuracy());
+                REQUIRE(result.contact_time);
+                CHECK(relative_difference(model.contact_time(v, e), *result.contact_time) < 1e-3);
+            }
+    }
+}
+
+TEST_CASE("velocity, restitution and damping of a contact model follow from one another, from any start") {
+    for (const Law law : fitted_laws) {
+        const ContactModel model = ash_model(law);
+        // That of Hertz has no end.
+        const VelocityRange range{std::max(model.range().lower, 0.01), std::min(model.range().upper, 30.0)};
+        for (const double v : {1.2 * range.lower, 0.5, 2.0, 0.8 * range.upper})
+            for (const double share : {0.0, 0.3, 0.97}) {
+                CAPTURE(law.name());
+                CAPTURE(v);
+                const double e = share * model.greatest_restitution(v);
+                const DampingAt damping = model.damping(v, e);
+                if (e > 0) CHECK(std::abs(model.restitution(v, damping.value) - e) < 1e-9);
+                for (const std::optional<double> guess :
+                     {std::optional<double>(), std::optional(range.lower), std::optional(range.upper)}) {
+                    const auto found = model.velocity(e, damping.value, guess);
+                    REQUIRE(found);
+                    CHECK(relative_difference(found->value, v) < 1e-9);
+                    CHECK(relative_difference(found->by_damping, 1 / damping.by_velocity) < 1e-5);
+                }
+            }
+        if (law == Law::of<Hertz>()) continue;
+        CHECK_FALSE(model.velocity(0.0, 1.01 * model.damping(range.upper, 0.0).value));
+        CHECK_FALSE(model.velocity(0.0, 0.99 * model.damping(range.lower, 0.0).value));
     }
 }

@@ -12,9 +12,8 @@
 #include "solver/numeric/gsl/interpolation.hpp"
 #include "solver/numeric/gsl/solvers.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
-#include "tests/relative_difference.hpp"
 #include "tests/solver/inference/ash_laboratory.hpp"
-#include "tests/support/errors.hpp"
+#include "tests/support/checks.hpp"
 #include "tests/support/random.hpp"
 
 using namespace ashimpact;

@@ -10,9 +10,8 @@
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/critical_velocity_uncertainty.hpp"
 #include "solver/surrogate/cohesive_velocity_map.hpp"
-#include "tests/relative_difference.hpp"
 #include "tests/solver/inference/ash_laboratory.hpp"
-#include "tests/support/errors.hpp"
+#include "tests/support/checks.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;

@@ -9,13 +9,11 @@
 
 #include "materials/contact_properties.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
-#include "solver/inference/calibration/published_damping.hpp"
-#include "tests/relative_difference.hpp"
+#include "solver/inference/calibration/calibration_objective.hpp"
+#include "tests/support/checks.hpp"
 #include "tests/support/contact_cases.hpp"
-#include "tests/support/errors.hpp"
 #include "tests/support/published.hpp"
 #include "tests/support/random.hpp"
-#include "tests/support/worst.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;

@@ -7,10 +7,8 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/relative_difference.hpp"
+#include "tests/support/checks.hpp"
 #include "tests/support/contact_cases.hpp"
-#include "tests/support/errors.hpp"
-#include "tests/support/worst.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;

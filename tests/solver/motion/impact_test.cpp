@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <doctest/doctest.h>
 
 #include "materials/contact_properties.hpp"
-#include "tests/relative_difference.hpp"
+#include "solver/motion/scale.hpp"
+#include "tests/support/checks.hpp"
 #include "tests/support/contact_cases.hpp"
-#include "tests/support/worst.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;
@@ -133,4 +134,181 @@ TEST_CASE(
         deepest = std::max(deepest, depth);
     }
     CHECK(deepest > 1e9);
+}
+
+// The regularised equation of motion and its expansion, in the solver's own scaled units.
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "solver/motion/scaled_impact.hpp"
+#include "tests/support/checks.hpp"
+#include "tests/support/contact_cases.hpp"
+
+namespace {
+
+Motion<Extended> motion_of(const Impact& impact) {
+    return scaled_motion<Extended>(impact, Scale::of(impact.contact, impact.velocity));
+}
+
+/// Derivative of a series at @p h.
+Extended slope_at(const Series<Extended>& c, Extended h) {
+    Extended sum = 0;
+    for (std::size_t n = c.size(); n-- > 1;) sum = sum * h + static_cast<Extended>(n) * c[n];
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("potential, stiffness and drag belong to the force, the overlap and the damping") {
+    Worst worst;
+    for (const ContactCase& c : elastic_cases()) {
+        const Motion<Extended> motion = motion_of(impact_of(c, ash(0.3), 0.3, 2.0));
+        for (const Extended q : {0.3L, 0.8L, 1.1L}) {
+            const auto near = [&](Extended a, Extended b) {
+                worst.see(static_cast<double>(std::abs(a - b)), name_of(c));
+            };
+            near(motion.stiffness(q), motion.slope(q) * motion.force(q));
+            near(motion.drag(q), motion.slope(q) * motion.damping(q));
+            near(motion.potential.derivative()(q), motion.stiffness(q));
+            near(motion.slope(q), motion.overlap.derivative()(q));
+        }
+        CHECK(motion.potential(0.0L) == 0.0L);
+        CHECK(std::abs(motion.overlap(motion.touch)) < 1e-18L);
+        CHECK(std::abs(motion.force(motion.equilibrium)) < 1e-18L);
+        CHECK(motion.end.has_value() == (c.detachment != Detachment::zero_force));
+    }
+    CHECK_MESSAGE(worst.deviation() < 1e-17, worst.where());
+}
+
+TEST_CASE("an expansion satisfies the equation of motion all over its step") {
+    Worst worst;
+    for (const ContactCase& c : elastic_cases()) {
+        const Motion<Extended> motion = motion_of(impact_of(c, ash(0.3), 0.3, 2.0));
+        const MotionState<Extended> states[] = {{.position = motion.touch, .velocity = 1.0L},
+                                                {.position = 1.02L, .velocity = 0.0L},
+                                                {.position = 0.7L, .velocity = -0.6L}};
+        for (const MotionState<Extended>& state : states) {
+            const MotionExpansion<Extended> x = motion.expand(state);
+            CHECK(x.step > 0.0L);
+            for (const Extended part : {0.25L, 0.5L, 1.0L}) {
+                const Extended h = part * x.step;
+                const MotionState<Extended> s = x.at(h);
+                const Extended acceleration =
+                    -motion.slope(s.position) *
+                    (motion.damping(s.position) * s.velocity + motion.force(s.position));
+                const auto near = [&](Extended a, Extended b) {
+                    worst.see(static_cast<double>(std::abs(a - b) / (1 + std::abs(b))), name_of(c));
+                };
+                near(slope_at(x.position, h), s.velocity);
+                near(slope_at(x.velocity, h), acceleration);
+                near(slope_at(x.time, h), motion.slope(s.position));
+                near(slope_at(x.dissipation, h), motion.drag(s.position) * s.velocity * s.velocity);
+            }
+        }
+    }
+    CHECK(worst.count() > 500);
+    CHECK_MESSAGE(worst.deviation() < 1e-17, worst.where());
+}
+
+TEST_CASE("steps follow one another: each piece begins where the one before ended") {
+    for (const ContactCase& c : elastic_cases()) {
+        const Motion<Extended> motion = motion_of(impact_of(c, ash(0.3), 0.3, 2.0));
+        MotionState<Extended> last{.position = motion.touch, .velocity = 1.0L};
+        int pieces = 0;
+        const auto orbit = follow<Extended>(
+            motion, 1.0L, [&](const Motion<Extended>&, const MotionExpansion<Extended>& x, Extended used) {
+                CHECK(std::abs(x.position[0] - last.position) < 1e-18L);
+                CHECK(std::abs(x.velocity[0] - last.velocity) < 1e-18L);
+                CHECK(used > 0.0L);
+                CHECK(used <= x.step);
+                last = x.at(used);
+                ++pieces;
+            });
+        CAPTURE(name_of(c));
+        CHECK(pieces == orbit.steps);
+        CHECK(orbit.turned);
+        CHECK(orbit.turn.velocity == 0.0L);
+        CHECK(last.position == orbit.end.position);
+        if (motion.end) CHECK(std::abs(orbit.end.position - *motion.end) < 1e-17L);
+    }
+}
+
+TEST_CASE("capture is decided only where it is certain") {
+    for (const ContactCase& c : elastic_cases()) {
+        const Motion<Extended> motion = motion_of(impact_of(c, ash(0.3), 0.05, 2.0));
+        const CaptureTest<Extended> capture(motion);
+        CAPTURE(name_of(c));
+        CHECK(!capture.bound({.position = motion.touch, .velocity = 1.0L}));
+        CHECK(!capture.creeping({.position = 1.0L, .velocity = -0.5L}));
+        if (motion.end && motion.equilibrium > *motion.end) {
+            CHECK(capture.bound({.position = motion.equilibrium, .velocity = 0.0L}));
+        }
+        if (!motion.end) CHECK(!capture.bound({.position = 0.5L, .velocity = 0.0L}));
+    }
+}
+
+TEST_CASE("the units of the scaled impact: mass, Hertz stiffness and velocity are one") {
+    const ContactPair pair = ash(0.3);
+    for (const double v : ash_velocities) {
+        const Scale scale = Scale::of(pair, v);
+        CAPTURE(v);
+        CHECK(scale.mass == pair.mass);
+        CHECK(scale.velocity == v);
+        CHECK(relative_difference(scale.stiffness, 4.0 / 3.0 * 90e9 * std::sqrt(44e-6)) < 1e-15);
+        // Force k L^(3/2) is what stops the mass within L: m v^2 = k L^(5/2).
+        CHECK(relative_difference(scale.stiffness * std::pow(scale.length, 2.5), pair.mass * v * v) < 1e-14);
+        CHECK(relative_difference(scale.force(), scale.stiffness * std::pow(scale.length, 1.5)) < 1e-14);
+        CHECK(relative_difference(scale.energy(), pair.mass * v * v) < 1e-15);
+        CHECK(relative_difference(scale.momentum(), pair.mass * v) < 1e-15);
+        CHECK(relative_difference(scale.time(), scale.length / v) < 1e-15);
+        CHECK(relative_difference(scale.radius_length, std::sqrt(44e-6 * scale.length)) < 1e-15);
+    }
+    // At 2 m/s: L = (9.277e-10 * 4/7.96e8)^0.4 m; the greatest overlap of the reference impact is 1.093 L.
+    CHECK(relative_difference(Scale::of(pair, 2.0).length * std::pow(1.25, 0.4), 1.2770060733e-7) < 1e-10);
+}
+
+TEST_CASE("the contact time of Hertz is that of the solver, and Johnson's closed form") {
+    const ContactPair pair = ash(0.0);
+    const double scaled =
+        2 * std::pow(1.25, 0.4) * std::sqrt(std::numbers::pi) * std::tgamma(1.4) / std::tgamma(0.9);
+    for (const double v : ash_velocities) {
+        CAPTURE(v);
+        const double time = hertz_contact_time(pair, v);
+        CHECK(relative_difference(time, scaled * Scale::of(pair, v).time()) < 1e-14);
+        const ImpactResult impact =
+            solve_impact({Law::of<Hertz>(), Detachment::zero_overlap, {DampingLaw::constant, 0.0}, pair, v});
+        CHECK(relative_difference(time, impact.contact_time.value()) < 1e-12);
+    }
+}
+
+TEST_CASE(
+    "scaled damping: beta = eta m^(-3/5) k^(-2/5) v^(-1/5), and every law's number is its own inverse's") {
+    const ContactPair pair = ash(0.0);
+    for (const double v : ash_velocities) {
+        const Scale scale = Scale::of(pair, v);
+        const double eta = 0.0153;
+        const double beta =
+            eta * std::pow(pair.mass, -0.6) * std::pow(scale.stiffness, -0.4) * std::pow(v, -0.2);
+        CHECK(relative_difference(scale.damping_number({DampingLaw::constant, eta}), beta) < 1e-14);
+        for (const DampingLaw law : all_values<DampingLaw>) {
+            const double number = 0.37;
+            const double back = scale.damping_number({law, scale.damping_coefficient(law, number)});
+            CHECK(relative_difference(back, number) < 1e-15);
+        }
+    }
+}
+
+TEST_CASE("the three damping laws are the same damping where contact radius and overlap are their units") {
+    // At delta = L the contact radius is sqrt(R L): eta = C, C a and C sqrt(m k) delta^(1/4) then agree.
+    const ContactPair pair = ash(0.0);
+    const Scale scale = Scale::of(pair, 2.0);
+    const double number = 0.6;
+    const double constant = scale.damping_coefficient(DampingLaw::constant, number);
+    const double by_radius = scale.damping_coefficient(DampingLaw::contact_radius, number) *
+                             std::sqrt(pair.effective_radius * scale.length);
+    const double by_tsuji = scale.damping_coefficient(DampingLaw::tsuji, number) *
+                            std::sqrt(pair.mass * scale.stiffness) * std::pow(scale.length, 0.25);
+    CHECK(relative_difference(by_radius, constant) < 1e-14);
+    CHECK(relative_difference(by_tsuji, constant) < 1e-14);
 }

@@ -13,7 +13,7 @@
 #include "solver/motion/damping_inversion.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "solver/motion/trajectory.hpp"
-#include "tests/relative_difference.hpp"
+#include "tests/support/checks.hpp"
 #include "tests/support/contact_cases.hpp"
 
 using namespace ashimpact;

@@ -10,11 +10,9 @@
 #include "solver/contact/mechanics.hpp"
 #include "solver/contact/static_curve.hpp"
 #include "solver/motion/scaled_impact.hpp"
-#include "tests/relative_difference.hpp"
+#include "tests/support/checks.hpp"
 #include "tests/support/contact_cases.hpp"
-#include "tests/support/errors.hpp"
-#include "tests/support/romberg.hpp"
-#include "tests/support/worst.hpp"
+#include "tests/support/quadrature.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;

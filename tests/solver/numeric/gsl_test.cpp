@@ -16,9 +16,8 @@
 #include "solver/numeric/gsl/solvers.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
 #include "solver/numeric/gsl/support.hpp"
-#include "tests/relative_difference.hpp"
-#include "tests/support/data_file.hpp"
-#include "tests/support/errors.hpp"
+#include "tests/support/checks.hpp"
+#include "tests/support/published.hpp"
 #include "tests/support/random.hpp"
 
 using namespace ashimpact;

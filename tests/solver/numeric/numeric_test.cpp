@@ -11,7 +11,7 @@
 #include "solver/numeric/number.hpp"
 #include "solver/numeric/polynomial.hpp"
 #include "solver/numeric/series.hpp"
-#include "tests/relative_difference.hpp"
+#include "tests/support/checks.hpp"
 #include "tests/support/random.hpp"
 
 using namespace ashimpact;

@@ -11,6 +11,10 @@
 #include <doctest/doctest.h>
 
 #include "solver/numeric/gsl/statistics.hpp"
+#include "solver/statistics/design.hpp"
+#include "solver/statistics/histogram.hpp"
+#include "solver/statistics/importance_sampling.hpp"
+#include "tests/support/checks.hpp"
 
 using namespace ashimpact;
 
@@ -130,4 +134,200 @@ TEST_CASE("grids meet both ends exactly") {
     CHECK(logarithmic_grid(1e-6, 1e-3, 4)[1] == relative(1e-5));
     CHECK(logarithmic_grid(1e-6, 1e-3, 4).back() == 1e-3);
     CHECK(linear_grid(5, 9, 1) == std::vector<double>{5});
+}
+
+namespace {
+
+/// Restitution-like numbers: some zeros, the rest between 0 and 1.
+std::vector<double> fractions(std::size_t count) {
+    std::vector<double> values(count);
+    for (std::size_t i = 0; i < count; ++i)
+        values[i] = std::max(0.0, 1.2 * unit_interval(random_bits(3, i, 0, RandomStream::points)[0]) - 0.2);
+    return values;
+}
+
+/// Contact-time-like numbers over several decades.
+std::vector<double> times(std::size_t count) {
+    std::vector<double> values = fractions(count);
+    for (double& value : values) value = 1e-8 * std::pow(10.0, 3 * value);
+    return values;
+}
+
+double exact_quantile(std::vector<double> values, double probability) {
+    std::sort(values.begin(), values.end());
+    const auto rank = std::max(1.0, std::ceil(probability * static_cast<double>(values.size())));
+    return values[static_cast<std::size_t>(rank) - 1];
+}
+
+constexpr std::array probabilities{0.0, 0.001, 0.05, 0.25, 0.5, 0.9, 0.9999, 1.0};
+
+}  // namespace
+
+TEST_CASE("quantiles of absolute bins hold the exact ones within one bin") {
+    const Bins bins = Bins::absolute(1000);
+    for (const std::size_t count : {1, 2, 17, 5000}) {
+        const auto values = fractions(count);
+        Histogram histogram;
+        histogram.count(bins, values);
+        CHECK(histogram.total() == count);
+        for (const double p : probabilities) {
+            const double exact = exact_quantile(values, p);
+            const auto [lower, upper] = histogram.quantile(bins, p);
+            CHECK(lower <= exact);
+            CHECK(exact <= upper);
+            CHECK(upper - lower <= 1.001 * bins.resolution());
+            if (exact == 0) CHECK(upper == 0);
+        }
+    }
+}
+
+TEST_CASE("quantiles of relative bins hold the exact ones within their resolution, over decades") {
+    const Bins bins = Bins::relative(7);
+    const auto values = times(5000);
+    Histogram histogram;
+    histogram.count(bins, values);
+    for (const double p : probabilities) {
+        const double exact = exact_quantile(values, p);
+        const auto [lower, upper] = histogram.quantile(bins, p);
+        CHECK(lower <= exact);
+        CHECK(exact < upper);
+        CHECK((upper - lower) / lower <= 1.0 / 128);
+    }
+}
+
+TEST_CASE("relative bins cover every positive number") {
+    const Bins bins = Bins::relative(7);
+    for (const double value : {5e-324, 2.2250738585072014e-308, 1e-9, 1.0, 1.7976931348623157e308}) {
+        const auto bin = bins.bin_of(value);
+        CHECK(bins.edge(bin) <= value);
+        CHECK(bins.edge(bin + 1) > value);
+    }
+    CHECK(Bins::absolute(10).bin_of(1.0) == 9);
+}
+
+TEST_CASE("parts make the same histogram in any order; what is no number is left out") {
+    const Bins bins = Bins::relative(5);
+    auto values = times(1000);
+    values[3] = std::nan("");
+    values[4] = 0;
+    Histogram whole;
+    whole.count(bins, values);
+    CHECK(whole.total() == 999);
+    CHECK(whole.zeros() == 1);
+
+    Histogram merged;
+    for (const std::size_t part : {3, 1, 0, 2}) {
+        Histogram piece;
+        piece.count(bins, std::span(values).subspan(250 * part, 250));
+        merged.merge(piece);
+    }
+    CHECK(merged.first() == whole.first());
+    CHECK(merged.counts() == whole.counts());
+    CHECK(merged.zeros() == whole.zeros());
+}
+
+TEST_CASE("merging nothing changes nothing") {
+    Histogram histogram;
+    histogram.merge(Histogram{});
+    CHECK(histogram.total() == 0);
+    CHECK(histogram.counts().empty());
+}
+
+TEST_CASE("bins found in lanes are those of single values") {
+    std::vector<double> values = fractions(1'003);
+    values[5] = 1.0;
+    values[6] = std::nextafter(1.0, 0.0);
+    values[7] = std::nan("");
+    for (const Bins& bins : {Bins::absolute(1), Bins::absolute(1000), Bins::relative(7)}) {
+        std::vector<std::uint32_t> found(values.size());
+        find_bins(bins, values, 0.75, found.data());
+        for (std::size_t i = 0; i < values.size(); ++i)
+            CHECK(found[i] == bins.bin_of(values[i] > 0 ? values[i] : 0.75));
+        Histogram histogram;
+        histogram.count(bins, values);
+        CHECK(histogram.total() == values.size() - 1);
+    }
+}
+
+using namespace ashimpact::test;
+
+namespace {
+
+using Plane = ImportanceSampling<2>;
+
+Plane::NormalDensity wide_normal(double x, double y) {
+    return {.mean = {x, y}, .covariance = 4.0 * Plane::Matrix::Identity()};
+}
+
+/// Draws in rounds, each from the moments of those before.
+Plane adapted(const std::function<double(const Plane::Vector&)>& density, const Plane::NormalDensity& start) {
+    Plane draws(density);
+    draws.add(start, 500);
+    for (int i = 0; i < 12; ++i) draws.add(draws.moments(), 800);
+    return draws;
+}
+
+}  // namespace
+
+TEST_CASE("importance sampling of a normal density gives its quantiles") {
+    // Means 3 and -1, standard deviations 0.2 and 0.5, correlation 0.8.
+    Plane::Matrix covariance;
+    covariance << 0.04, 0.08, 0.08, 0.25;
+    const Plane::Matrix inverse = covariance.inverse();
+    const Plane::Vector mean(3.0, -1.0);
+    const auto draws =
+        adapted([&](const Plane::Vector& p) { return 0.5 * (p - mean).dot(inverse * (p - mean)); },
+                wide_normal(2.0, 0.0));
+    CHECK(draws.effective() > 3000.0);
+    const MarginalSample x = draws.marginal(0);
+    const MarginalSample y = draws.marginal(1);
+    CHECK(std::abs(x.quantile(0.5) - 3.0) < 0.01);
+    CHECK(std::abs(x.quantile(0.975) - 3.39199) < 0.02);
+    CHECK(std::abs(y.quantile(0.025) + 1.97998) < 0.05);
+    CHECK(relative_difference(x.standard_deviation(), 0.2) < 0.02);
+    CHECK(relative_difference(y.standard_deviation(), 0.5) < 0.02);
+    CHECK((draws.likeliest() - mean).norm() < 0.05);
+}
+
+TEST_CASE("importance sampling of a skewed, curved density gives the quantiles of its marginal") {
+    // exp(x) is exponentially distributed, y is normal around x^2: the quantiles of x are ln(-ln(1 - p)).
+    const auto density = [](const Plane::Vector& p) {
+        const double from_curve = p[1] - p[0] * p[0];
+        return std::exp(p[0]) - p[0] + 0.5 * from_curve * from_curve;
+    };
+    const auto draws = adapted(density, wide_normal(0.0, 0.0));
+    REQUIRE(draws.effective() > 400.0);
+    const MarginalSample x = draws.marginal(0);
+    for (const double p : {0.1, 0.5, 0.9, 0.975}) {
+        CAPTURE(p);
+        CHECK(std::abs(x.quantile(p) - std::log(-std::log1p(-p))) < 0.15);
+    }
+}
+
+TEST_CASE("importance sampling finds both of two modes that were given") {
+    const auto density = [](const Plane::Vector& p) {
+        const double first = std::exp(-0.5 * (p - Plane::Vector(-3.0, 0.0)).squaredNorm());
+        const double second = 3.0 * std::exp(-0.5 * (p - Plane::Vector(3.0, 0.0)).squaredNorm());
+        return -std::log(std::max(first + second, 1e-300));
+    };
+    Plane draws(density);
+    draws.add(wide_normal(-3.0, 0.0), 500);
+    draws.add(wide_normal(3.0, 0.0), 500);
+    for (int i = 0; i < 6; ++i) draws.add(draws.moments(), 800);
+    // A quarter of the weight lies around -3.
+    CHECK(std::abs(draws.marginal(0).quantile(0.125) + 3.0) < 0.15);
+    CHECK(std::abs(draws.marginal(0).quantile(0.625) - 3.0) < 0.15);
+}
+
+TEST_CASE("quantiles of weighted values lie on lines between the middles of their weights") {
+    const MarginalSample sample({{3.0, 0.25}, {0.0, 0.25}, {1.0, 0.5}});
+    // Middles of the weights: 0.125, 0.5 and 0.875.
+    CHECK(sample.quantile(0.01) == 0.0);
+    CHECK(sample.quantile(0.125) == 0.0);
+    CHECK(sample.quantile(0.3125) == doctest::Approx(0.5).epsilon(1e-15));
+    CHECK(sample.quantile(0.5) == doctest::Approx(1.0).epsilon(1e-15));
+    CHECK(sample.quantile(0.6875) == doctest::Approx(2.0).epsilon(1e-15));
+    CHECK(sample.quantile(0.99) == 3.0);
+    CHECK(sample.mean() == doctest::Approx(1.25).epsilon(1e-15));
+    CHECK(sample.standard_deviation() == doctest::Approx(std::sqrt(1.1875)).epsilon(1e-15));
 }

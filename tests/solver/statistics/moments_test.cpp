@@ -9,7 +9,7 @@
 
 #include "solver/statistics/design.hpp"
 #include "solver/statistics/propagation.hpp"
-#include "tests/relative_difference.hpp"
+#include "tests/support/checks.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;

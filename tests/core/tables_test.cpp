@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tables/workbook/workbook.hpp"
-
 #include <cstdio>
 #include <filesystem>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,9 +11,13 @@
 #include <minizip/zip.h>
 #include <unistd.h>
 
+#include "core/quantities/quantity.hpp"
+#include "core/tables/vocabulary.hpp"
+#include "core/tables/workbook/workbook.hpp"
+#include "materials/xrd/table_layout.hpp"
 #include "materials/xrd/xrd.hpp"
-#include "tests/core/messages.hpp"
 #include "tests/materials/catalogue.hpp"
+#include "tests/support/checks.hpp"
 
 namespace ashimpact::test {
 
@@ -88,6 +91,37 @@ std::string data(const std::string& name) {
 
 }  // namespace
 
+TEST_CASE("every list of columns and rows of XRD tables has a meaning") {
+    const WordLists columns("XRD columns");
+    for (const auto& [word, list] : columns.words()) {
+        CAPTURE(list);
+        CHECK(named<xrd::Role>(list) != xrd::Role::other);
+    }
+    const WordLists rows("XRD rows");
+    for (const auto& [word, list] : rows.words()) {
+        CAPTURE(list);
+        CHECK(named<xrd::RowMeaning>(list) != xrd::RowMeaning::phase);
+    }
+    CHECK_THROWS_AS(WordLists("no such group"), std::exception);
+}
+
+TEST_CASE("headings are found however umlauts and accents are spelled") {
+    for (const char* heading : {"Échantillon", "echantillon", "e\u0301chantillon", "ÉCHANTILLON"})
+        CHECK(xrd::read_heading(heading).role == xrd::Role::sample);
+    for (const char* heading : {"Incertitude élargie", "incertitude elargie", "±", "+/-", "σ", "±σ", "s.u."})
+        CHECK(is_uncertainty_word(heading));
+    CHECK_FALSE(is_uncertainty_word("quartz"));
+    CHECK(xrd::read_heading("%").role == xrd::Role::weight);
+    CHECK(xrd::read_heading("+").role == xrd::Role::uncertainty);
+    CHECK(xrd::read_heading("Dichte").role == xrd::Role::other);
+    CHECK(xrd::read_heading("Density (g/cm³)").unit == "g/cm³");
+    CHECK(xrd::meaning_of_row("Σ") == xrd::RowMeaning::total);
+    CHECK(xrd::meaning_of_row("Total crystalline [%]") == xrd::RowMeaning::crystalline_total);
+    CHECK(xrd::meaning_of_row("sigma") == xrd::RowMeaning::phase);
+    CHECK(says_no_number("N.D."));
+    CHECK_FALSE(says_no_number("1"));
+}
+
 TEST_CASE("spreadsheets of three programs hold the same ash") {
     const XrdResult text = read_xrd(
         "Phase;Anteil [Gew.-%];Fehler\nQuarz;10,5;0,4\nMullit;21,3;0,6\nKalk;2,2;0,3\n"
@@ -109,7 +143,7 @@ TEST_CASE("spreadsheets of three programs hold the same ash") {
         }
     }
     const auto warnings = read_xrd(data("openpyxl.xlsx"), "a.xlsx").warnings;
-    CHECK(holds(warnings.front().text, "the sheet \"Phasen\" is read, not \"Notizen\""));
+    CHECK(contains(warnings.front().text, "the sheet \"Phasen\" is read, not \"Notizen\""));
 }
 
 TEST_CASE("cells of .xlsx hold what the spreadsheet shows") {
@@ -183,34 +217,35 @@ TEST_CASE("cells of .ods hold what the spreadsheet shows") {
 
 TEST_CASE("what is wrong in a spreadsheet is said with its sheet and cell") {
     const auto refused = [](const std::string& rows) {
-        return refusal([&] { return read_xrd(xlsx(rows), "a.xlsx"); });
+        return input_error_of([&] { return read_xrd(xlsx(rows), "a.xlsx"); });
     };
     const std::string head = inline_row({"phase", "weight [%]"});
-    CHECK(holds(refused(head + inline_row({"Quartz", "much"})),
-                "a.xlsx: sheet \"S\", cell B2: cannot read \"much\""));
-    CHECK(holds(refused(head + inline_row({"Quartz", "60"}) + "<row/>" + inline_row({"Quartz", "20"})),
-                "sheet \"S\", row 4: the phase \"Quartz\" is there twice in the sample, first in row 2"));
-    CHECK(holds(
+    CHECK(contains(refused(head + inline_row({"Quartz", "much"})),
+                   "a.xlsx: sheet \"S\", cell B2: cannot read \"much\""));
+    CHECK(contains(refused(head + inline_row({"Quartz", "60"}) + "<row/>" + inline_row({"Quartz", "20"})),
+                   "sheet \"S\", row 4: the phase \"Quartz\" is there twice in the sample, first in row 2"));
+    CHECK(contains(
         refused("<row/>" + head + "<row><c t='inlineStr'><is><t>Quartz</t></is></c><c><f>B1</f></c></row>"),
         "cell B3: cannot read \"=B1 (a formula, saved without its result)\""));
-    CHECK(holds(refused(inline_row({"nothing"})), "no sheet holds an XRD result with its headings") == false);
-    CHECK(holds(refused(inline_row({"nothing"})), "sheet \"S\", row 1: no heading line was found"));
-    CHECK(holds(refused(""), "every sheet is empty"));
+    CHECK(contains(refused(inline_row({"nothing"})), "no sheet holds an XRD result with its headings") ==
+          false);
+    CHECK(contains(refused(inline_row({"nothing"})), "sheet \"S\", row 1: no heading line was found"));
+    CHECK(contains(refused(""), "every sheet is empty"));
 }
 
 TEST_CASE("of several sheets the one with a table is read, or the one that is named") {
     const std::string two = data("opendocument.ods");
     CHECK(read_xrd(two, "a.ods").samples[0].analysis.phases.size() == 4);
     CHECK(read_xrd(two, "a.ods", "Phasen").samples[0].analysis.phases.size() == 4);
-    CHECK(holds(refusal([&] { return read_xrd(two, "a.ods", "Phase"); }),
-                "there is no sheet \"Phase\"; allowed: \"Phasen\", \"St\u00f6\u00dfe\""));
-    CHECK(holds(refusal([&] { return read_xrd("phase,weight\nQuartz,1\n", "a.csv", "S"); }),
-                "a sheet is named, and the file is no spreadsheet"));
+    CHECK(contains(input_error_of([&] { return read_xrd(two, "a.ods", "Phase"); }),
+                   "there is no sheet \"Phase\"; allowed: \"Phasen\", \"St\u00f6\u00dfe\""));
+    CHECK(contains(input_error_of([&] { return read_xrd("phase,weight\nQuartz,1\n", "a.csv", "S"); }),
+                   "a sheet is named, and the file is no spreadsheet"));
     const std::string table =
         "<table:table-row><table:table-cell><text:p>phase</text:p></table:table-cell>"
         "<table:table-cell><text:p>weight</text:p></table:table-cell></table:table-row>";
-    CHECK(holds(
-        refusal([&] {
+    CHECK(contains(
+        input_error_of([&] {
             return read_xrd(ods(table + "</table:table><table:table table:name='T'>" + table), "a.ods");
         }),
         "2 sheets hold a table; allowed: the name of a sheet (--sheet, in a case \"xrd_sheet\") and one of "
@@ -219,21 +254,21 @@ TEST_CASE("of several sheets the one with a table is read, or the one that is na
 
 TEST_CASE("files that are no spreadsheet, or a damaged or huge one, are refused") {
     const auto refused = [](const std::string& bytes) {
-        return refusal([&] { return read_xrd(bytes, "a.xlsx"); });
+        return input_error_of([&] { return read_xrd(bytes, "a.xlsx"); });
     };
-    CHECK(holds(refused("\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1 and so on"),
-                "old Excel file (.xls), or one with a password"));
-    CHECK(holds(refused(archive_of({{"letter.txt", "Dear"}})), "a zip archive and no spreadsheet"));
-    CHECK(holds(refused("PK\x03\x04 and no more"), "begins as a spreadsheet and is damaged"));
-    CHECK(
-        holds(refused(xlsx("<row><c></row>")), "the part xl/worksheets/s.xml of the spreadsheet is damaged"));
-    CHECK(holds(refused(xlsx(std::string(20U << 20U, ' '))), "unpacks to more than 8 MB"));
-    CHECK(holds(refused(xlsx("<row r='1'><c r='XFD1'><v>1</v></c></row>")),
-                "has a text in row 1, column 16384"));
-    CHECK(holds(refused(ods("<table:table-row table:number-rows-repeated='1048576'><table:table-cell "
-                            "table:number-columns-repeated='900'><text:p>x</text:p></table:table-cell>"
-                            "</table:table-row>")),
-                "the sheet \"S\" is too large"));
+    CHECK(contains(refused("\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1 and so on"),
+                   "old Excel file (.xls), or one with a password"));
+    CHECK(contains(refused(archive_of({{"letter.txt", "Dear"}})), "a zip archive and no spreadsheet"));
+    CHECK(contains(refused("PK\x03\x04 and no more"), "begins as a spreadsheet and is damaged"));
+    CHECK(contains(refused(xlsx("<row><c></row>")),
+                   "the part xl/worksheets/s.xml of the spreadsheet is damaged"));
+    CHECK(contains(refused(xlsx(std::string(20U << 20U, ' '))), "unpacks to more than 8 MB"));
+    CHECK(contains(refused(xlsx("<row r='1'><c r='XFD1'><v>1</v></c></row>")),
+                   "has a text in row 1, column 16384"));
+    CHECK(contains(refused(ods("<table:table-row table:number-rows-repeated='1048576'><table:table-cell "
+                               "table:number-columns-repeated='900'><text:p>x</text:p></table:table-cell>"
+                               "</table:table-row>")),
+                   "the sheet \"S\" is too large"));
 }
 
 TEST_CASE("no byte of a spreadsheet that is changed or missing does worse than an input error") {
