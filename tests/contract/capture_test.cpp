@@ -13,6 +13,7 @@
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/motion/scaled_impact.hpp"
+#include "tests/support/checks.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/random.hpp"
 
@@ -186,14 +187,6 @@ TEST_CASE("where the arrival takes a finite time, impacts ever closer above the 
 }
 
 // Where there is no critical velocity, and the thresholds between, as derived for each damping law.
-#include <cmath>
-
-#include <doctest/doctest.h>
-
-#include "solver/critical_velocity/critical_velocity.hpp"
-#include "solver/motion/scale.hpp"
-#include "tests/support/checks.hpp"
-#include "tests/support/contact_cases.hpp"
 
 namespace {
 

@@ -7,9 +7,13 @@
 
 #include <doctest/doctest.h>
 
+#include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/damping/registry.hpp"
 #include "solver/motion/damping_inversion.hpp"
 #include "solver/motion/scale.hpp"
+#include "solver/motion/trajectory.hpp"
 #include "solver/numeric/power.hpp"
 #include "tests/support/checks.hpp"
 #include "tests/support/contact_cases.hpp"
@@ -111,16 +115,6 @@ TEST_CASE("a law's limit of overdamping is where Hertz impacts cease to rebound"
 }
 
 // In other units of length, mass and time every result is the same number times its dimension.
-#include <cmath>
-
-#include <doctest/doctest.h>
-
-#include "solver/contact/pair.hpp"
-#include "solver/critical_velocity/critical_velocity.hpp"
-#include "solver/motion/damping_inversion.hpp"
-#include "solver/motion/trajectory.hpp"
-#include "tests/support/checks.hpp"
-#include "tests/support/contact_cases.hpp"
 
 namespace {
 

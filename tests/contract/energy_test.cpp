@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <doctest/doctest.h>
 
+#include "materials/contact_properties.hpp"
 #include "solver/contact/static_curve.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "tests/support/checks.hpp"
 #include "tests/support/contact_cases.hpp"
@@ -160,15 +163,6 @@ TEST_CASE("the dissipated energy is the work of damping, integrated by itself al
 
 // JKR without damping: the dynamic solver against the analytic separation energy (Eqs. 28-30, exact
 // constants).
-#include <cmath>
-#include <numbers>
-
-#include <doctest/doctest.h>
-
-#include "materials/contact_properties.hpp"
-#include "solver/critical_velocity/critical_velocity.hpp"
-#include "tests/support/checks.hpp"
-#include "tests/support/contact_cases.hpp"
 
 namespace {
 

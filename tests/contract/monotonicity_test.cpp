@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Orbits of a law without memory cannot cross: faster in is faster out, and more damping is less of it.
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include <doctest/doctest.h>
 
+#include "solver/contact/static_curve.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
+#include "tests/support/checks.hpp"
 #include "tests/support/contact_cases.hpp"
 
 using namespace ashimpact;
@@ -97,14 +100,6 @@ TEST_CASE("critical velocity rises with damping, and once every impact is captur
 }
 
 // Without adhesion every law is Hertz; with ever less of it every law tends to Hertz.
-#include <algorithm>
-#include <cmath>
-
-#include <doctest/doctest.h>
-
-#include "solver/contact/static_curve.hpp"
-#include "tests/support/checks.hpp"
-#include "tests/support/contact_cases.hpp"
 
 namespace {
 

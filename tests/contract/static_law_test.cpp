@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
 
+#include "core/text/error.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/contact/static_branch.hpp"
 #include "solver/contact/static_curve.hpp"
@@ -16,6 +19,7 @@
 #include "solver/numeric/polynomial.hpp"
 #include "tests/support/checks.hpp"
 #include "tests/support/contact_cases.hpp"
+#include "tests/support/random.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;
@@ -248,18 +252,6 @@ TEST_CASE("the adhesion number carries the law's units: SI forces do not depend 
 
 // Ten thousand impacts of anything: each ends in a rebound, a capture or a typed refusal, and its ledger
 // closes.
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <optional>
-#include <string>
-
-#include <doctest/doctest.h>
-
-#include "core/text/error.hpp"
-#include "tests/support/checks.hpp"
-#include "tests/support/contact_cases.hpp"
-#include "tests/support/random.hpp"
 
 namespace {
 

@@ -10,10 +10,13 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
+#include "solver/critical_velocity/critical_velocity.hpp"
 #include "tests/oracles/dem/program.hpp"
 #include "tests/oracles/dem/track.hpp"
+#include "tests/oracles/impact_case.hpp"
 #include "tests/oracles/time_domain.hpp"
 #include "tests/support/checks.hpp"
+#include "tests/support/ode.hpp"
 
 namespace ashimpact::oracles {
 
@@ -166,17 +169,6 @@ TEST_CASE("the time-domain oracle agrees with the reference impacts") {
 
 // The contact at the critical velocity, followed backward in time from its end by GSL, in overlap and
 // velocity.
-#include <array>
-#include <cmath>
-#include <string>
-
-#include <doctest/doctest.h>
-
-#include "solver/critical_velocity/critical_velocity.hpp"
-#include "tests/oracles/impact_case.hpp"
-#include "tests/oracles/time_domain.hpp"
-#include "tests/support/checks.hpp"
-#include "tests/support/ode.hpp"
 
 namespace ashimpact::oracles {
 

@@ -4,9 +4,11 @@
 // as corrected in docs/errata.md.
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include <doctest/doctest.h>
 
+#include "core/text/error.hpp"
 #include "solver/contact/static_curve.hpp"
 #include "tests/support/checks.hpp"
 #include "tests/support/contact_cases.hpp"
@@ -182,15 +184,6 @@ TEST_CASE("the work from first touch to the end is 7.092196, at the largest tens
 
 // Figure 3 of Dong et al. 2013: the normalised curves of Eqs. 22-24, written from the paper, and what the
 // text reads off the figure.
-#include <cmath>
-#include <vector>
-
-#include <doctest/doctest.h>
-
-#include "core/text/error.hpp"
-#include "solver/contact/static_curve.hpp"
-#include "tests/support/checks.hpp"
-#include "tests/support/contact_cases.hpp"
 
 namespace {
 

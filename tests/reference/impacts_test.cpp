@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Every impact of data/reference/impacts.json: an independent time-domain integration (DOP853, rtol 1e-12).
+#include <cmath>
+#include <numbers>
 #include <set>
 #include <string>
 
@@ -8,8 +10,10 @@
 
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/pair.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
 #include "tests/support/checks.hpp"
+#include "tests/support/contact_cases.hpp"
 #include "tests/support/published.hpp"
 
 using namespace ashimpact;
@@ -92,14 +96,6 @@ TEST_CASE("every reference impact: outcome, restitution, contact time and overla
 }
 
 // Constants of the Hertz impact, at fly-ash scale.
-#include <cmath>
-#include <numbers>
-
-#include <doctest/doctest.h>
-
-#include "solver/critical_velocity/critical_velocity.hpp"
-#include "tests/support/checks.hpp"
-#include "tests/support/contact_cases.hpp"
 
 namespace {
 

@@ -7,6 +7,12 @@
 #include "pipeline/present/report/drawing/figure.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/drawing/panel.hpp"
+#include "pipeline/run/curves/model_curve.hpp"
+#include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/motion/impact.hpp"
+#include "tests/support/checks.hpp"
 
 namespace ashimpact::report {
 
@@ -183,15 +189,6 @@ TEST_CASE("CSV quotes what would break it") {
 }  // namespace ashimpact::report
 
 // The curves of the report: impacts that have wanted restitutions.
-#include <cmath>
-
-#include <doctest/doctest.h>
-
-#include "pipeline/run/curves/model_curve.hpp"
-#include "solver/contact/pair.hpp"
-#include "solver/critical_velocity/critical_velocity.hpp"
-#include "solver/motion/impact.hpp"
-#include "tests/support/checks.hpp"
 
 namespace ashimpact::curves {
 

@@ -2,6 +2,7 @@
 #include "solver/contact/registry.hpp"
 
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -9,8 +10,10 @@
 
 #include "core/quantities/parameter.hpp"
 #include "solver/batch/batch.hpp"
+#include "solver/contact/law_parameters.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/contact/sjkr.hpp"
+#include "solver/contact/static_curve.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/motion/impact.hpp"
 #include "tests/support/checks.hpp"
@@ -83,16 +86,6 @@ TEST_CASE("a law's default detachment is admissible: pull-off for JKR, zero over
 }
 
 // Which detachments end which contacts, why the others do not, and what inputs an impact takes.
-#include <cmath>
-#include <limits>
-#include <string>
-
-#include <doctest/doctest.h>
-
-#include "solver/contact/static_curve.hpp"
-#include "solver/motion/impact.hpp"
-#include "tests/support/checks.hpp"
-#include "tests/support/contact_cases.hpp"
 
 namespace {
 

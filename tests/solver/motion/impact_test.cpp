@@ -9,6 +9,7 @@
 
 #include "materials/contact_properties.hpp"
 #include "solver/motion/scale.hpp"
+#include "solver/motion/scaled_impact.hpp"
 #include "tests/support/checks.hpp"
 #include "tests/support/contact_cases.hpp"
 
@@ -137,13 +138,6 @@ TEST_CASE(
 }
 
 // The regularised equation of motion and its expansion, in the solver's own scaled units.
-#include <cmath>
-
-#include <doctest/doctest.h>
-
-#include "solver/motion/scaled_impact.hpp"
-#include "tests/support/checks.hpp"
-#include "tests/support/contact_cases.hpp"
 
 namespace {
 
