@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <iterator>
 
+#include "materials/contact_properties.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
 #include "tests/oracles/dem/dem_code.hpp"
@@ -105,7 +106,7 @@ std::string formatted(const char (&format)[size], Arguments... arguments) {
 }
 
 std::string parameters(const Impact& impact) {
-    return formatted("| %s | %.3g | %.0f | %.3g | %.3g | %.3g ", impact.law.name().c_str(),
+    return formatted("| %s | %.3g | %.0f | %.3g | %.3g | %.3g ", std::string(impact.law.name()).c_str(),
                      impact.contact.effective_radius * 1e6,
                      impact.contact.mass / sphere_mass(impact.contact.effective_radius, 1),
                      impact.contact.contact_modulus * 1e-9, impact.contact.work_of_adhesion,

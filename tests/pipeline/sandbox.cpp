@@ -80,6 +80,14 @@ Finished ashimpact_program(const Sandbox& sandbox, const std::string& arguments)
     return {WIFEXITED(result) ? WEXITSTATUS(result) : -1, outputs.read("out"), unbroken(printed), printed};
 }
 
+const Finished& put_built_in_run(const Sandbox& sandbox) {
+    static const Sandbox made;
+    static const Finished run = ashimpact_program(made, "run");
+    REQUIRE_MESSAGE(run.status == 0, run.err);
+    std::filesystem::copy(made.folder(), sandbox.folder(), std::filesystem::copy_options::recursive);
+    return run;
+}
+
 std::string check_refused(const Sandbox& sandbox, const std::string& arguments, const std::string& says) {
     CAPTURE(arguments);
     const auto before = sandbox.everything();
@@ -106,6 +114,12 @@ Json example_case() {
 Json example_under(const char* law) {
     Json document = example_case();
     document["laws"] = {law};
+    return document;
+}
+
+Json with_one_sample(Json document, const std::vector<std::string>& laws) {
+    document["laws"] = laws;
+    while (document["samples"].size() > 1) document["samples"].erase(1);
     return document;
 }
 

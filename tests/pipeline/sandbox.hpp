@@ -47,6 +47,10 @@ struct Finished {
 /// Runs the built program in the sandbox, as a newcomer would type it.
 [[nodiscard]] Finished ashimpact_program(const Sandbox& sandbox, const std::string& arguments);
 
+/// Puts folder "results" into the sandbox, what `ashimpact run` leaves of the built-in case: computed once a
+/// test program. @return how that run ended
+const Finished& put_built_in_run(const Sandbox& sandbox);
+
 /// Checks that a command is refused: exit status 2, no output, one line on standard error that contains
 /// @p says, every file as it was. @return that line
 std::string check_refused(const Sandbox& sandbox, const std::string& arguments, const std::string& says);
@@ -74,6 +78,9 @@ struct Containing {
 
 /// The same under one law: fits to measured impacts take their time.
 [[nodiscard]] Json example_under(const char* law);
+
+/// Takes what takes time out of a case: all samples but the first, and laws but these.
+[[nodiscard]] Json with_one_sample(Json document, const std::vector<std::string>& laws);
 
 /// Puts the example's case and the files it names into the sandbox.
 void write_example(const Sandbox& sandbox, const Json& document);

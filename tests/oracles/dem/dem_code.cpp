@@ -14,6 +14,7 @@
 #include <system_error>
 #include <utility>
 
+#include "materials/contact_properties.hpp"
 #include "tests/oracles/dem/program.hpp"
 #include "tests/oracles/time_domain.hpp"
 

@@ -324,8 +324,7 @@ TEST_CASE("run takes the same files, groups, synonyms of own phases, and the por
 
 TEST_CASE("run with nothing given: the paper's samples, a table, the artifacts, deterministic bytes") {
     const Sandbox sandbox;
-    const auto first = ashimpact_program(sandbox, "run");
-    REQUIRE_MESSAGE(first.status == 0, first.err);
+    const auto& first = test::put_built_in_run(sandbox);
     CHECK(first.out == containing("Report this critical velocity"));
     CHECK(first.out == containing("148.13 (148.13)"));
     for (const char* heading : {"E [GPa]", "E* [GPa]", "W_s [fJ]", "v_c, adhesion only", "dynamic v_c",
@@ -358,39 +357,39 @@ TEST_CASE("run with nothing given: the paper's samples, a table, the artifacts, 
 
 TEST_CASE("run --from an edited artifact uses the edit, and gives the same again without one") {
     const Sandbox sandbox;
-    REQUIRE(ashimpact_program(sandbox, "run -o out").status == 0);
+    test::put_built_in_run(sandbox);
     const auto before = sandbox.everything();
     const double velocity = value(
-        sandbox.json("out/comparison.json")["result"]["samples"][0]["dynamic_critical_velocity"]["dmt"]);
+        sandbox.json("results/comparison.json")["result"]["samples"][0]["dynamic_critical_velocity"]["dmt"]);
 
-    const Json unedited = sandbox.json("out/7-critical-velocity.json");
-    REQUIRE(ashimpact_program(sandbox, "run -o out --from fit").status == 0);
-    CHECK(sandbox.json("out/7-critical-velocity.json") == unedited);
+    const Json unedited = sandbox.json("results/7-critical-velocity.json");
+    REQUIRE(ashimpact_program(sandbox, "run --from fit").status == 0);
+    CHECK(sandbox.json("results/7-critical-velocity.json") == unedited);
 
-    Json fit = sandbox.json("out/6-fit.json");
+    Json fit = sandbox.json("results/6-fit.json");
     for (const char* key : {"c", "critical_damping"}) {
         Json& damping = fit["result"]["samples"][0]["dmt"][key];
         damping["value"] = 1.01 * value(damping);
     }
-    sandbox.write("out/6-fit.json", fit.dump());
-    REQUIRE(ashimpact_program(sandbox, "run -o out --from critical-velocity").status == 0);
+    sandbox.write("results/6-fit.json", fit.dump());
+    REQUIRE(ashimpact_program(sandbox, "run --from critical-velocity").status == 0);
     const double edited = value(
-        sandbox.json("out/comparison.json")["result"]["samples"][0]["dynamic_critical_velocity"]["dmt"]);
+        sandbox.json("results/comparison.json")["result"]["samples"][0]["dynamic_critical_velocity"]["dmt"]);
     CHECK(std::log(edited / velocity) / std::log(1.01) ==
           doctest::Approx(3.9).epsilon(0.15));  // d ln v_c/d ln eta
-    CHECK(sandbox.read("out/5-damping.json") == before[6].second);
+    CHECK(sandbox.read("results/5-damping.json") == before[6].second);
 }
 
 TEST_CASE("run --only writes one artifact and the manifest") {
     const Sandbox sandbox;
-    REQUIRE(ashimpact_program(sandbox, "run -o out").status == 0);
+    test::put_built_in_run(sandbox);
     const auto before = sandbox.everything();
-    REQUIRE(ashimpact_program(sandbox, "run -o out --only damping").status == 0);
+    REQUIRE(ashimpact_program(sandbox, "run --only damping").status == 0);
     const auto after = sandbox.everything();
     REQUIRE(before.size() == after.size());
     for (std::size_t i = 0; i < before.size(); ++i)
-        if (before[i].first != "out/manifest.json") CHECK(before[i] == after[i]);
-    const Json manifest = sandbox.json("out/manifest.json");
+        if (before[i].first != "results/manifest.json") CHECK(before[i] == after[i]);
+    const Json manifest = sandbox.json("results/manifest.json");
     for (const auto& artifact : manifest["result"]["artifacts"])
         CHECK(artifact["written_by_this_run"] == (artifact["stage"] == "damping"));
 }
@@ -416,9 +415,8 @@ TEST_CASE("init, run and inspect, as the help says") {
 
 TEST_CASE("inspect shows an artifact with empty texts and refuses a quantity without a unit") {
     const Sandbox sandbox;
-    test::write_example(sandbox, test::example_under("dmt"));
-    REQUIRE(ashimpact_program(sandbox, "run case.json -o out").status == 0);
-    Json contact = sandbox.json("out/2-contact.json");
+    test::put_built_in_run(sandbox);
+    Json contact = sandbox.json("results/2-contact.json");
     contact["provenance"]["options"]["x"] = "";
     contact["result"]["samples"][0]["contact_modulus"] = "";
     sandbox.write("empty.json", contact.dump());
@@ -426,7 +424,7 @@ TEST_CASE("inspect shows an artifact with empty texts and refuses a quantity wit
     CHECK_MESSAGE(shown.status == 0, shown.err);
     CHECK(shown.out == containing("\"\""));
 
-    Json whole = sandbox.json("out/0-case.json");
+    Json whole = sandbox.json("results/0-case.json");
     REQUIRE(whole["result"]["phases"][0].contains("density"));
     whole["result"]["phases"][0]["density"] = {{"value", 2650}, {"unit", nullptr}};
     sandbox.write("unit.json", whole.dump());
@@ -613,7 +611,7 @@ TEST_CASE("calibrate's table says which constants the published values do not fi
 TEST_CASE("the built-in case carries what calibration finds, to its printed digits" *
           doctest::skip(test::sanitized)) {
     const Sandbox sandbox;
-    REQUIRE(ashimpact_program(sandbox, "run -o results").status == 0);
+    test::put_built_in_run(sandbox);
     const Json samples = sandbox.json("results/2-contact.json")["result"]["samples"];
     int compared = 0;
     for (const auto& constant : built_in_calibration()["constants"]) {
@@ -660,7 +658,6 @@ TEST_CASE("calibrate --compare sets hypotheses side by side; a density per size 
     }
     CHECK(preferred == 1);
     CHECK(chosen == least);
-    CHECK(ashimpact_program(sandbox, "calibrate --compare").out == containing("Least AIC: "));
     CHECK(ashimpact_program(sandbox, "calibrate --compare --free density").status == 2);
     REQUIRE(ashimpact_program(sandbox, "init .").status == 0);
     CHECK(ashimpact_program(sandbox, "calibrate --compare case.json").status == 2);  // nothing published
@@ -692,20 +689,21 @@ TEST_CASE("a computation that does not converge is exit 3") {
 
 TEST_CASE("an interrupted run leaves whole results: those before it or its own") {
     const Sandbox sandbox;
-    test::write_example(sandbox, test::example_case());
-    REQUIRE(ashimpact_program(sandbox, "run -o out").status == 0);
+    test::write_example(sandbox, test::example_under("dmt"));
+    test::put_built_in_run(sandbox);
     int interrupted = 0;
     for (int i = 0; i < 16; ++i) {
         const std::string wait = "0." + std::string(i < 8 ? "0" : "") + std::to_string(i < 8 ? i + 2 : 2 * i);
         const std::string which = i % 2 == 0 ? "case.json" : "";
-        const std::string program = "'" ASHIMPACT_PROGRAM "' run " + which + " -o out";
+        const std::string program = "'" ASHIMPACT_PROGRAM "' run " + which + " -o results";
         const std::string shell = fmt::format("cd '{}' && timeout -s TERM {} {} >/dev/null 2>&1",
                                               sandbox.folder().string(), wait, program);
         interrupted += std::system(shell.c_str()) == 0 ? 0 : 1;
-        const Json manifest = sandbox.json("out/manifest.json");
+        const Json manifest = sandbox.json("results/manifest.json");
         REQUIRE(manifest["result"]["artifacts"].size() == 10);
         for (const auto& artifact : manifest["result"]["artifacts"])
-            CHECK(artifact["sha256"] == sha256(sandbox.read("out/" + artifact["file"].get<std::string>())));
+            CHECK(artifact["sha256"] ==
+                  sha256(sandbox.read("results/" + artifact["file"].get<std::string>())));
         for (const auto& [name, content] : sandbox.everything()) CHECK(name != containing(".tmp"));
     }
     CHECK(interrupted > 0);

@@ -16,10 +16,7 @@ using test::Sandbox;
 namespace {
 
 Json quick_case() {
-    Json document = test::example_case();
-    while (document["samples"].size() > 1) document["samples"].erase(1);
-    document["laws"] = {"hertz"};
-    return document;
+    return test::with_one_sample(test::example_case(), {"hertz"});
 }
 
 void run_case(const Sandbox& sandbox, const Json& document, const std::string& folder) {

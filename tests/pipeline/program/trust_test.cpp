@@ -30,9 +30,8 @@ std::size_t count_of(const std::string& piece, const std::string& text) {
 /// The report of the example whose case and first sample have this name.
 std::string report_with_name(const std::string& name) {
     const Sandbox sandbox;
-    Json document = test::example_case();
+    Json document = test::with_one_sample(test::example_case(), {"hertz", "jkr"});
     document["name"] = name;
-    document["laws"] = {"hertz", "jkr"};
     document["samples"][0]["name"] = name;
     test::write_example(sandbox, document);
     const auto run = ashimpact_program(sandbox, "run case.json -o out");
@@ -55,8 +54,8 @@ TEST_CASE("names of a case are text in the report, not HTML, SVG or script") {
 
 TEST_CASE("no environment variable and no locale changes a byte of an artifact, a report or of --json") {
     const Sandbox sandbox;
-    Json document = test::example_case();
-    document["laws"] = {"hertz", "jkr"};
+    Json document = test::with_one_sample(test::example_case(), {"hertz", "jkr"});
+    document["samples"][0]["density"] = {{"value", 2300}, {"unit", "kg/m3"}, {"standard_uncertainty", 30}};
     test::write_example(sandbox, document);
     const auto under = [&](const std::string& environment, const std::string& folder) {
         const std::string program = environment + " '" ASHIMPACT_PROGRAM "' ";
@@ -117,7 +116,7 @@ TEST_CASE("a folder that cannot be written is refused before the first stage") {
 
 TEST_CASE("names with control characters do not reach the terminal raw") {
     const Sandbox sandbox;
-    Json document = test::example_under("dmt");
+    Json document = test::with_one_sample(test::example_case(), {"dmt"});
     document["samples"][0]["name"] = "fine\x1b[31m";
     document["samples"][0]["composition"]["xrd_sample"] = "fine";
     test::write_example(sandbox, document);
@@ -166,6 +165,8 @@ TEST_CASE("what init says can be typed as it stands, and so can the examples of 
     const std::string program = "/ashimpact ";
     const auto at = init.out.rfind(program);
     REQUIRE(at != std::string::npos);
+    const Json quick = test::with_one_sample(sandbox.json("my case/case.json"), {"hertz"});
+    sandbox.write("my case/case.json", quick.dump());
     CHECK(ashimpact_program(sandbox, init.out.substr(at + program.size())).status == 0);
     CHECK(sandbox.has("my case/results/comparison.json"));
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <doctest/doctest.h>
 
+#include "core/embedded.hpp"
 #include "pipeline/present/text/layout.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/support/checks.hpp"
@@ -16,16 +17,28 @@ constexpr auto particle_and_wall =
     " --diameter '88 um' --density '2300 kg/m3' --contact-modulus '90 GPa' --work-of-adhesion '0.3 J/m2'";
 
 /// Every line of both outputs fits, unless it is one long word, such as a path.
-void check_fits(const Sandbox& sandbox, const std::string& arguments, int status = 0) {
-    CAPTURE(arguments);
-    const Finished finished = ashimpact_program(sandbox, arguments);
-    REQUIRE_MESSAGE(finished.status == status, finished.err);
+void check_fits(const Finished& finished) {
+    REQUIRE_MESSAGE(finished.status == 0, finished.err);
     CHECK(finished.out.size() + finished.err.size() > 0);
     for (const std::string* text : {&finished.out, &finished.printed})
         for (const std::string& line : test::lines_of(*text)) {
             const bool one_word = line.find(' ', line.find_first_not_of(' ')) == std::string::npos;
             if (!one_word) CHECK_MESSAGE(width_of(line) <= piped_width, line);
         }
+}
+
+void check_fits(const Sandbox& sandbox, const std::string& arguments) {
+    CAPTURE(arguments);
+    check_fits(ashimpact_program(sandbox, arguments));
+}
+
+/// Does so with `inspect` of every artifact in a folder.
+void check_inspect_fits(const Sandbox& sandbox, const std::string& folder) {
+    for (const char* artifact :
+         {"0-case", "1-modulus", "2-contact", "3-analytic", "4-restitution", "5-damping", "6-fit",
+          "7-critical-velocity", "8-histories", "comparison", "manifest"})
+        for (const char* options : {"", " -v", " --all", " -v --all"})
+            check_fits(sandbox, "inspect " + folder + "/" + artifact + ".json" + options);
 }
 
 /// The commands that `ashimpact --help` lists.
@@ -60,15 +73,18 @@ TEST_CASE("descriptions in help keep their column, also behind a name that fills
 // What is printed does not depend on the build, and all commands together take minutes with sanitizers.
 TEST_CASE("no output on the built-in case is wider than 80 columns" * doctest::skip(test::sanitized)) {
     const Sandbox sandbox;
+    check_fits(test::put_built_in_run(sandbox));
     for (const char* command :
-         {"run", "run -v", "run --from fit", "calibrate", "calibrate --compare", "cross-check", "phases",
-          "phases mullite", "schema", "figure restitution results -o r.svg", "report results -o b.html"})
+         {"run -v", "run --from fit", "calibrate", "cross-check", "phases", "phases mullite", "schema",
+          "figure restitution results -o r.svg", "report results -o b.html"})
         check_fits(sandbox, command);
-    for (const char* artifact :
-         {"0-case", "1-modulus", "2-contact", "3-analytic", "4-restitution", "5-damping", "6-fit",
-          "7-critical-velocity", "8-histories", "comparison", "manifest"})
-        for (const char* options : {"", " -v", " --all", " -v --all"})
-            check_fits(sandbox, std::string("inspect results/") + artifact + ".json" + options);
+    Json two_sizes = parse_json(embedded_file("cases/dong2013/case.json").value());
+    two_sizes["samples"].erase(2);
+    sandbox.write("two.json", two_sizes.dump());
+    const Finished compared = ashimpact_program(sandbox, "calibrate --compare two.json");
+    check_fits(compared);
+    CHECK(compared.out == test::containing("Least AIC: "));
+    check_inspect_fits(sandbox, "results");
     check_fits(sandbox, "report results -o a.html");
 }
 
@@ -77,11 +93,7 @@ TEST_CASE("no output on the case of init is wider than 80 columns" * doctest::sk
     for (const std::string command : {"init mine", "run mine/case.json -o r", "run -o r --only comparison",
                                       "modulus mine/ash.csv --amorphous-fraction '42 +- 2 %'"})
         check_fits(sandbox, command);
-    for (const char* artifact :
-         {"0-case", "1-modulus", "2-contact", "3-analytic", "4-restitution", "5-damping", "6-fit",
-          "7-critical-velocity", "8-histories", "comparison", "manifest"})
-        for (const char* options : {"", " -v", " --all", " -v --all"})
-            check_fits(sandbox, std::string("inspect r/") + artifact + ".json" + options);
+    check_inspect_fits(sandbox, "r");
     for (const char* law :
          {"hertz", "dmt", "brach-dunn", "jkr", "thornton-ning --yield-pressure '5 GPa'",
           "sjkr --cohesion-energy-density '1e6 J/m3'", "maugis-dugdale --cohesion-range '0.4 nm'",

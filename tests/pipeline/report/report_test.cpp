@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -32,13 +33,8 @@ constexpr const char* figures_of_a_run[] = {
 
 const Sandbox& paper() {
     static const Sandbox sandbox;
-    static const bool done = [] {
-        const auto run = ashimpact_program(sandbox, "run -o results");
-        REQUIRE(run.status == 0);
-        REQUIRE(test::lines_of(run.out).back() == "Report: results/report.html");
-        return true;
-    }();
-    static_cast<void>(done);
+    static const auto& run = test::put_built_in_run(sandbox);
+    REQUIRE(test::lines_of(run.out).back() == "Report: results/report.html");
     return sandbox;
 }
 
@@ -230,7 +226,7 @@ TEST_CASE("the pictures of the README show what the program makes now; ./dev pic
 
 TEST_CASE("a run without figures takes those of the run before away, and no figure of somebody else") {
     const Sandbox sandbox;
-    REQUIRE(ashimpact_program(sandbox, "run -o results").status == 0);
+    test::put_built_in_run(sandbox);
     const auto figure = [&](const std::string& name) {
         REQUIRE(ashimpact_program(sandbox, "figure energy results -o results/figures/" + name).status == 0);
     };
@@ -250,7 +246,7 @@ TEST_CASE("a run without figures takes those of the run before away, and no figu
 
 TEST_CASE("--no-report removes the report of the run before, a part of a run makes it again") {
     const Sandbox sandbox;
-    REQUIRE(ashimpact_program(sandbox, "run -o results").status == 0);
+    test::put_built_in_run(sandbox);
     REQUIRE(sandbox.has("results/report.html"));
     const auto without = ashimpact_program(sandbox, "run -o results --no-report");
     CHECK(without.status == 0);
@@ -267,24 +263,20 @@ TEST_CASE("--no-report removes the report of the run before, a part of a run mak
 
 TEST_CASE("measured impacts: the history at capture has the damping of its critical velocity") {
     const Sandbox sandbox;
-    REQUIRE(ashimpact_program(sandbox, "init case").status == 0);
-    REQUIRE(ashimpact_program(sandbox, "run case/case.json -o results").status == 0);
+    constexpr std::array laws{"hertz", "dmt", "brach-dunn", "jkr"};
+    test::write_example(sandbox, test::with_one_sample(test::example_case(), {laws.begin(), laws.end()}));
+    REQUIRE(ashimpact_program(sandbox, "run case.json -o results").status == 0);
     const Json velocities = sandbox.json("results/7-critical-velocity.json").at("result").at("samples");
     const Json histories = sandbox.json("results/8-histories.json").at("result").at("samples");
-    REQUIRE(velocities.size() == 2);
-    std::size_t looked_at = 0;
-    for (std::size_t i = 0; i < velocities.size(); ++i)
-        for (const char* law : {"hertz", "dmt", "brach-dunn", "jkr"}) {
-            CAPTURE(law);
-            const Json& velocity = velocities[i].at(law);
-            const Json& history = histories[i].at(law).at(0);
-            CHECK(history.at("part") == "critical");
-            CHECK(history.at("damping").at("value") == velocity.at("damping").at("value"));
-            CHECK(history.at("outcome") == "rebound");  // just above its critical velocity
-            CHECK(history.at("restitution").at("value").get<double>() < 0.1);
-            ++looked_at;
-        }
-    CHECK(looked_at == 8);
+    for (const char* law : laws) {
+        CAPTURE(law);
+        const Json& velocity = velocities.at(0).at(law);
+        const Json& history = histories.at(0).at(law).at(0);
+        CHECK(history.at("part") == "critical");
+        CHECK(history.at("damping").at("value") == velocity.at("damping").at("value"));
+        CHECK(history.at("outcome") == "rebound");  // just above its critical velocity
+        CHECK(history.at("restitution").at("value").get<double>() < 0.1);
+    }
     const std::string page = sandbox.read("results/report.html");
     CHECK(page.find("the indices are those of the extrapolated v<sub>c</sub>") != std::string::npos);
 

@@ -72,9 +72,9 @@ TEST_CASE("any number of threads and ranks leaves the same bytes, of tables and 
     for (const double samples : {test::many_samples, test::many_samples / 10}) {
         CAPTURE(samples);
         const auto one = left_by(with_threads(1), samples);
-        CHECK(one == left_by(with_threads(2), samples));
         CHECK(one == left_by(with_threads(5), samples));
-        for (const int ranks : {1, 2, 3, 4}) {
+        const bool many = samples == test::many_samples;
+        for (const int ranks : many ? std::vector{2} : std::vector{1, 3, 4}) {
             CAPTURE(ranks);
             CHECK(one == left_by(test::under_mpi(ranks, with_threads(ranks == 2 ? 2 : 1)), samples));
         }
