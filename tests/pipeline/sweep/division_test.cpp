@@ -9,7 +9,7 @@
 #include "pipeline/app/sweep/block.hpp"
 #include "pipeline/app/sweep/bytes.hpp"
 #include "pipeline/app/sweep/workers.hpp"
-#include "tests/pipeline/sweep/process.hpp"
+#include "tests/pipeline/sandbox.hpp"
 #include "tests/pipeline/sweep/specs.hpp"
 
 using namespace ashimpact;

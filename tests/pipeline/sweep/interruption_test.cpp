@@ -8,7 +8,7 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/pipeline/sweep/process.hpp"
+#include "tests/pipeline/sandbox.hpp"
 #include "tests/pipeline/sweep/specs.hpp"
 
 using namespace ashimpact;

@@ -8,7 +8,7 @@
 #include "materials/contact_properties.hpp"
 #include "pipeline/app/sweep/bytes.hpp"
 #include "solver/motion/impact.hpp"
-#include "tests/pipeline/sweep/process.hpp"
+#include "tests/pipeline/sandbox.hpp"
 #include "tests/pipeline/sweep/specs.hpp"
 #include "tests/support/checks.hpp"
 

@@ -9,7 +9,7 @@
 #include "pipeline/app/sweep/sweep.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/schema.hpp"
-#include "tests/pipeline/sweep/process.hpp"
+#include "tests/pipeline/sandbox.hpp"
 #include "tests/pipeline/sweep/specs.hpp"
 
 using namespace ashimpact;

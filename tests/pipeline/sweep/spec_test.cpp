@@ -8,7 +8,7 @@
 #include "core/text/error.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/pair.hpp"
-#include "tests/pipeline/sweep/process.hpp"
+#include "tests/pipeline/sandbox.hpp"
 #include "tests/pipeline/sweep/specs.hpp"
 
 using namespace ashimpact;

@@ -15,7 +15,6 @@
 #include <sys/stat.h>
 
 #include "tests/pipeline/sandbox.hpp"
-#include "tests/pipeline/sweep/process.hpp"
 
 using namespace ashimpact;
 using test::containing;
@@ -38,9 +37,7 @@ const std::vector<std::string>& command() {
 }
 
 Json small_case(double velocity) {
-    Json document = test::example_case();
-    while (document["samples"].size() > 1) document["samples"].erase(1);
-    document["laws"] = {"hertz"};
+    Json document = test::with_one_sample(test::example_case(), {"hertz"});
     document["samples"][0]["measured_critical_velocity"] = velocity;
     return document;
 }
