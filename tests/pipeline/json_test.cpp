@@ -13,24 +13,14 @@
 #include "pipeline/files/schema.hpp"
 #include "pipeline/run/results/critical_velocity.hpp"
 #include "tests/pipeline/sandbox.hpp"
+#include "tests/support/checks.hpp"
 
 using namespace ashimpact;
 
 namespace {
 
-/// The message of the error that @p action throws; empty if it throws none.
-template <class Action>
-std::string message_of(Action&& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return {};
-}
-
 std::string parse_message(const std::string& text) {
-    return message_of([&] { static_cast<void>(parse_json(text)); });
+    return test::input_error_of([&] { return parse_json(text); });
 }
 
 }  // namespace
@@ -55,7 +45,7 @@ TEST_CASE("a key that is there twice is found at any depth, a comment may repeat
 TEST_CASE("a NUL is refused where it stands; a message quotes no endless piece and no endless key") {
     CHECK(parse_message(R"({"a": ["b", "c\u0000d"]})") ==
           "/a/1: holds a NUL character; allowed: a text without it");
-    CHECK(parse_message(R"({"a\u0000": 1})").find("holds a NUL character") != std::string::npos);
+    CHECK(parse_message(R"({"a\u0000": 1})") == test::containing("holds a NUL character"));
     CHECK(parse_message("{\"a\": \"" + std::string(100'000, 'b') + "\xff\"}").size() < 400);
     CHECK(InputError("unknown key").at("/samples/0/" + std::string(100'000, 'k')).place().size() < 200);
     CHECK(InputError("is wrong").at("/samples/0/" + std::string(50, 'k')).place() ==
@@ -86,7 +76,7 @@ TEST_CASE("what is written reads back as the same document, short things on one 
         R"({"name": "é\n\"x\"", "q": {"value": 4.4e-05, "unit": "m"}, "none": null, "yes": true, "n": 9,
             "list": [], "object": {}, "mixed": [1, [2, 3], {"a": "b"}]})");
     CHECK(parse_json(write_json(document)) == document);
-    CHECK(write_json(document).find("\"q\": {\"value\": 4.4e-05, \"unit\": \"m\"}") != std::string::npos);
+    CHECK(write_json(document) == test::containing("\"q\": {\"value\": 4.4e-05, \"unit\": \"m\"}"));
 
     Json column;
     for (int i = 0; i < 300; ++i) column["values"].push_back(i / 7.0);
@@ -114,14 +104,12 @@ TEST_CASE("a view says where it is when it is wrong") {
     CHECK(elements[0].at("m").number(Dimension::mass) == 3.0);
     CHECK(elements[2].at("m").number(Dimension::mass) == doctest::Approx(1e-3));
     CHECK(view.at("v").column(Dimension::velocity) == std::vector<double>{1e-3, 2e-3});
-    CHECK(message_of([&] {
-              static_cast<void>(elements[1].at("m").number(Dimension::mass));
+    CHECK(test::input_error_of([&] {
+              return elements[1].at("m").number(Dimension::mass);
           }).starts_with("/a~1b/1/m: the unit \"GPa\""));
-    CHECK(message_of([&] { static_cast<void>(view.at("w")); }).starts_with("\"w\" is missing"));
-    CHECK(
-        message_of([&] { static_cast<void>(elements[0].at("n")); }).starts_with("/a~1b/0: \"n\" is missing"));
-    CHECK(
-        message_of([&] { static_cast<void>(view.at("v").at("values").text()); }).starts_with("/v/values: "));
+    CHECK(test::input_error_of([&] { return view.at("w"); }).starts_with("\"w\" is missing"));
+    CHECK(test::input_error_of([&] { return elements[0].at("n"); }).starts_with("/a~1b/0: \"n\" is missing"));
+    CHECK(test::input_error_of([&] { return view.at("v").at("values").text(); }).starts_with("/v/values: "));
 }
 
 TEST_CASE("every schema is complete in itself and lists what the program knows") {
@@ -135,7 +123,7 @@ TEST_CASE("every schema is complete in itself and lists what the program knows")
 
 TEST_CASE("a violation is told by pointer, what is wrong and what is allowed") {
     const auto message = [](const std::string& text) {
-        return message_of([&] { validate_document(parse_json(text), "case"); });
+        return test::input_error_of([&] { validate_document(parse_json(text), "case"); });
     };
     CHECK(message(R"({"name": "x"})")
               .starts_with("/: \"samples\" is missing; allowed: a list of at least one sample"));
@@ -165,15 +153,15 @@ TEST_CASE("a violation is told by pointer, what is wrong and what is allowed") {
                   .starts_with("/samples/0/radius: unknown key, the size of a sphere is its diameter here; "
                                "allowed: \"diameter\": \"88 um\" in place of \"radius\": \"44 um\""));
     CHECK(
-        message_of([] {
+        test::input_error_of([] {
             validate_document(parse_json(R"({"impact": {"laws": ["dmt"], "diameter": "88 um"}})"), "sweep");
         }).starts_with("/impact/diameter: unknown key, the size of a sphere is its radius here; allowed: "));
     CHECK(message(R"({"name": "x", "samples": [{"name": "a", "diameter": 1, "composition": {}}]})").empty());
 }
 
 TEST_CASE("an unknown schema is refused with the names there are") {
-    CHECK(message_of([] { static_cast<void>(schema_named("cases")); }).find("allowed: 0-case, ") !=
-          std::string::npos);
+    CHECK(test::input_error_of([] { return schema_named("cases"); }) ==
+          test::containing("allowed: 0-case, "));
 }
 
 TEST_CASE(
@@ -249,16 +237,11 @@ TEST_CASE("a symbolic link stays one, and a device stays a device") {
 TEST_CASE("a file that cannot be read is named with the reason") {
     const Sandbox sandbox;
     const auto message = [](const std::string& path) {
-        try {
-            static_cast<void>(read_file(path));
-        } catch (const InputError& error) {
-            return std::string(error.what());
-        }
-        return std::string{};
+        return test::input_error_of([&] { return read_file(path); });
     };
     CHECK(message(sandbox.path("none")) ==
           sandbox.path("none") + ": cannot be read: No such file or directory; allowed: a file");
-    CHECK(message(sandbox.folder().string()).find("it is a folder") != std::string::npos);
+    CHECK(message(sandbox.folder().string()) == test::containing("it is a folder"));
 }
 
 TEST_CASE("a file without an end is refused, not read until the memory is full") {

@@ -17,7 +17,7 @@ namespace ashimpact::test {
     return std::abs(a - b) / std::max(std::abs(a), std::abs(b));
 }
 
-/// The message of the InputError that @p action throws; "no InputError" if it throws none.
+/// The message of the InputError that @p action throws; empty if it throws none.
 template <class Action>
 [[nodiscard]] std::string input_error_of(Action&& action) {
     try {
@@ -25,7 +25,7 @@ template <class Action>
     } catch (const InputError& error) {
         return error.what();
     }
-    return "no InputError";
+    return {};
 }
 
 /// Whether @p text contains @p part.

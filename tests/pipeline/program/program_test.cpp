@@ -398,7 +398,7 @@ TEST_CASE("init, run and inspect, as the help says") {
     const Sandbox sandbox;
     REQUIRE(ashimpact_program(sandbox, "init my-case").status == 0);
     CHECK(ashimpact_program(sandbox, "init my-case").status == 2);
-    CHECK(sandbox.read("my-case/case.json").find("\n  // A case of ashimpact. ") != std::string::npos);
+    CHECK(sandbox.read("my-case/case.json") == containing("\n  // A case of ashimpact. "));
     const auto run = ashimpact_program(sandbox, "run my-case/case.json -o my-case/results");
     REQUIRE_MESSAGE(run.status == 0, run.err);
     for (const char* file : {"0-case", "1-modulus", "2-contact", "3-analytic", "4-restitution", "5-damping",

@@ -67,7 +67,7 @@ TEST_CASE("no help is wider than 80 columns") {
 TEST_CASE("descriptions in help keep their column, also behind a name that fills it") {
     const Sandbox sandbox;
     const std::string help = ashimpact_program(sandbox, "impact --help").out;
-    CHECK(help.find("\n" + std::string(30, ' ') + "MJ/m3\", for sjkr\n") != std::string::npos);
+    CHECK(help == test::containing("\n" + std::string(30, ' ') + "MJ/m3\", for sjkr\n"));
 }
 
 // What is printed does not depend on the build, and all commands together take minutes with sanitizers.

@@ -85,12 +85,12 @@ TEST_CASE("a run ends with a report that holds every figure, asks for nothing an
     CHECK(page.size() < 1'000'000);
     for (const char* id : figures_of_a_run) {
         CAPTURE(id);
-        CHECK(page.find("<figure id=\"" + std::string(id) + "\">") != std::string::npos);
+        CHECK(page == test::containing("<figure id=\"" + std::string(id) + "\">"));
     }
     for (const char* foreign :
          {"http://", "https://", "<img", "<iframe", " style=", " onclick=", "@import", "url("}) {
         CAPTURE(foreign);
-        CHECK(page.find(foreign) == std::string::npos);
+        CHECK(page != test::containing(foreign));
     }
     CHECK_FALSE(std::regex_search(page, std::regex(R"(\bnan\b)")));
     std::set<std::string> ids;
@@ -120,10 +120,9 @@ TEST_CASE("the content security policy lets the page's own style and script thro
     const std::string page = paper().read("results/report.html");
     const std::string policy = between(page, "Content-Security-Policy\" content=\"", "\"");
     CHECK(policy.starts_with("default-src 'none'"));
-    CHECK(policy.find("unsafe") == std::string::npos);
-    CHECK(policy.find("style-src " + policy_hash(between(page, "<style>", "</style>"))) != std::string::npos);
-    CHECK(policy.find("script-src " + policy_hash(between(page, "<script>", "</script>"))) !=
-          std::string::npos);
+    CHECK(policy != test::containing("unsafe"));
+    CHECK(policy == test::containing("style-src " + policy_hash(between(page, "<style>", "</style>"))));
+    CHECK(policy == test::containing("script-src " + policy_hash(between(page, "<script>", "</script>"))));
 }
 
 TEST_CASE("`report` makes the same bytes again from the artifacts alone") {
@@ -131,8 +130,8 @@ TEST_CASE("`report` makes the same bytes again from the artifacts alone") {
     REQUIRE(ashimpact_program(paper(), "report results -o again.html").status == 0);
     CHECK(paper().read("again.html") == first);
     REQUIRE(ashimpact_program(paper(), "report results results -o both.html").status == 0);
-    CHECK(paper().read("both.html").find("the runs have the same inputs") != std::string::npos);
-    CHECK(paper().read("both.html").find("<figure id=\"restitution-2\">") != std::string::npos);
+    CHECK(paper().read("both.html") == test::containing("the runs have the same inputs"));
+    CHECK(paper().read("both.html") == test::containing("<figure id=\"restitution-2\">"));
 }
 
 TEST_CASE("the numbers of a figure are those of the artifact") {
@@ -207,7 +206,7 @@ TEST_CASE("the page's answer is the velocity that the summary of the run names")
                         reported.at("interval").at("upper").at("value").get<double>(),
                         report::display_name(reported.at("law").get<std::string>()));
         CAPTURE(velocity);
-        CHECK(page.find(velocity) != std::string::npos);
+        CHECK(page == test::containing(velocity));
     }
 }
 
@@ -236,12 +235,12 @@ TEST_CASE("a run without figures takes those of the run before away, and no figu
     sandbox.write("results/figures/damping.pdf", "mine");
     const auto again = ashimpact_program(sandbox, "run -o results");
     CHECK(again.status == 0);
-    CHECK(again.err.find("results/figures: 2 figures of an earlier run removed") != std::string::npos);
+    CHECK(again.err == test::containing("results/figures: 2 figures of an earlier run removed"));
     CHECK_FALSE(sandbox.has("results/figures/energy.svg"));
     CHECK_FALSE(sandbox.has("results/figures/energy.pdf"));
     CHECK(sandbox.has("results/figures/damping.svg"));
     CHECK(sandbox.has("results/figures/damping.pdf"));
-    CHECK(ashimpact_program(sandbox, "run -o results").err.find("figures") == std::string::npos);
+    CHECK(ashimpact_program(sandbox, "run -o results").err != test::containing("figures"));
 }
 
 TEST_CASE("--no-report removes the report of the run before, a part of a run makes it again") {
@@ -250,7 +249,7 @@ TEST_CASE("--no-report removes the report of the run before, a part of a run mak
     REQUIRE(sandbox.has("results/report.html"));
     const auto without = ashimpact_program(sandbox, "run -o results --no-report");
     CHECK(without.status == 0);
-    CHECK(without.out.find("report.html") == std::string::npos);
+    CHECK(without.out != test::containing("report.html"));
     CHECK_FALSE(sandbox.has("results/report.html"));
     const auto part = ashimpact_program(sandbox, "run -o results --from comparison");
     CHECK(part.status == 0);
@@ -278,16 +277,16 @@ TEST_CASE("measured impacts: the history at capture has the damping of its criti
         CHECK(history.at("restitution").at("value").get<double>() < 0.1);
     }
     const std::string page = sandbox.read("results/report.html");
-    CHECK(page.find("the indices are those of the extrapolated v<sub>c</sub>") != std::string::npos);
+    CHECK(page == test::containing("the indices are those of the extrapolated v<sub>c</sub>"));
 
     const auto columns = [](const std::string& html) {
         return between(html, "<th scope=\"col\">sample</th>", "</tr>");
     };
-    CHECK(columns(page).find("measured (95&nbsp;%)") != std::string::npos);
-    CHECK(columns(page).find("published") == std::string::npos);  // nothing was
+    CHECK(columns(page) == test::containing("measured (95&nbsp;%)"));
+    CHECK(columns(page) != test::containing("published"));  // nothing was
     const std::string paper_page = paper().read("results/report.html");
-    CHECK(paper_page.find(">1.92<br>(1.91 to 1.93)<") != std::string::npos);
-    CHECK(columns(paper().read("results/report.html")).find("published") != std::string::npos);
+    CHECK(paper_page == test::containing(">1.92<br>(1.91 to 1.93)<"));
+    CHECK(columns(paper().read("results/report.html")) == test::containing("published"));
 }
 
 TEST_CASE("a sweep ends with its report, which `report` makes again") {
@@ -300,7 +299,7 @@ TEST_CASE("a sweep ends with its report, which `report` makes again") {
     CHECK(test::lines_of(sweep.out).back() == "Report: sweep.html");
     const std::string page = sandbox.read("sweep.html");
     for (const char* id : {"capture", "histogram", "sensitivity"})
-        CHECK(page.find("<figure id=\"" + std::string(id) + "\">") != std::string::npos);
+        CHECK(page == test::containing("<figure id=\"" + std::string(id) + "\">"));
     REQUIRE(ashimpact_program(sandbox, "report sweep.json -o again.html").status == 0);
     CHECK(sandbox.read("again.html") == page);
     REQUIRE(ashimpact_program(sandbox, "sweep spec.json -o sweep.json --no-report").status == 0);
@@ -308,7 +307,7 @@ TEST_CASE("a sweep ends with its report, which `report` makes again") {
     sandbox.write("sweep.html", "<p>mine</p>");
     const auto refused = ashimpact_program(sandbox, "sweep spec.json -o sweep.json");
     CHECK(refused.status == 2);
-    CHECK(refused.err.find("sweep.html") != std::string::npos);
+    CHECK(refused.err == test::containing("sweep.html"));
     CHECK(sandbox.read("sweep.html") == "<p>mine</p>");
     CHECK(ashimpact_program(sandbox, "sweep spec.json -o result.html").status == 2);
 }
@@ -316,8 +315,8 @@ TEST_CASE("a sweep ends with its report, which `report` makes again") {
 TEST_CASE("warnings that differ in their numbers alone come out once, with the range of these") {
     const std::string page = paper().read("results/report.html");
     const std::string warnings = between(page, "<h2 id=\"warnings\">", "</section>");
-    CHECK(warnings.find("Tabor parameter 1.98 to 2.02 is between DMT (&lt; 0.1) and JKR (&gt; 5)") !=
-          std::string::npos);
+    CHECK(warnings ==
+          test::containing("Tabor parameter 1.98 to 2.02 is between DMT (&lt; 0.1) and JKR (&gt; 5)"));
 }
 
 TEST_CASE("what cannot be drawn is refused in one line") {
@@ -327,7 +326,7 @@ TEST_CASE("what cannot be drawn is refused in one line") {
         CAPTURE(run.err);
         CHECK(run.status == 2);
         CHECK(test::lines_of(run.err).size() == 1);
-        CHECK(run.err.find(part) != std::string::npos);
+        CHECK(run.err == test::containing(part));
         CHECK(run.out.empty());
     };
     refused("figure restitutoin results -o x.svg", "did you mean \"restitution\"?");
@@ -343,9 +342,9 @@ TEST_CASE("a figure as SVG, PDF and PNG, for one column and for two") {
             0);
     REQUIRE(ashimpact_program(paper(), "figure restitution results --width single -o narrow.svg").status ==
             0);
-    CHECK(paper().read("wide.svg").find("width=\"170mm\"") != std::string::npos);
-    CHECK(paper().read("narrow.svg").find("width=\"85mm\"") != std::string::npos);
-    CHECK(paper().read("wide.svg").find("var(") == std::string::npos);  // which converters do not know
+    CHECK(paper().read("wide.svg") == test::containing("width=\"170mm\""));
+    CHECK(paper().read("narrow.svg") == test::containing("width=\"85mm\""));
+    CHECK(paper().read("wide.svg") != test::containing("var("));  // which converters do not know
     const auto pdf = ashimpact_program(paper(), "figure restitution results -o figure.pdf");
     if (pdf.status == 2 && pdf.err.find("librsvg2-bin") != std::string::npos) {
         MESSAGE("SKIPPED: no rsvg-convert, so no PDF and no PNG");
@@ -355,7 +354,7 @@ TEST_CASE("a figure as SVG, PDF and PNG, for one column and for two") {
     REQUIRE(pdf.status == 0);
     const std::string bytes = paper().read("figure.pdf");
     CHECK(bytes.starts_with("%PDF"));
-    CHECK(bytes.find("/Subtype /Image") == std::string::npos);  // vector
+    CHECK(bytes != test::containing("/Subtype /Image"));  // vector
     REQUIRE(ashimpact_program(paper(), "figure restitution results -o again.pdf").status == 0);
     CHECK(paper().read("again.pdf") == bytes);
     REQUIRE(ashimpact_program(paper(), "figure restitution results -o figure.png").status == 0);

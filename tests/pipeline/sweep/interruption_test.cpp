@@ -55,7 +55,7 @@ void check_goes_on(const Sandbox& sandbox) {
     const Ended ended = test::run(sandbox, watched_sweep);
     CAPTURE(ended.err);
     CHECK(ended.status == 0);
-    CHECK(ended.err.find("out.json.checkpoint: going on from chunk ") != std::string::npos);
+    CHECK(ended.err == test::containing("out.json.checkpoint: going on from chunk "));
     CHECK(sandbox.everything() == undisturbed());
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("sweeps into one file exclude each other, from the checkpoint they rea
             CAPTURE(ended.err);
             if (ended.status == 0) continue;
             CHECK(ended.status == 2);
-            CHECK(ended.err.find("another sweep writes here") != std::string::npos);
+            CHECK(ended.err == test::containing("another sweep writes here"));
             ++refused;
         }
         CAPTURE(round);
@@ -277,7 +277,7 @@ TEST_CASE("a checkpoint of another sweep, or a damaged one, is not touched unles
         const auto before = sandbox.everything();
         const Ended ended = test::run(sandbox, watched_sweep);
         CHECK(ended.status == 2);
-        CHECK(ended.err.find(says) != std::string::npos);
+        CHECK(ended.err == test::containing(says));
         CHECK(test::lines_of(ended.err).size() == 1);
         CHECK(sandbox.everything() == before);
     };
@@ -382,7 +382,7 @@ TEST_CASE("a disk that is full at any moment is said in one line; no signal, not
         if (ended.status == 0) continue;
         ++refused;
         CHECK(ended.status == 2);
-        CHECK(ended.err.find("cannot be written") != std::string::npos);
+        CHECK(ended.err == test::containing("cannot be written"));
         CHECK_FALSE(sandbox.has("out.h5"));
         CHECK(test::run(sandbox, watched_sweep).status == 0);
         CHECK(sandbox.everything() == whole.everything());
@@ -397,7 +397,7 @@ TEST_CASE("two sweeps do not write one table") {
     await_checkpoint(sandbox);
     const Ended second = test::run(sandbox, watched_sweep);
     CHECK(second.status == 2);
-    CHECK(second.err.find("another sweep writes here") != std::string::npos);
+    CHECK(second.err == test::containing("another sweep writes here"));
     CHECK(first.wait().status == 0);
     CHECK(sandbox.everything() == undisturbed());
 }

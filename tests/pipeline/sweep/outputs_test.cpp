@@ -45,7 +45,7 @@ void check_refused(const Sandbox& sandbox, const std::string& spec, const std::s
         CHECK(ended.status == 2);
         CHECK(ended.out.empty());
         CHECK(test::lines_of(ended.err).size() == 1);
-        CHECK(ended.err.find(says) != std::string::npos);
+        CHECK(ended.err == test::containing(says));
         CHECK(sandbox.everything() == before);
     }
 }

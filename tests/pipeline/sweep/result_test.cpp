@@ -130,7 +130,7 @@ TEST_CASE("the program's own artifact is what its schema says, and inspect shows
     CHECK_NOTHROW(validate_document(sandbox.json("out.json"), "sweep-result"));
     const test::Ended inspected = test::run(sandbox, {ASHIMPACT_PROGRAM, "inspect", "out.json"});
     CHECK(inspected.status == 0);
-    CHECK(inspected.out.find("sensitivity") != std::string::npos);
+    CHECK(inspected.out == test::containing("sensitivity"));
 }
 
 TEST_CASE("the example of the help text is a sweep that runs") {

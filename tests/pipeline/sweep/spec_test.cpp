@@ -10,6 +10,7 @@
 #include "solver/contact/pair.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/pipeline/sweep/specs.hpp"
+#include "tests/support/checks.hpp"
 
 using namespace ashimpact;
 using test::full_spec;
@@ -18,12 +19,7 @@ using test::least_spec;
 namespace {
 
 std::string refusal(const Json& spec) {
-    try {
-        static_cast<void>(read_sweep_spec(spec.dump()));
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return {};
+    return test::input_error_of([&] { return read_sweep_spec(spec.dump()); });
 }
 
 /// A way to spoil a spec, and what has to be said of it.
@@ -180,15 +176,15 @@ TEST_CASE("every way to spoil a spec is told in one line, with its place") {
         each.spoil(spec);
         const std::string message = refusal(spec);
         CAPTURE(message);
-        CHECK(message.find(each.says) != std::string::npos);
-        CHECK(message.find('\n') == std::string::npos);
+        CHECK(message == test::containing(each.says));
+        CHECK(message != test::containing('\n'));
     }
 }
 
 TEST_CASE("sensitivity of a grid is refused") {
     Json spec = least_spec();
     spec["sensitivity"] = {"restitution"};
-    CHECK(refusal(spec).find("/sensitivity: needs points drawn at random") != std::string::npos);
+    CHECK(refusal(spec) == test::containing("/sensitivity: needs points drawn at random"));
 }
 
 TEST_CASE("a wrong spec ends the program with status 2, one line and nothing written") {
@@ -234,7 +230,7 @@ TEST_CASE("a wrong spec under mpirun has status 2 and is told once") {
         test::run(sandbox, test::under_mpi(2, {ASHIMPACT_PROGRAM, "sweep", "spec.json", "-o", "out.json"}));
     CHECK(ended.status == 2);
     const std::string place = "spec.json: /variables/velocity/to: ";
-    CHECK(ended.err.find(place) != std::string::npos);
+    CHECK(ended.err == test::containing(place));
     CHECK(ended.err.find(place) == ended.err.rfind(place));
     CHECK(sandbox.everything().size() == 1);
 }
@@ -265,7 +261,7 @@ TEST_CASE("an input that no law uses is said, not refused") {
     json["impact"]["work_of_adhesion"] = "0.3 J/m2";
     const SweepSpec spec = read_sweep_spec(json.dump()).spec;
     REQUIRE(spec.warnings.size() == 1);
-    CHECK(spec.warnings[0].find("work_of_adhesion changes nothing") != std::string::npos);
+    CHECK(spec.warnings[0] == test::containing("work_of_adhesion changes nothing"));
 }
 
 TEST_CASE("every parameter of a law is an input of its own, by its name") {

@@ -138,13 +138,13 @@ TEST_CASE("no capture needs more than its ringing to be told, and its ledger end
 TEST_CASE("a time step that the damping or the contact itself makes too long is refused") {
     Impact impact = treatable(0.3, 2.0)[0];
     const auto message = [&](double time_step) {
-        return input_error_of([&] { static_cast<void>(solve_impact_explicit(impact, {time_step})); });
+        return input_error_of([&] { return solve_impact_explicit(impact, {time_step}); });
     };
     CHECK(contains(message(1e-7), "time_step is 1e-07 s, too long for this impact; allowed: up to 1.879"));
     impact.damping.coefficient = 10.0;
     const double damping_time = impact.contact.mass / 10.0;
     CHECK(contains(message(1.01 * damping_time), "too long for this impact; allowed: up to 9.277"));
-    CHECK(message(0.99 * damping_time) == "no InputError");
+    CHECK(message(0.99 * damping_time).empty());
     CHECK(relative_difference(explicit_time_step(impact, 100.0), damping_time / 100.0) < 1e-12);
 }
 
@@ -162,7 +162,7 @@ TEST_CASE("an approach that never turns ends at equilibrium, as in the exact sol
 TEST_CASE("what the scheme cannot treat is refused with what it can") {
     Impact impact = treatable(0.3, 2.0)[1];
     const auto message = [&](double time_step) {
-        return input_error_of([&] { static_cast<void>(solve_impact_explicit(impact, {time_step})); });
+        return input_error_of([&] { return solve_impact_explicit(impact, {time_step}); });
     };
     CHECK(message(0.0) == "time_step is 0 s; allowed: a finite number > 0 s");
     CHECK(contains(message(-1e-10), "time_step is"));
