@@ -3,6 +3,7 @@
 // written in SI units from docs/laws/thornton-ning.md.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <vector>
 
@@ -43,6 +44,15 @@ double closed_form(double r) {
            std::pow(r / (r + 2.0 * std::sqrt(6.0 / 5.0 - s / 5.0)), 0.25);
 }
 
+/// The end of what is below, by bisection: @p is_below holds at @p lower and not at @p upper.
+double bisected(double lower, double upper, const std::function<bool(double)>& is_below) {
+    for (int i = 0; i < 200; ++i) {
+        const double middle = (lower + upper) / 2.0;
+        (is_below(middle) ? lower : upper) = middle;
+    }
+    return lower;
+}
+
 /// The branches of a yielded contact in SI units, as functions of contact radius.
 struct Branches {
     ContactPair pair;
@@ -68,13 +78,8 @@ struct Branches {
     }
     /// Contact radius at which the pressure in the centre is p_y.
     [[nodiscard]] double yield_radius() const {
-        double lower = 0.0;
-        double upper = pair.effective_radius;
-        for (int i = 0; i < 200; ++i) {
-            const double middle = (lower + upper) / 2.0;
-            (central_pressure(middle) < pair.yield_pressure ? lower : upper) = middle;
-        }
-        return lower;
+        return bisected(0.0, pair.effective_radius,
+                        [&](double a) { return central_pressure(a) < pair.yield_pressure; });
     }
     /// Contact radius at first touch, zero overlap.
     [[nodiscard]] double touch_radius() const {
@@ -122,23 +127,12 @@ struct Branches {
     }
     /// Contact radius beyond yield and touch at which the loading branch carries no force.
     [[nodiscard]] double loading_equilibrium() const {
-        double lower = std::max(touch_radius(), yield_radius());
-        double upper = 1e3 * lower;
-        for (int i = 0; i < 200; ++i) {
-            const double middle = (lower + upper) / 2.0;
-            (hertz_part(middle) < adhesive(middle) ? lower : upper) = middle;
-        }
-        return lower;
+        const double least = std::max(touch_radius(), yield_radius());
+        return bisected(least, 1e3 * least, [&](double a) { return hertz_part(a) < adhesive(a); });
     }
     /// Contact radius of an overlap on the loading branches.
     [[nodiscard]] double radius_of(double target) const {
-        double lower = touch_radius();
-        double upper = pair.effective_radius;
-        for (int i = 0; i < 200; ++i) {
-            const double middle = (lower + upper) / 2.0;
-            (overlap(middle) < target ? lower : upper) = middle;
-        }
-        return lower;
+        return bisected(touch_radius(), pair.effective_radius, [&](double a) { return overlap(a) < target; });
     }
 };
 
@@ -371,14 +365,9 @@ TEST_CASE("where adhesion alone yields the contact, plastic work counts from fir
         pair.yield_pressure = p_y;
         return Branches{pair}.yield_radius() < Branches{pair}.touch_radius();
     };
-    double lower = 0.9 * at_limit;
-    double upper = 1.1 * at_limit;
-    REQUIRE(yields_at_touch(lower));
-    REQUIRE(!yields_at_touch(upper));
-    for (int i = 0; i < 60; ++i) {
-        const double middle = (lower + upper) / 2.0;
-        (yields_at_touch(middle) ? lower : upper) = middle;
-    }
+    REQUIRE(yields_at_touch(0.9 * at_limit));
+    REQUIRE(!yields_at_touch(1.1 * at_limit));
+    const double lower = bisected(0.9 * at_limit, 1.1 * at_limit, yields_at_touch);
     // The ledger is the same on both sides of the limit ...
     const auto ledger_at = [&](double p_y) {
         pair.yield_pressure = p_y;
