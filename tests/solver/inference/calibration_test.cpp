@@ -96,11 +96,27 @@ const std::vector<FreeConstant> traded_constants{{CalibrationQuantity::work_of_a
                                                  {CalibrationQuantity::contact_modulus, false},
                                                  {CalibrationQuantity::density, false}};
 
+/// The paper's tables with its constants, calibrated once.
+const CalibrationSummary& paper_calibration() {
+    static const CalibrationSummary summary = calibrate(paper_problem(paper_constants));
+    return summary;
+}
+
+/// The paper's critical velocities alone, which leave a trade, calibrated once.
+CalibrationProblem traded_problem() {
+    CalibrationProblem problem = paper_problem(traded_constants);
+    problem.contact_times.clear();
+    return problem;
+}
+const CalibrationSummary& traded_calibration() {
+    static const CalibrationSummary summary = calibrate(traded_problem());
+    return summary;
+}
+
 }  // namespace
 
 TEST_CASE("the paper's constants: moduli from XRD, one work of adhesion, a density for each size") {
-    const CalibrationProblem problem = paper_problem(paper_constants);
-    const CalibrationSummary summary = calibrate(problem);
+    const CalibrationSummary& summary = paper_calibration();
 
     CHECK(summary.degrees_of_freedom == 8);
     CHECK(std::abs(summary.chi_squared - 6.95) < 0.01);
@@ -208,9 +224,8 @@ TEST_CASE("the wall's modulus, or the contact modulus, can be the unknown") {
 
 TEST_CASE(
     "without contact times density and contact modulus cannot be told apart, and their intervals say so") {
-    CalibrationProblem problem = paper_problem(traded_constants);
-    problem.contact_times.clear();
-    const CalibrationSummary light = calibrate(problem);
+    CalibrationProblem problem = traded_problem();
+    const CalibrationSummary& light = traded_calibration();
     for (CalibrationSample& sample : problem.samples) sample.density = 2600.0;
     const CalibrationSummary dense = calibrate(problem);
     const auto invariant = [](const CalibrationSummary& summary) {
@@ -254,7 +269,7 @@ TEST_CASE("a contact time's impact is captured up to the velocity from which the
 
 TEST_CASE("profiles close around what the paper's tables fix, close to the curvature's intervals") {
     const CalibrationProblem problem = paper_problem(paper_constants);
-    const CalibrationSummary summary = calibrate(problem);
+    const CalibrationSummary& summary = paper_calibration();
     const std::vector<ConstantProfile> profiles = profile_constants(problem, summary);
     REQUIRE(profiles.size() == 4);
     for (std::size_t i = 0; i < profiles.size(); ++i) {
@@ -269,9 +284,7 @@ TEST_CASE("profiles close around what the paper's tables fix, close to the curva
 }
 
 TEST_CASE("what the observations do not fix is called not identifiable") {
-    CalibrationProblem problem = paper_problem(traded_constants);
-    problem.contact_times.clear();
-    const std::vector<ConstantProfile> profiles = profile_constants(problem, calibrate(problem));
+    const std::vector<ConstantProfile> profiles = profile_constants(traded_problem(), traded_calibration());
     REQUIRE(profiles.size() == 3);
     CHECK(profiles[0].identifiable);
     for (const std::size_t i : {1, 2}) {
@@ -287,7 +300,7 @@ TEST_CASE("what the observations do not fix is called not identifiable") {
 
 TEST_CASE("the rounding of Table 2 widens a contact time, most where the impact is close to capture") {
     CalibrationProblem problem = paper_problem(paper_constants);
-    const CalibrationSummary with = calibrate(problem);
+    const CalibrationSummary& with = paper_calibration();
     for (ContactTimeObservation& o : problem.contact_times) o.damping_fit_uncertainty = 0.0;
     const CalibrationSummary without = calibrate(problem);
     std::array<double, 3> added{};
@@ -342,7 +355,7 @@ TEST_CASE("problems that cannot be solved are refused") {
 
 TEST_CASE("calibrated constants follow the contact modulus: the linear response against recalibrations") {
     CalibrationProblem problem = paper_problem(paper_constants);
-    problem.samples = calibrate(problem).samples;
+    problem.samples = paper_calibration().samples;
     const auto responses = response_to_contact_modulus(problem);
     // Contact times fix density^3 modulus^2 (see ContactTimeObservation): the density goes nearly with the
     // power -2/3.
