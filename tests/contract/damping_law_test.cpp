@@ -118,13 +118,13 @@ TEST_CASE("a law's limit of overdamping is where Hertz impacts cease to rebound"
 
 namespace {
 
-constexpr double length = 7.3;
-constexpr double mass = 0.21;
+constexpr double length_unit = 7.3;
+constexpr double mass_unit = 0.21;
 constexpr double time_unit = 3.7;
 
-constexpr double velocity = length / time_unit;
-constexpr double energy = mass * velocity * velocity;
-constexpr double force = energy / length;
+constexpr double velocity_unit = length_unit / time_unit;
+constexpr double energy_unit = mass_unit * velocity_unit * velocity_unit;
+constexpr double force_unit = energy_unit / length_unit;
 
 /// The old SI unit of a dimension in the new one.
 double unit_of(Dimension dimension) {
@@ -132,29 +132,29 @@ double unit_of(Dimension dimension) {
         case Dimension::fraction:
             return 1.0;
         case Dimension::length:
-            return length;
+            return length_unit;
         case Dimension::mass:
-            return mass;
+            return mass_unit;
         case Dimension::time:
             return time_unit;
         case Dimension::velocity:
-            return velocity;
+            return velocity_unit;
         case Dimension::density:
-            return mass / (length * length * length);
+            return mass_unit / (length_unit * length_unit * length_unit);
         case Dimension::pressure:
-            return force / (length * length);
+            return force_unit / (length_unit * length_unit);
         case Dimension::force:
-            return force;
+            return force_unit;
         case Dimension::energy:
-            return energy;
+            return energy_unit;
         case Dimension::energy_per_area:
-            return energy / (length * length);
+            return energy_unit / (length_unit * length_unit);
         case Dimension::damping:
-            return mass / time_unit;
+            return mass_unit / time_unit;
         case Dimension::viscosity:
-            return mass / (length * time_unit);
+            return mass_unit / (length_unit * time_unit);
         case Dimension::impulse:
-            return mass * velocity;
+            return mass_unit * velocity_unit;
     }
     return 0.0;
 }
@@ -168,11 +168,11 @@ ParameterValues<double> in_other_units(const ParameterValues<double>& values) {
 }
 
 ContactPair in_other_units(const ContactPair& pair) {
-    return {.mass = pair.mass * mass,
-            .effective_radius = pair.effective_radius * length,
-            .contact_modulus = pair.contact_modulus * force / (length * length),
-            .work_of_adhesion = pair.work_of_adhesion * energy / (length * length),
-            .yield_pressure = pair.yield_pressure * force / (length * length),
+    return {.mass = pair.mass * mass_unit,
+            .effective_radius = pair.effective_radius * length_unit,
+            .contact_modulus = pair.contact_modulus * force_unit / (length_unit * length_unit),
+            .work_of_adhesion = pair.work_of_adhesion * energy_unit / (length_unit * length_unit),
+            .yield_pressure = pair.yield_pressure * force_unit / (length_unit * length_unit),
             .parameters = in_other_units(pair.parameters)};
 }
 
@@ -185,7 +185,7 @@ Impact in_other_units(const Impact& impact) {
             .detachment = impact.detachment,
             .damping = in_other_units(impact.damping),
             .contact = in_other_units(impact.contact),
-            .velocity = impact.velocity * velocity};
+            .velocity = impact.velocity * velocity_unit};
 }
 
 /// Sees two results, the second in the other units.
@@ -227,17 +227,17 @@ TEST_CASE("impacts scale with their units") {
                 const double size = a.energy.incident + std::abs(a.energy.minimum);
                 Comparison(describe(impact))
                     .same(a.restitution, b.restitution, 1.0)
-                    .same(a.rebound_velocity, b.rebound_velocity, velocity)
+                    .same(a.rebound_velocity, b.rebound_velocity, velocity_unit)
                     .same(a.contact_time, b.contact_time, time_unit)
                     .same(a.approach_time, b.approach_time, time_unit)
-                    .same(a.maximum_overlap, b.maximum_overlap, length)
-                    .same(a.energy.incident, b.energy.incident, energy)
-                    .same(a.energy.dissipated, b.energy.dissipated, energy)
-                    .same(a.energy.remaining, b.energy.remaining, energy)
-                    .same(a.energy.minimum, b.energy.minimum, energy)
-                    .same(a.energy.plastic, b.energy.plastic, energy)
-                    .same_within(a.energy.potential, b.energy.potential, energy, size)
-                    .same_within(a.energy.at_touch, b.energy.at_touch, energy, size);
+                    .same(a.maximum_overlap, b.maximum_overlap, length_unit)
+                    .same(a.energy.incident, b.energy.incident, energy_unit)
+                    .same(a.energy.dissipated, b.energy.dissipated, energy_unit)
+                    .same(a.energy.remaining, b.energy.remaining, energy_unit)
+                    .same(a.energy.minimum, b.energy.minimum, energy_unit)
+                    .same(a.energy.plastic, b.energy.plastic, energy_unit)
+                    .same_within(a.energy.potential, b.energy.potential, energy_unit, size)
+                    .same_within(a.energy.at_touch, b.energy.at_touch, energy_unit, size);
             }
         }
     }
@@ -255,11 +255,11 @@ TEST_CASE("critical velocities scale with their units") {
             const CriticalVelocity b = critical_of(other);
             CHECK(a.verdict == b.verdict);
             Comparison(describe(impact))
-                .same(a.value, b.value, velocity)
+                .same(a.value, b.value, velocity_unit)
                 .same(a.contact_time, b.contact_time, time_unit)
-                .same(a.maximum_overlap, b.maximum_overlap, length)
-                .same(a.dissipated, b.dissipated, energy)
-                .same_within(a.detachment_energy, b.detachment_energy, energy,
+                .same(a.maximum_overlap, b.maximum_overlap, length_unit)
+                .same(a.dissipated, b.dissipated, energy_unit)
+                .same_within(a.detachment_energy, b.detachment_energy, energy_unit,
                              a.dissipated + std::abs(a.detachment_energy) + 1e-300);
         }
     }
@@ -275,7 +275,7 @@ TEST_CASE("damping from restitution scales with its unit") {
             problem.contact.yield_pressure = c.yield_pressure;
             const DampingInversion a = damping_from_restitution(problem);
             problem.contact = in_other_units(problem.contact);
-            problem.velocity *= velocity;
+            problem.velocity *= velocity_unit;
             const DampingInversion b = damping_from_restitution(problem);
             Comparison(name_of(c))
                 .same(a.damping.coefficient, b.damping.coefficient, unit_of(dimension_of(c.damping_law)))
@@ -297,12 +297,12 @@ TEST_CASE("trajectories scale with their units") {
             const double newton = a[i].repulsive_force - a[i].attractive_force;
             Comparison(describe(impact))
                 .same(a[i].time, b[i].time, time_unit)
-                .same(a[i].overlap, b[i].overlap, length)
-                .same(a[i].contact_radius, b[i].contact_radius, length)
-                .same_within(a[i].velocity, b[i].velocity, velocity, impact.velocity)
-                .same_within(a[i].repulsive_force, b[i].repulsive_force, force, newton)
-                .same_within(a[i].attractive_force, b[i].attractive_force, force, newton)
-                .same_within(a[i].damping_force, b[i].damping_force, force, newton);
+                .same(a[i].overlap, b[i].overlap, length_unit)
+                .same(a[i].contact_radius, b[i].contact_radius, length_unit)
+                .same_within(a[i].velocity, b[i].velocity, velocity_unit, impact.velocity)
+                .same_within(a[i].repulsive_force, b[i].repulsive_force, force_unit, newton)
+                .same_within(a[i].attractive_force, b[i].attractive_force, force_unit, newton)
+                .same_within(a[i].damping_force, b[i].damping_force, force_unit, newton);
         }
     }
     CHECK(Comparison::worst.count() > 500);

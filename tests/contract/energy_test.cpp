@@ -166,7 +166,7 @@ TEST_CASE("the dissipated energy is the work of damping, integrated by itself al
 
 namespace {
 
-constexpr double density = 2600.0;  // of ash()
+constexpr double ash_density = 2600.0;  // of ash()
 
 struct End {
     Detachment detachment;
@@ -179,7 +179,7 @@ double analytic_velocity(double w, Separation separation) {
     return separation_velocity({.work_of_adhesion = w,
                                 .effective_radius = ash(w).effective_radius,
                                 .contact_modulus = ash(w).contact_modulus},
-                               density, separation);
+                               ash_density, separation);
 }
 
 }  // namespace
