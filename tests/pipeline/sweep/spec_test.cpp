@@ -177,7 +177,7 @@ TEST_CASE("every way to spoil a spec is told in one line, with its place") {
         const std::string message = refusal(spec);
         CAPTURE(message);
         CHECK(message == test::containing(each.says));
-        CHECK(message != test::containing('\n'));
+        CHECK(message != test::containing("\n"));
     }
 }
 
