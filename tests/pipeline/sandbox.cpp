@@ -93,10 +93,15 @@ Finished ashimpact_program(const Sandbox& sandbox, const std::string& arguments)
     return {WIFEXITED(result) ? WEXITSTATUS(result) : -1, outputs.read("out"), unbroken(printed), printed};
 }
 
+Finished succeeded(const Sandbox& sandbox, const std::string& arguments) {
+    Finished finished = ashimpact_program(sandbox, arguments);
+    REQUIRE_MESSAGE(finished.status == 0, arguments, "\n", finished.err);
+    return finished;
+}
+
 const Finished& put_built_in_run(const Sandbox& sandbox) {
     static const Sandbox made;
-    static const Finished run = ashimpact_program(made, "run");
-    REQUIRE_MESSAGE(run.status == 0, run.err);
+    static const Finished run = succeeded(made, "run");
     std::filesystem::copy(made.folder(), sandbox.folder(), std::filesystem::copy_options::recursive);
     return run;
 }

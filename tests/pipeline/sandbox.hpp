@@ -49,6 +49,9 @@ struct Finished {
 /// Runs the built program in the sandbox, as a newcomer would type it.
 [[nodiscard]] Finished ashimpact_program(const Sandbox& sandbox, const std::string& arguments);
 
+/// Does so and requires exit status 0.
+Finished succeeded(const Sandbox& sandbox, const std::string& arguments);
+
 /// Puts folder "results" into the sandbox, what `ashimpact run` leaves of the built-in case: computed once a
 /// test program. @return how that run ended
 const Finished& put_built_in_run(const Sandbox& sandbox);

@@ -100,12 +100,12 @@ TEST_CASE("the first hour: files as a German laboratory has them end in the v_c 
 TEST_CASE("the first hour: the same laboratory's spreadsheets end in the same v_c" *
           doctest::skip(test::sanitized)) {
     const Sandbox sandbox;
-    REQUIRE(ashimpact_program(sandbox, "init mine").status == 0);
+    test::succeeded(sandbox, "init mine");
     Json document = own_case(sandbox.json("mine/case.json"));
     sandbox.write("mine/ash.csv", tidy_ash);
     sandbox.write("mine/impacts.csv", tidy_impacts);
     sandbox.write("mine/case.json", document.dump(1));
-    REQUIRE(ashimpact_program(sandbox, "run mine/case.json -o tidy --no-report").status == 0);
+    test::succeeded(sandbox, "run mine/case.json -o tidy --no-report");
     const Json tidy = reported(sandbox.json("tidy/comparison.json"));
     REQUIRE(tidy.at("critical_velocity").is_object());
     for (const char* file : {"kessel2.xlsx", "kessel2.ods"}) {
@@ -116,8 +116,7 @@ TEST_CASE("the first hour: the same laboratory's spreadsheets end in the same v_
         document["samples"][0]["restitution"] = {{"file", file}};
         sandbox.write("mine/case.json", document.dump(1));
         const std::string folder = std::string("own-") + file;
-        const auto run = ashimpact_program(sandbox, "run mine/case.json --no-report -o " + folder);
-        REQUIRE_MESSAGE(run.status == 0, run.err);
+        const auto run = test::succeeded(sandbox, "run mine/case.json --no-report -o " + folder);
         CHECK(reported(sandbox.json(folder + "/comparison.json")) == tidy);
         CHECK(run.out == containing("not given: that of the phases without any pores"));
         const std::string told = sandbox.json(folder + "/0-case.json")["warnings"].dump();
@@ -128,8 +127,7 @@ TEST_CASE("the first hour: the same laboratory's spreadsheets end in the same v_
 TEST_CASE("the command of docs/materials.md gives the moduli of the paper, as typed") {
     const Sandbox sandbox;
     const std::string samples = ASHIMPACT_TEST_DATA "/../../data/cases/dong2013/xrd.csv";
-    const auto finished = ashimpact_program(sandbox, "modulus " + samples + " --phase-set dong2013 --json");
-    REQUIRE_MESSAGE(finished.status == 0, finished.err);
+    const auto finished = test::succeeded(sandbox, "modulus " + samples + " --phase-set dong2013 --json");
     for (const char* modulus : {"14812", "15082", "16481"})
         CHECK(finished.out == containing("\"value\": " + std::string(modulus)));
 }
@@ -161,7 +159,7 @@ TEST_CASE("the first hour: remarks and doubled uncertainties end in the v_c of t
 
 TEST_CASE("the first hour: what is still of init's example is told, and nothing else is") {
     const Sandbox sandbox;
-    REQUIRE(ashimpact_program(sandbox, "init mine").status == 0);
+    test::succeeded(sandbox, "init mine");
     const auto warnings = [&] {
         std::string all;
         for (const auto& each : load_case(sandbox.path("mine/case.json")).findings) all += each.finding.text;
@@ -206,11 +204,10 @@ TEST_CASE("help COMMAND says what COMMAND --help says") {
 
 TEST_CASE("the first hour: all impacts captured give a bound, in the table") {
     const Sandbox sandbox;
-    REQUIRE(ashimpact_program(sandbox, "init mine").status == 0);
+    test::succeeded(sandbox, "init mine");
     sandbox.write("mine/impacts.csv", "v_ein [m/s];v_aus [m/s]\n1,40;haftet\n1,55;haftet\n1,72;haftet\n");
     sandbox.write("mine/case.json", own_case(sandbox.json("mine/case.json")).dump(1));
-    const auto run = ashimpact_program(sandbox, "run mine/case.json -o r");
-    REQUIRE_MESSAGE(run.status == 0, run.err);
+    const auto run = test::succeeded(sandbox, "run mine/case.json -o r");
     CHECK(run.out == containing("> 1."));
     CHECK(run.out == containing("No sample has both a dynamic"));
 }
@@ -226,8 +223,7 @@ TEST_CASE(
     const std::string contact =
         "damping --law jkr --diameter '80 um' --density '2300 kg/m3' --contact-modulus '85 GPa' "
         "--work-of-adhesion '0.3 J/m2' --json --impacts ";
-    const auto text = ashimpact_program(sandbox, contact + "impacts.csv");
-    REQUIRE_MESSAGE(text.status == 0, text.err);
+    const auto text = test::succeeded(sandbox, contact + "impacts.csv");
     for (const char* file : {"openpyxl.xlsx", "opendocument.ods"}) {
         const auto sheet = ashimpact_program(sandbox, contact + folder + file);
         CHECK_MESSAGE(sheet.status == 0, sheet.err);
@@ -242,7 +238,7 @@ TEST_CASE(
     CHECK(none.err == containing("there is no sheet \"Tabelle1\""));
 
     // A case takes them by name, and a sheet where there are several.
-    REQUIRE(ashimpact_program(sandbox, "init mine").status == 0);
+    test::succeeded(sandbox, "init mine");
     Json document = own_case(sandbox.json("mine/case.json"));
     document["samples"][0]["composition"] = Json{{"xrd", folder + "openpyxl.xlsx"}, {"xrd_sheet", "Phasen"}};
     document["samples"][0]["restitution"]["file"] = folder + "opendocument.ods";

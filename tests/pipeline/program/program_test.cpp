@@ -28,8 +28,7 @@ const std::string contact =
     " --radius '44 um' --density '2600 kg/m3' --contact-modulus '90 GPa' --work-of-adhesion '0.3 J/m2'";
 
 Json json_of(const Sandbox& sandbox, const std::string& arguments) {
-    const auto finished = ashimpact_program(sandbox, arguments + " --json");
-    REQUIRE_MESSAGE(finished.status == 0, finished.err);
+    const auto finished = test::succeeded(sandbox, arguments + " --json");
     return parse_json(finished.out);
 }
 
@@ -72,8 +71,7 @@ TEST_CASE("impact: the energies printed add up, with adhesion, damping and yield
           std::string("thornton-ning --yield-pressure '35.3 MPa'")}) {
         CAPTURE(law);
         const auto run =
-            ashimpact_program(sandbox, fmt::format("impact --velocity '5 m/s' --law {}{}", law, ammonium));
-        REQUIRE(run.status == 0);
+            test::succeeded(sandbox, fmt::format("impact --velocity '5 m/s' --law {}{}", law, ammonium));
         const double mass = 1350 * 4.0 / 3.0 * std::numbers::pi * std::pow(2.45e-6, 3);
         const std::string incident = fmt::format(" {:.3f} pJ", 1e12 * 0.5 * mass * 25.0);
         double before = 0;
@@ -176,9 +174,7 @@ TEST_CASE("damping and critical-velocity are the inverses of impact") {
 
 TEST_CASE("the trajectory is a CSV with units in its heading, from touch to detachment") {
     const Sandbox sandbox;
-    const auto finished =
-        ashimpact_program(sandbox, "impact --law jkr --velocity 2 --trajectory t.csv --points 11" + contact);
-    REQUIRE(finished.status == 0);
+    test::succeeded(sandbox, "impact --law jkr --velocity 2 --trajectory t.csv --points 11" + contact);
     const auto lines = test::lines_of(sandbox.read("t.csv"));
     REQUIRE(lines.size() == 12);
     CHECK(lines[0].starts_with("time [s],overlap [m],velocity [m/s],"));
@@ -304,8 +300,7 @@ TEST_CASE("run takes the same files, groups, synonyms of own phases, and the por
         "phases": [{"name": "quartz", "density": "2.7 g/cm3", "young_modulus": "100 GPa", "poisson_ratio": 0.1}],
         "samples": [{"name": "a", "diameter": "50 um", "density": "2.0 g/cm3", "porosity": {"law": "gibson-ashby"},
                      "composition": {"xrd": "ash.csv", "amorphous": "none"}}]})");
-    const auto finished = ashimpact_program(sandbox, "run case.json -o r");
-    REQUIRE_MESSAGE(finished.status == 0, finished.err);
+    test::succeeded(sandbox, "run case.json -o r");
     const Json first = sandbox.json("r/0-case.json");
     CHECK(first["warnings"].dump() == containing("anorthite stands for it"));
     CHECK(first["warnings"].dump() == containing("quartz of the set user is taken"));
@@ -363,7 +358,7 @@ TEST_CASE("run --from an edited artifact uses the edit, and gives the same again
         sandbox.json("results/comparison.json")["result"]["samples"][0]["dynamic_critical_velocity"]["dmt"]);
 
     const Json unedited = sandbox.json("results/7-critical-velocity.json");
-    REQUIRE(ashimpact_program(sandbox, "run --from fit").status == 0);
+    test::succeeded(sandbox, "run --from fit");
     CHECK(sandbox.json("results/7-critical-velocity.json") == unedited);
 
     Json fit = sandbox.json("results/6-fit.json");
@@ -372,7 +367,7 @@ TEST_CASE("run --from an edited artifact uses the edit, and gives the same again
         damping["value"] = 1.01 * value(damping);
     }
     sandbox.write("results/6-fit.json", fit.dump());
-    REQUIRE(ashimpact_program(sandbox, "run --from critical-velocity").status == 0);
+    test::succeeded(sandbox, "run --from critical-velocity");
     const double edited = value(
         sandbox.json("results/comparison.json")["result"]["samples"][0]["dynamic_critical_velocity"]["dmt"]);
     CHECK(std::log(edited / velocity) / std::log(1.01) ==
@@ -384,7 +379,7 @@ TEST_CASE("run --only writes one artifact and the manifest") {
     const Sandbox sandbox;
     test::put_built_in_run(sandbox);
     const auto before = sandbox.everything();
-    REQUIRE(ashimpact_program(sandbox, "run --only damping").status == 0);
+    test::succeeded(sandbox, "run --only damping");
     const auto after = sandbox.everything();
     REQUIRE(before.size() == after.size());
     for (std::size_t i = 0; i < before.size(); ++i)
@@ -396,11 +391,10 @@ TEST_CASE("run --only writes one artifact and the manifest") {
 
 TEST_CASE("init, run and inspect, as the help says") {
     const Sandbox sandbox;
-    REQUIRE(ashimpact_program(sandbox, "init my-case").status == 0);
+    test::succeeded(sandbox, "init my-case");
     CHECK(ashimpact_program(sandbox, "init my-case").status == 2);
     CHECK(sandbox.read("my-case/case.json") == containing("\n  // A case of ashimpact. "));
-    const auto run = ashimpact_program(sandbox, "run my-case/case.json -o my-case/results");
-    REQUIRE_MESSAGE(run.status == 0, run.err);
+    test::succeeded(sandbox, "run my-case/case.json -o my-case/results");
     for (const char* file : {"0-case", "1-modulus", "2-contact", "3-analytic", "4-restitution", "5-damping",
                              "6-fit", "7-critical-velocity", "8-histories", "comparison", "manifest"}) {
         const auto shown =
@@ -472,7 +466,7 @@ TEST_CASE("impact and critical-velocity tell the regime, and warn of a law out o
 
 TEST_CASE("damping --impacts reads a table: damping of each, fits, measured critical velocity") {
     const Sandbox sandbox;
-    REQUIRE(ashimpact_program(sandbox, "init .").status == 0);
+    test::succeeded(sandbox, "init .");
     const std::string arguments =
         "damping --law brach-dunn --impacts impacts.csv --frame-rate 80000 "
         "--pixel-size '2 um'" +
@@ -505,7 +499,7 @@ TEST_CASE("damping --impacts reads a table: damping of each, fits, measured crit
 
 TEST_CASE("damping --impacts: a bound with its number, and no chi^2 where the noise is not known") {
     const Sandbox sandbox;
-    REQUIRE(ashimpact_program(sandbox, "init .").status == 0);
+    test::succeeded(sandbox, "init .");
     const std::string arguments = "damping --law brach-dunn --impacts ";
     const auto text = ashimpact_program(sandbox, arguments + "impacts.csv" + contact);
     CHECK(text.out == containing("extrapolated   "));
@@ -559,7 +553,7 @@ TEST_CASE("cross-check: the published fits of one sample imply nearly the same i
     }
     const auto text = ashimpact_program(sandbox, "cross-check");
     CHECK(text.out == containing("predicted"));
-    REQUIRE(ashimpact_program(sandbox, "init .").status == 0);
+    test::succeeded(sandbox, "init .");
     CHECK(ashimpact_program(sandbox, "cross-check case.json").status == 2);
 }
 
@@ -594,9 +588,8 @@ TEST_CASE("calibrate's table says which constants the published values do not fi
     document["published"] = "paper.json";
     sandbox.write("paper.json", paper.dump());
     sandbox.write("case.json", document.dump());
-    const auto finished = ashimpact_program(
+    const auto finished = test::succeeded(
         sandbox, "calibrate case.json --free work_of_adhesion --free contact_modulus --free density");
-    REQUIRE_MESSAGE(finished.status == 0, finished.err);
     const auto row_of = [&](const std::string& constant) {
         for (const std::string& line : lines_of(finished.out))
             if (line.starts_with(constant + " ")) return line;
@@ -659,7 +652,7 @@ TEST_CASE("calibrate --compare sets hypotheses side by side; a density per size 
     CHECK(preferred == 1);
     CHECK(chosen == least);
     CHECK(ashimpact_program(sandbox, "calibrate --compare --free density").status == 2);
-    REQUIRE(ashimpact_program(sandbox, "init .").status == 0);
+    test::succeeded(sandbox, "init .");
     CHECK(ashimpact_program(sandbox, "calibrate --compare case.json").status == 2);  // nothing published
 }
 

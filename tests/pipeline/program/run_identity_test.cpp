@@ -21,8 +21,7 @@ Json quick_case() {
 
 void run_case(const Sandbox& sandbox, const Json& document, const std::string& folder) {
     test::write_example(sandbox, document);
-    const auto run = ashimpact_program(sandbox, "run case.json -o " + folder);
-    REQUIRE_MESSAGE(run.status == 0, run.err);
+    test::succeeded(sandbox, "run case.json -o " + folder);
 }
 
 /// Puts the quick case and its results in folder "one" into the sandbox; they are computed once.
@@ -109,8 +108,7 @@ TEST_CASE("an edit counts in what follows, which is marked as computed from it")
         Json artifact = sandbox.json("one/6-fit.json");
         edit(artifact["result"]["samples"][0]["hertz"]);
         sandbox.write("one/6-fit.json", artifact.dump());
-        const auto run = ashimpact_program(sandbox, "run -o one --from critical-velocity");
-        REQUIRE_MESSAGE(run.status == 0, run.err);
+        test::succeeded(sandbox, "run -o one --from critical-velocity");
         for (const char* file :
              {"one/7-critical-velocity.json", "one/8-histories.json", "one/comparison.json"}) {
             CAPTURE(file);
@@ -193,8 +191,7 @@ TEST_CASE("an interval edited or removed with its value is taken; a density with
         Json artifact = sandbox.json(file);
         edit(artifact["result"]["samples"][0]);
         sandbox.write(file, artifact.dump());
-        const auto run = ashimpact_program(sandbox, std::string("run -o one --from ") + stage);
-        REQUIRE_MESSAGE(run.status == 0, run.err);
+        test::succeeded(sandbox, std::string("run -o one --from ") + stage);
     };
     run_from(
         "one/7-critical-velocity.json",

@@ -34,8 +34,7 @@ std::string report_with_name(const std::string& name) {
     document["name"] = name;
     document["samples"][0]["name"] = name;
     test::write_example(sandbox, document);
-    const auto run = ashimpact_program(sandbox, "run case.json -o out");
-    REQUIRE_MESSAGE(run.status == 0, run.err);
+    test::succeeded(sandbox, "run case.json -o out");
     return sandbox.read("out/report.html");
 }
 
@@ -120,8 +119,7 @@ TEST_CASE("names with control characters do not reach the terminal raw") {
     document["samples"][0]["name"] = "fine\x1b[31m";
     document["samples"][0]["composition"]["xrd_sample"] = "fine";
     test::write_example(sandbox, document);
-    const auto run = ashimpact_program(sandbox, "run case.json -o out -v");
-    REQUIRE_MESSAGE(run.status == 0, run.err);
+    const auto run = test::succeeded(sandbox, "run case.json -o out -v");
     const auto shown = ashimpact_program(sandbox, "inspect out/2-contact.json");
     CHECK(shown.out == containing("fine?[31m"));
     for (const std::string& text : {run.out, run.err, shown.out, shown.err})
@@ -160,8 +158,7 @@ TEST_CASE("without ashimpact-sweep beside it the program says what is missing") 
 
 TEST_CASE("what init says can be typed as it stands, and so can the examples of help") {
     const Sandbox sandbox;
-    const auto init = ashimpact_program(sandbox, "init 'my case'");
-    REQUIRE(init.status == 0);
+    const auto init = test::succeeded(sandbox, "init 'my case'");
     const std::string program = "/ashimpact ";
     const auto at = init.out.rfind(program);
     REQUIRE(at != std::string::npos);
@@ -170,7 +167,7 @@ TEST_CASE("what init says can be typed as it stands, and so can the examples of 
     CHECK(ashimpact_program(sandbox, init.out.substr(at + program.size())).status == 0);
     CHECK(sandbox.has("my case/results/comparison.json"));
 
-    REQUIRE(ashimpact_program(sandbox, "init my-case").status == 0);
+    test::succeeded(sandbox, "init my-case");
     const auto modulus =
         ashimpact_program(sandbox, "modulus my-case/ash.csv --amorphous-fraction '42 +- 2 %'");
     CHECK_MESSAGE(modulus.status == 0, modulus.err);

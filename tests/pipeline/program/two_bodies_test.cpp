@@ -142,8 +142,7 @@ TEST_CASE(
         Json changed = document;
         if (!roughness.is_null()) changed["roughness"] = roughness;
         write_example(sandbox, changed);
-        const auto ended = ashimpact_program(sandbox, "run case.json -o rough -q --no-report");
-        REQUIRE_MESSAGE(ended.status == 0, ended.err);
+        succeeded(sandbox, "run case.json -o rough -q --no-report");
         return sandbox.json("rough/2-contact.json")["result"]["samples"][0];
     };
     const auto energy = [&] {
@@ -186,8 +185,7 @@ TEST_CASE("a case with a second sphere: its contact, the limits of a wall and of
     const Sandbox sandbox;
     const auto contact_of = [&](const Json& document) {
         write_example(sandbox, document);
-        const auto run = ashimpact_program(sandbox, "run case.json -o two --no-report");
-        REQUIRE_MESSAGE(run.status == 0, run.err);
+        succeeded(sandbox, "run case.json -o two --no-report");
         return sandbox.json("two/2-contact.json")["result"]["samples"][0];
     };
     const Json two = contact_of(with_partner(steel_ball));
@@ -243,8 +241,7 @@ TEST_CASE("a case with a second sphere: measured impacts, edits of the spheres, 
     document["samples"][0]["restitution"] = example_case()["samples"][0]["restitution"];
     document["samples"].erase(1);
     write_example(sandbox, document);
-    const auto run = ashimpact_program(sandbox, "run case.json -o two");
-    REQUIRE_MESSAGE(run.status == 0, run.err);
+    const auto run = succeeded(sandbox, "run case.json -o two");
     const Json contact = sandbox.json("two/2-contact.json")["result"]["samples"][0];
     const Json velocity = sandbox.json("two/7-critical-velocity.json")["result"]["samples"][0]["jkr"];
     const auto digits = [](const Json& quantity) {
@@ -304,8 +301,7 @@ TEST_CASE("a sweep over the partner's radius is so many impacts of two spheres")
         "statistics": {"restitution": {}}})");
     const auto mean_of = [&] {
         sandbox.write("spec.json", spec.dump());
-        const auto run = ashimpact_program(sandbox, "sweep spec.json -o out.json");
-        REQUIRE_MESSAGE(run.status == 0, run.err);
+        const auto run = succeeded(sandbox, "sweep spec.json -o out.json");
         CHECK(run.err != containing("no report"));
         return number(sandbox.json("out.json")["result"]["laws"][0]["observables"][0]["mean"]);
     };
@@ -344,8 +340,7 @@ TEST_CASE("the report of a sweep takes the parameters of its law") {
         "impact": {"laws": ["sjkr"], "radius": "44 um", "density": 2600, "contact_modulus": "90 GPa",
                    "cohesion_energy_density": "100 MJ/m3", "damping": 0.001},
         "variables": {"velocity": {"values": [0.01, 0.02, 2]}}, "sampling": {"method": "grid"}})");
-    const auto run = ashimpact_program(sandbox, "sweep spec.json -o out.json");
-    REQUIRE_MESSAGE(run.status == 0, run.err);
+    const auto run = succeeded(sandbox, "sweep spec.json -o out.json");
     CHECK(run.err != containing("no report"));
     CHECK(sandbox.has("out.html"));
 }

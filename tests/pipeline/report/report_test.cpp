@@ -127,9 +127,9 @@ TEST_CASE("the content security policy lets the page's own style and script thro
 
 TEST_CASE("`report` makes the same bytes again from the artifacts alone") {
     const std::string first = paper().read("results/report.html");
-    REQUIRE(ashimpact_program(paper(), "report results -o again.html").status == 0);
+    test::succeeded(paper(), "report results -o again.html");
     CHECK(paper().read("again.html") == first);
-    REQUIRE(ashimpact_program(paper(), "report results results -o both.html").status == 0);
+    test::succeeded(paper(), "report results results -o both.html");
     CHECK(paper().read("both.html") == test::containing("the runs have the same inputs"));
     CHECK(paper().read("both.html") == test::containing("<figure id=\"restitution-2\">"));
 }
@@ -212,7 +212,7 @@ TEST_CASE("the page's answer is the velocity that the summary of the run names")
 
 TEST_CASE("the pictures of the README show what the program makes now; ./dev pictures makes them again") {
     const std::filesystem::path pictures = std::filesystem::path(ASHIMPACT_TEST_DATA) / "../../docs/pictures";
-    REQUIRE(ashimpact_program(paper(), "figure restitution results -o readme.svg").status == 0);
+    test::succeeded(paper(), "figure restitution results -o readme.svg");
     // Another processor or compiler rounds the last digits of the numbers to be read out otherwise.
     const NumbersInText made = numbers_in(paper().read("readme.svg"));
     const NumbersInText kept = numbers_in(read_file(pictures / "restitution.svg"));
@@ -227,7 +227,7 @@ TEST_CASE("a run without figures takes those of the run before away, and no figu
     const Sandbox sandbox;
     test::put_built_in_run(sandbox);
     const auto figure = [&](const std::string& name) {
-        REQUIRE(ashimpact_program(sandbox, "figure energy results -o results/figures/" + name).status == 0);
+        test::succeeded(sandbox, "figure energy results -o results/figures/" + name);
     };
     figure("energy.svg");
     sandbox.write("results/figures/energy.pdf", "its PDF");
@@ -256,7 +256,7 @@ TEST_CASE("--no-report removes the report of the run before, a part of a run mak
     CHECK(test::lines_of(part.out).back() == "Report: results/report.html");
     CHECK(sandbox.has("results/report.html"));
     sandbox.write("results/report.html", "<p>mine</p>");
-    REQUIRE(ashimpact_program(sandbox, "run -o results --no-report").status == 0);
+    test::succeeded(sandbox, "run -o results --no-report");
     CHECK(sandbox.read("results/report.html") == "<p>mine</p>");
 }
 
@@ -264,7 +264,7 @@ TEST_CASE("measured impacts: the history at capture has the damping of its criti
     const Sandbox sandbox;
     constexpr std::array laws{"hertz", "dmt", "brach-dunn", "jkr"};
     test::write_example(sandbox, test::with_one_sample(test::example_case(), {laws.begin(), laws.end()}));
-    REQUIRE(ashimpact_program(sandbox, "run case.json -o results").status == 0);
+    test::succeeded(sandbox, "run case.json -o results");
     const Json velocities = sandbox.json("results/7-critical-velocity.json").at("result").at("samples");
     const Json histories = sandbox.json("results/8-histories.json").at("result").at("samples");
     for (const char* law : laws) {
@@ -300,9 +300,9 @@ TEST_CASE("a sweep ends with its report, which `report` makes again") {
     const std::string page = sandbox.read("sweep.html");
     for (const char* id : {"capture", "histogram", "sensitivity"})
         CHECK(page == test::containing("<figure id=\"" + std::string(id) + "\">"));
-    REQUIRE(ashimpact_program(sandbox, "report sweep.json -o again.html").status == 0);
+    test::succeeded(sandbox, "report sweep.json -o again.html");
     CHECK(sandbox.read("again.html") == page);
-    REQUIRE(ashimpact_program(sandbox, "sweep spec.json -o sweep.json --no-report").status == 0);
+    test::succeeded(sandbox, "sweep spec.json -o sweep.json --no-report");
     CHECK_FALSE(sandbox.has("sweep.html"));
     sandbox.write("sweep.html", "<p>mine</p>");
     const auto refused = ashimpact_program(sandbox, "sweep spec.json -o sweep.json");
@@ -355,9 +355,9 @@ TEST_CASE("a figure as SVG, PDF and PNG, for one column and for two") {
     const std::string bytes = paper().read("figure.pdf");
     CHECK(bytes.starts_with("%PDF"));
     CHECK(bytes != test::containing("/Subtype /Image"));  // vector
-    REQUIRE(ashimpact_program(paper(), "figure restitution results -o again.pdf").status == 0);
+    test::succeeded(paper(), "figure restitution results -o again.pdf");
     CHECK(paper().read("again.pdf") == bytes);
-    REQUIRE(ashimpact_program(paper(), "figure restitution results -o figure.png").status == 0);
+    test::succeeded(paper(), "figure restitution results -o figure.png");
     CHECK(paper().read("figure.png").starts_with("\x89PNG"));
 }
 
