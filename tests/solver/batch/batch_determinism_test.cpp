@@ -111,7 +111,7 @@ void check_sets_agree(const Impacts& impacts, const BatchOptions& options) {
 }  // namespace
 
 TEST_CASE("an impact's result does not depend, in any bit, on order, number and threads") {
-    const Eigen::Index count = 5000;
+    const Eigen::Index count = 2000;
     for (const std::string_view set : instruction_sets()) {
         CAPTURE(set);
         const Prescribed prescribed(set);
