@@ -129,6 +129,30 @@ double power_of_lateness(const Impact& impact) {
     return (lowest_power(motion.at(*motion.end).slope.shifted(*motion.end)) + 1.0) / lowest_power(fall) - 0.5;
 }
 
+CaptureVerdict verdict_of(const ContactCase& c, double w, double coefficient) {
+    return critical_velocity({c.law, c.detachment, {c.damping_law, coefficient}, ash(w)}).verdict;
+}
+
+/// Coefficient from which on every velocity is captured, by bisection between two verdicts.
+double threshold_of(const ContactCase& c, double w, double finite, double always) {
+    REQUIRE(verdict_of(c, w, finite) == CaptureVerdict::finite);
+    REQUIRE(verdict_of(c, w, always) == CaptureVerdict::always_captured);
+    while (always / finite > 1.0 + 1e-9) {
+        const double middle = std::sqrt(finite * always);
+        (verdict_of(c, w, middle) == CaptureVerdict::finite ? finite : always) = middle;
+    }
+    return std::sqrt(finite * always);
+}
+
+/// Whether a damping law captures every impact from some scaled coefficient on, whatever the velocity.
+bool can_overdamp(DampingLaw law) {
+    return std::isfinite(overdamped_squared(law));
+}
+
+constexpr ContactCase hertz(DampingLaw damping_law, Detachment detachment = Detachment::zero_overlap) {
+    return {Law::of<Hertz>(), damping_law, detachment};
+}
+
 }  // namespace
 
 TEST_CASE("capture just below and rebound just above the critical velocity, at fly-ash scale") {
@@ -187,34 +211,6 @@ TEST_CASE("where the arrival takes a finite time, impacts ever closer above the 
 }
 
 // Where there is no critical velocity, and the thresholds between, as derived for each damping law.
-
-namespace {
-
-CaptureVerdict verdict_of(const ContactCase& c, double w, double coefficient) {
-    return critical_velocity({c.law, c.detachment, {c.damping_law, coefficient}, ash(w)}).verdict;
-}
-
-/// Coefficient from which on every velocity is captured, by bisection between two verdicts.
-double threshold_of(const ContactCase& c, double w, double finite, double always) {
-    REQUIRE(verdict_of(c, w, finite) == CaptureVerdict::finite);
-    REQUIRE(verdict_of(c, w, always) == CaptureVerdict::always_captured);
-    while (always / finite > 1.0 + 1e-9) {
-        const double middle = std::sqrt(finite * always);
-        (verdict_of(c, w, middle) == CaptureVerdict::finite ? finite : always) = middle;
-    }
-    return std::sqrt(finite * always);
-}
-
-/// Whether a damping law captures every impact from some scaled coefficient on, whatever the velocity.
-bool can_overdamp(DampingLaw law) {
-    return std::isfinite(overdamped_squared(law));
-}
-
-constexpr ContactCase hertz(DampingLaw damping_law, Detachment detachment = Detachment::zero_overlap) {
-    return {Law::of<Hertz>(), damping_law, detachment};
-}
-
-}  // namespace
 
 TEST_CASE("without adhesion: never captured undamped, by force, or with contact-radius damping") {
     for (const DampingLaw damping : all_values<DampingLaw>) {

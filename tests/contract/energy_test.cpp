@@ -51,6 +51,22 @@ void for_each_damped_impact(Action&& action) {
     }
 }
 
+constexpr double ash_density = 2600.0;  // of ash()
+
+struct End {
+    Detachment detachment;
+    Separation separation;
+};
+constexpr End ends[] = {{Detachment::pull_off, Separation::pull_off},
+                        {Detachment::load_controlled, Separation::load_controlled}};
+
+double analytic_velocity(double w, Separation separation) {
+    return separation_velocity({.work_of_adhesion = w,
+                                .effective_radius = ash(w).effective_radius,
+                                .contact_modulus = ash(w).contact_modulus},
+                               ash_density, separation);
+}
+
 }  // namespace
 
 TEST_CASE("an undamped impact loses what breaking the contact costs, and nothing else") {
@@ -163,26 +179,6 @@ TEST_CASE("the dissipated energy is the work of damping, integrated by itself al
 
 // JKR without damping: the dynamic solver against the analytic separation energy (Eqs. 28-30, exact
 // constants).
-
-namespace {
-
-constexpr double ash_density = 2600.0;  // of ash()
-
-struct End {
-    Detachment detachment;
-    Separation separation;
-};
-constexpr End ends[] = {{Detachment::pull_off, Separation::pull_off},
-                        {Detachment::load_controlled, Separation::load_controlled}};
-
-double analytic_velocity(double w, Separation separation) {
-    return separation_velocity({.work_of_adhesion = w,
-                                .effective_radius = ash(w).effective_radius,
-                                .contact_modulus = ash(w).contact_modulus},
-                               ash_density, separation);
-}
-
-}  // namespace
 
 TEST_CASE("undamped JKR impacts rebound with e = sqrt(1 - (v_s/v)^2)") {
     Worst worst;

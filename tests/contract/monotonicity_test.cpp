@@ -24,6 +24,20 @@ std::vector<double> geometric(double first, double factor, double end) {
     return values;
 }
 
+Impact hertz_of(Impact impact) {
+    impact.law = Law::of<Hertz>();
+    if (impact.detachment != Detachment::zero_force) impact.detachment = Detachment::zero_overlap;
+    return impact;
+}
+
+/// The largest relative difference of restitution, times and overlap.
+double difference(const ImpactResult& a, const ImpactResult& b) {
+    return std::max({relative_difference(a.restitution, b.restitution),
+                     relative_difference(a.contact_time.value(), b.contact_time.value()),
+                     relative_difference(a.approach_time.value(), b.approach_time.value()),
+                     relative_difference(a.maximum_overlap, b.maximum_overlap)});
+}
+
 }  // namespace
 
 TEST_CASE(
@@ -100,24 +114,6 @@ TEST_CASE("critical velocity rises with damping, and once every impact is captur
 }
 
 // Without adhesion every law is Hertz; with ever less of it every law tends to Hertz.
-
-namespace {
-
-Impact hertz_of(Impact impact) {
-    impact.law = Law::of<Hertz>();
-    if (impact.detachment != Detachment::zero_force) impact.detachment = Detachment::zero_overlap;
-    return impact;
-}
-
-/// The largest relative difference of restitution, times and overlap.
-double difference(const ImpactResult& a, const ImpactResult& b) {
-    return std::max({relative_difference(a.restitution, b.restitution),
-                     relative_difference(a.contact_time.value(), b.contact_time.value()),
-                     relative_difference(a.approach_time.value(), b.approach_time.value()),
-                     relative_difference(a.maximum_overlap, b.maximum_overlap)});
-}
-
-}  // namespace
 
 TEST_CASE("an impact without adhesion is that of Hertz") {
     Worst worst;

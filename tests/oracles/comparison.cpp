@@ -53,36 +53,6 @@ OracleResult solved_impact(const Impact& impact) {
             .maximum_overlap = estimate(result.maximum_overlap)};
 }
 
-}  // namespace
-
-Column time_domain_oracle() {
-    return one_by_one("GSL", time_domain_impact);
-}
-Column lammps_oracle() {
-    return dem_oracle(lammps());
-}
-Column liggghts_oracle() {
-    return dem_oracle(liggghts());
-}
-Column solver_under_test() {
-    return one_by_one("ashimpact", solved_impact);
-}
-
-double solver_critical_velocity(const Impact& impact) {
-    return critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact}).value.value();
-}
-
-std::vector<Column> columns() {
-    return {time_domain_oracle(), lammps_oracle(), liggghts_oracle(), solver_under_test()};
-}
-
-bool rebounds(const Column& column, const Impact& impact, double velocity) {
-    const Impact moved = at_velocity(impact, velocity);
-    return column.rebounds(std::span(&moved, 1)).front();
-}
-
-namespace {
-
 constexpr double slower = 0.999;
 constexpr double faster = 1.001;
 
@@ -130,6 +100,32 @@ const typename Compared::Answer* answer_of(const Column& column, const Compared&
 }
 
 }  // namespace
+
+Column time_domain_oracle() {
+    return one_by_one("GSL", time_domain_impact);
+}
+Column lammps_oracle() {
+    return dem_oracle(lammps());
+}
+Column liggghts_oracle() {
+    return dem_oracle(liggghts());
+}
+Column solver_under_test() {
+    return one_by_one("ashimpact", solved_impact);
+}
+
+double solver_critical_velocity(const Impact& impact) {
+    return critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact}).value.value();
+}
+
+std::vector<Column> columns() {
+    return {time_domain_oracle(), lammps_oracle(), liggghts_oracle(), solver_under_test()};
+}
+
+bool rebounds(const Column& column, const Impact& impact, double velocity) {
+    const Impact moved = at_velocity(impact, velocity);
+    return column.rebounds(std::span(&moved, 1)).front();
+}
 
 double deviation(const OracleResult& a, const OracleResult& b) {
     const auto ours = quantities(a);

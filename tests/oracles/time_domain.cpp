@@ -13,6 +13,8 @@
 
 namespace ashimpact::oracles {
 
+using std::numbers::pi;
+
 namespace {
 
 constexpr double relative_tolerance = 1e-13;
@@ -145,31 +147,6 @@ class Integration {
     double incident_velocity_;
 };
 
-}  // namespace
-
-OracleResult time_domain_impact(const Impact& impact) {
-    return Integration(impact).run();
-}
-
-double time_domain_critical_velocity(const Impact& impact) {
-    double captured = 1e-6;
-    double rebounds = 1e3;
-    const auto rebound_at = [&](double velocity) {
-        return time_domain_impact(at_velocity(impact, velocity)).rebound;
-    };
-    if (rebound_at(captured) || !rebound_at(rebounds))
-        throw ConvergenceError("no critical velocity in 1e-6..1e3 m/s");
-    while (rebounds > captured * (1 + 1e-9)) {
-        const double middle = std::sqrt(captured * rebounds);
-        (rebound_at(middle) ? rebounds : captured) = middle;
-    }
-    return std::sqrt(captured * rebounds);
-}
-
-using std::numbers::pi;
-
-namespace {
-
 double stretch(const Impact& impact) {
     return std::sqrt(2 * pi * impact.contact.work_of_adhesion / impact.contact.contact_modulus);
 }
@@ -204,6 +181,25 @@ double end_of_contact(const Impact& impact) {
 }
 
 }  // namespace
+
+OracleResult time_domain_impact(const Impact& impact) {
+    return Integration(impact).run();
+}
+
+double time_domain_critical_velocity(const Impact& impact) {
+    double captured = 1e-6;
+    double rebounds = 1e3;
+    const auto rebound_at = [&](double velocity) {
+        return time_domain_impact(at_velocity(impact, velocity)).rebound;
+    };
+    if (rebound_at(captured) || !rebound_at(rebounds))
+        throw ConvergenceError("no critical velocity in 1e-6..1e3 m/s");
+    while (rebounds > captured * (1 + 1e-9)) {
+        const double middle = std::sqrt(captured * rebounds);
+        (rebound_at(middle) ? rebounds : captured) = middle;
+    }
+    return std::sqrt(captured * rebounds);
+}
 
 ContactForce::ContactForce(const Impact& impact)
     : law_(impact.law),

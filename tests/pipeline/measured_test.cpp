@@ -79,6 +79,10 @@ const Artifacts& of_laboratory() {
     return artifacts;
 }
 
+double estimated(const Artifacts& artifacts) {
+    return result(artifacts, "7-critical-velocity.json")["dmt"]["critical_velocity"]["value"].get<double>();
+}
+
 }  // namespace
 
 TEST_CASE("a laboratory gets its damping and critical velocity back, within the intervals") {
@@ -150,14 +154,6 @@ TEST_CASE("a laboratory gets its damping and critical velocity back, within the 
           velocity["extrapolated"]["critical_velocity"]["value"]);
     CHECK(comparison["measured_critical_velocity"]["origin"] == "measured");
 }
-
-namespace {
-
-double estimated(const Artifacts& artifacts) {
-    return result(artifacts, "7-critical-velocity.json")["dmt"]["critical_velocity"]["value"].get<double>();
-}
-
-}  // namespace
 
 TEST_CASE("the order of impacts changes nothing but their places") {
     Laboratory laboratory(0.005);

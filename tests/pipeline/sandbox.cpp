@@ -26,6 +26,18 @@ void redirect(int stream, const std::string& path, int flags) {
     if (file < 0 || dup2(file, stream) < 0) _exit(127);
 }
 
+/// Messages with the lines that they were broken into put together.
+std::string unbroken(const std::string& text) {
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const std::size_t next = std::min(text.find_first_not_of(' ', i + 1), text.size());
+        const bool continues = text[i] == '\n' && next > i + 1 && next < text.size();
+        out += continues ? ' ' : text[i];
+        if (continues) i = next - 1;
+    }
+    return out;
+}
+
 }  // namespace
 
 Sandbox::Sandbox() {
@@ -66,22 +78,6 @@ std::vector<std::pair<std::string, std::string>> Sandbox::everything() const {
     std::sort(files.begin(), files.end());
     return files;
 }
-
-namespace {
-
-/// Messages with the lines that they were broken into put together.
-std::string unbroken(const std::string& text) {
-    std::string out;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const std::size_t next = std::min(text.find_first_not_of(' ', i + 1), text.size());
-        const bool continues = text[i] == '\n' && next > i + 1 && next < text.size();
-        out += continues ? ' ' : text[i];
-        if (continues) i = next - 1;
-    }
-    return out;
-}
-
-}  // namespace
 
 Finished ashimpact_program(const Sandbox& sandbox, const std::string& arguments) {
     const Sandbox outputs;

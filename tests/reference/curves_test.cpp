@@ -62,6 +62,13 @@ const StaticCurve& normalised() {
     return curve;
 }
 
+/// F_a of Eqs. 22-24 at a normalised overlap; F_r is overlap^(3/2) for all three.
+double published_attraction(Law law, double overlap) {
+    if (law == Law::of<Dmt>()) return -2.0;
+    if (law == Law::of<BrachDunn>()) return -std::pow(6.0, 2.0 / 3.0) * std::sqrt(overlap);
+    return 0.0;
+}
+
 }  // namespace
 
 TEST_CASE("normalised: Eqs. 25-27 on both ranges of contact radius") {
@@ -184,17 +191,6 @@ TEST_CASE("the work from first touch to the end is 7.092196, at the largest tens
 
 // Figure 3 of Dong et al. 2013: the normalised curves of Eqs. 22-24, written from the paper, and what the
 // text reads off the figure.
-
-namespace {
-
-/// F_a of Eqs. 22-24 at a normalised overlap; F_r is overlap^(3/2) for all three.
-double published_attraction(Law law, double overlap) {
-    if (law == Law::of<Dmt>()) return -2.0;
-    if (law == Law::of<BrachDunn>()) return -std::pow(6.0, 2.0 / 3.0) * std::sqrt(overlap);
-    return 0.0;
-}
-
-}  // namespace
 
 TEST_CASE("Hertz, DMT and Brach-Dunn: Eqs. 22-24") {
     for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>()}) {

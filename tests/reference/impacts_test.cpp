@@ -60,6 +60,19 @@ struct Deviations {
     }
 };
 
+constexpr ContactCase hertz{Law::of<Hertz>(), DampingLaw::constant, Detachment::zero_overlap};
+
+double critical_with(double damping) {
+    return critical_velocity({hertz.law, hertz.detachment, {DampingLaw::constant, damping}, ash(0.0)})
+        .value.value();
+}
+
+/// m^3 k^2/eta^5 [s/m].
+double constant_unit(double damping) {
+    const double k = hertz_stiffness(ash(0.0));
+    return std::pow(ash(0.0).mass, 3) * k * k / std::pow(damping, 5);
+}
+
 }  // namespace
 
 TEST_CASE("every reference impact: outcome, restitution, contact time and overlap") {
@@ -96,23 +109,6 @@ TEST_CASE("every reference impact: outcome, restitution, contact time and overla
 }
 
 // Constants of the Hertz impact, at fly-ash scale.
-
-namespace {
-
-constexpr ContactCase hertz{Law::of<Hertz>(), DampingLaw::constant, Detachment::zero_overlap};
-
-double critical_with(double damping) {
-    return critical_velocity({hertz.law, hertz.detachment, {DampingLaw::constant, damping}, ash(0.0)})
-        .value.value();
-}
-
-/// m^3 k^2/eta^5 [s/m].
-double constant_unit(double damping) {
-    const double k = hertz_stiffness(ash(0.0));
-    return std::pow(ash(0.0).mass, 3) * k * k / std::pow(damping, 5);
-}
-
-}  // namespace
 
 TEST_CASE("elastic impact: overlap (5/4)^(2/5), contact time 3.21806546 in units of delta0 and delta0/v") {
     const double k = 4.0 / 3.0 * 90e9 * std::sqrt(44e-6);

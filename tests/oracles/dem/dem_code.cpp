@@ -146,49 +146,6 @@ std::vector<Track> read_log(const std::vector<Job>& jobs, const std::filesystem:
     return tracks;
 }
 
-}  // namespace
-
-DemCode lammps() {
-    return {.name = "LAMMPS",
-            .program = "lmp",
-            .debian_package = "lammps",
-            .covers =
-                [](const Impact& impact) {
-                    return hertz_or_dmt(impact) ||
-                           (impact.law == Law::of<Jkr>() && impact.detachment == Detachment::load_controlled);
-                },
-            .setup =
-                [](const Impact& impact) {
-                    return impact.law == Law::of<Jkr>() ? lammps_pair(impact) : lammps_wall(impact);
-                }};
-}
-
-DemCode liggghts() {
-    return {.name = "LIGGGHTS",
-            .program = "liggghts",
-            .debian_package = "liggghts",
-            .covers = hertz_or_dmt,
-            .setup = liggghts_wall};
-}
-
-std::vector<Track> run(const DemCode& code, std::span<const DemRun> runs, const std::string& directory) {
-    const auto program = find_program(code.program, code.debian_package);
-    const std::filesystem::path place = std::filesystem::path(ASHIMPACT_ORACLE_WORK) / directory;
-    std::filesystem::remove_all(place);
-    std::filesystem::create_directories(place);
-    std::vector<Job> jobs;
-    for (const DemRun& one : runs) jobs.push_back({code.setup(one.impact), one});
-    write_deck(jobs, place / "deck.in");
-    const int status = run_program(
-        program, {"-in", "deck.in", "-log", "log", "-screen", "none", "-echo", "none", "-nocite"}, place);
-    if (status != 0)
-        throw std::runtime_error(program.string() + " ended with status " + std::to_string(status) + ": " +
-                                 complaint(place / "log"));
-    return read_log(jobs, place / "log");
-}
-
-namespace {
-
 constexpr double hertz_contact_time = 3.21806546;  // undamped, in time scales
 
 constexpr std::array coarse_steps{200, 280, 400};                // a Hertz contact
@@ -287,6 +244,45 @@ OracleResult extrapolated(std::span<const DemRun> runs, std::span<const Contact>
 }
 
 }  // namespace
+
+DemCode lammps() {
+    return {.name = "LAMMPS",
+            .program = "lmp",
+            .debian_package = "lammps",
+            .covers =
+                [](const Impact& impact) {
+                    return hertz_or_dmt(impact) ||
+                           (impact.law == Law::of<Jkr>() && impact.detachment == Detachment::load_controlled);
+                },
+            .setup =
+                [](const Impact& impact) {
+                    return impact.law == Law::of<Jkr>() ? lammps_pair(impact) : lammps_wall(impact);
+                }};
+}
+
+DemCode liggghts() {
+    return {.name = "LIGGGHTS",
+            .program = "liggghts",
+            .debian_package = "liggghts",
+            .covers = hertz_or_dmt,
+            .setup = liggghts_wall};
+}
+
+std::vector<Track> run(const DemCode& code, std::span<const DemRun> runs, const std::string& directory) {
+    const auto program = find_program(code.program, code.debian_package);
+    const std::filesystem::path place = std::filesystem::path(ASHIMPACT_ORACLE_WORK) / directory;
+    std::filesystem::remove_all(place);
+    std::filesystem::create_directories(place);
+    std::vector<Job> jobs;
+    for (const DemRun& one : runs) jobs.push_back({code.setup(one.impact), one});
+    write_deck(jobs, place / "deck.in");
+    const int status = run_program(
+        program, {"-in", "deck.in", "-log", "log", "-screen", "none", "-echo", "none", "-nocite"}, place);
+    if (status != 0)
+        throw std::runtime_error(program.string() + " ended with status " + std::to_string(status) + ": " +
+                                 complaint(place / "log"));
+    return read_log(jobs, place / "log");
+}
 
 std::vector<OracleResult> dem_impacts(const DemCode& code, std::span<const Impact> impacts) {
     const auto coarse = contacts(code, coarse_runs(impacts), code.program + "-coarse");

@@ -42,6 +42,8 @@ const Json& built_in_calibration() {
     return found;
 }
 
+constexpr auto with_corundum = "phase,wt%\nquartz,30\nmullite,50\nCorundum,20\n";
+
 }  // namespace
 
 TEST_CASE("help of the program and of every command has an example and the common options") {
@@ -216,12 +218,6 @@ TEST_CASE("modulus: an XRD table gives fractions both ways and a modulus with bo
     CHECK(std::abs(value(json["young_modulus"]) - 148.13e9) < 0.01e9);  // the paper's 88 um
     CHECK(value(json["bounds"]["lower"]) < value(json["young_modulus"]));
 }
-
-namespace {
-
-constexpr auto with_corundum = "phase,wt%\nquartz,30\nmullite,50\nCorundum,20\n";
-
-}  // namespace
 
 TEST_CASE("modulus: every way to state the amorphous part gives the same sample") {
     const Sandbox sandbox;

@@ -37,6 +37,19 @@ double number(const Json& quantity) {
 
 const std::string rest = " --contact-modulus '90 GPa' --work-of-adhesion '0.3 J/m2' --damping '0.001 kg/s'";
 
+/// The built-in modulus of the example on a partner in place of the wall.
+Json with_partner(const Json& partner) {
+    Json document = example_case();
+    document["laws"] = {"jkr"};
+    document.erase("wall");
+    document["partner"] = partner;
+    for (Json& sample : document["samples"]) sample.erase("restitution");
+    return document;
+}
+
+const Json steel_ball = Json::parse(R"({"diameter": {"value": 200, "unit": "um", "standard_uncertainty": 4},
+    "density": "7800 kg/m3", "young_modulus": "193 GPa", "poisson_ratio": 0.29})");
+
 }  // namespace
 
 TEST_CASE("maugis-dugdale takes exactly one of Tabor parameter, cohesive stress and range") {
@@ -114,23 +127,6 @@ TEST_CASE("rough surfaces: less adhesion, never by default") {
     CHECK(number(printed(sandbox, command + " --roughness '1 nm'")["critical_velocity"]) < smooth);
     CHECK(ashimpact_program(sandbox, command + " --roughness '-1 nm'").status == 2);
 }
-
-namespace {
-
-/// The built-in modulus of the example on a partner in place of the wall.
-Json with_partner(const Json& partner) {
-    Json document = example_case();
-    document["laws"] = {"jkr"};
-    document.erase("wall");
-    document["partner"] = partner;
-    for (Json& sample : document["samples"]) sample.erase("restitution");
-    return document;
-}
-
-const Json steel_ball = Json::parse(R"({"diameter": {"value": 200, "unit": "um", "standard_uncertainty": 4},
-    "density": "7800 kg/m3", "young_modulus": "193 GPa", "poisson_ratio": 0.29})");
-
-}  // namespace
 
 TEST_CASE(
     "a case with rough surfaces: w is reduced as the command does, off by default, with its uncertainty") {

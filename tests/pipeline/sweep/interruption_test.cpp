@@ -59,6 +59,17 @@ void check_goes_on(const Sandbox& sandbox) {
     CHECK(sandbox.everything() == undisturbed());
 }
 
+/// 30,000 impacts on a grid of velocities from 1 to 2 m/s and ten radii.
+Json velocity_grid() {
+    Json spec = test::full_spec(sample_count);
+    spec["variables"]["velocity"] = Json::parse(R"({"grid": "linear", "from": 1, "to": 2, "points": 3001})");
+    spec["variables"]["radius"] = Json::parse(
+        R"({"values": ["1 um", "2 um", "3 um", "4 um", "5 um", "6 um", "7 um", "8 um", "9 um", "10 um"]})");
+    spec["sampling"] = {{"method", "grid"}};
+    spec.erase("sensitivity");
+    return spec;
+}
+
 }  // namespace
 
 TEST_CASE("a sweep killed at random moments and run again leaves the bytes of an undisturbed one") {
@@ -202,21 +213,6 @@ TEST_CASE("an interruption saves what is finished and ends the program as the si
         if (sandbox.has("out.json.checkpoint")) check_goes_on(sandbox);
     }
 }
-
-namespace {
-
-/// 30,000 impacts on a grid of velocities from 1 to 2 m/s and ten radii.
-Json velocity_grid() {
-    Json spec = test::full_spec(sample_count);
-    spec["variables"]["velocity"] = Json::parse(R"({"grid": "linear", "from": 1, "to": 2, "points": 3001})");
-    spec["variables"]["radius"] = Json::parse(
-        R"({"values": ["1 um", "2 um", "3 um", "4 um", "5 um", "6 um", "7 um", "8 um", "9 um", "10 um"]})");
-    spec["sampling"] = {{"method", "grid"}};
-    spec.erase("sensitivity");
-    return spec;
-}
-
-}  // namespace
 
 TEST_CASE("more than a hundredth of impacts that do not converge have status 3, and what is finished stays") {
     for (const int ranks : {0, 2}) {

@@ -59,6 +59,39 @@ struct Pair {
 
 using Pairs = std::vector<Pair>;
 
+/// A column of a table with its unit.
+struct Dataset {
+    std::vector<double> values;
+    std::string unit;
+};
+
+std::string text_attribute(hid_t object, const char* name) {
+    const hid_t attribute = H5Aopen(object, name, H5P_DEFAULT);
+    const hid_t type = H5Aget_type(attribute);
+    std::string text(H5Tget_size(type), '\0');
+    CHECK(H5Aread(attribute, type, text.data()) >= 0);
+    H5Tclose(type);
+    H5Aclose(attribute);
+    text.resize(text.find('\0'));
+    return text;
+}
+
+Dataset read_dataset(const std::string& file, const std::string& path) {
+    const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+    REQUIRE(opened >= 0);
+    const hid_t dataset = H5Dopen2(opened, path.c_str(), H5P_DEFAULT);
+    REQUIRE(dataset >= 0);
+    const hid_t space = H5Dget_space(dataset);
+    Dataset column;
+    column.values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+    CHECK(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, column.values.data()) >= 0);
+    column.unit = text_attribute(dataset, "unit");
+    H5Sclose(space);
+    H5Dclose(dataset);
+    H5Fclose(opened);
+    return column;
+}
+
 }  // namespace
 
 TEST_CASE("a sweep does not write over its spec, under whatever name") {
@@ -165,43 +198,6 @@ TEST_CASE("memory does not depend on the number of samples") {
 #endif
 
 using test::relative_difference;
-
-namespace {
-
-/// A column of a table with its unit.
-struct Dataset {
-    std::vector<double> values;
-    std::string unit;
-};
-
-std::string text_attribute(hid_t object, const char* name) {
-    const hid_t attribute = H5Aopen(object, name, H5P_DEFAULT);
-    const hid_t type = H5Aget_type(attribute);
-    std::string text(H5Tget_size(type), '\0');
-    CHECK(H5Aread(attribute, type, text.data()) >= 0);
-    H5Tclose(type);
-    H5Aclose(attribute);
-    text.resize(text.find('\0'));
-    return text;
-}
-
-Dataset read_dataset(const std::string& file, const std::string& path) {
-    const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-    REQUIRE(opened >= 0);
-    const hid_t dataset = H5Dopen2(opened, path.c_str(), H5P_DEFAULT);
-    REQUIRE(dataset >= 0);
-    const hid_t space = H5Dget_space(dataset);
-    Dataset column;
-    column.values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-    CHECK(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, column.values.data()) >= 0);
-    column.unit = text_attribute(dataset, "unit");
-    H5Sclose(space);
-    H5Dclose(dataset);
-    H5Fclose(opened);
-    return column;
-}
-
-}  // namespace
 
 TEST_CASE("a grid through the program is what the scalar solver says, impact by impact") {
     const Sandbox sandbox;

@@ -72,6 +72,68 @@ Impacts around_critical(Impacts impacts, const std::vector<double>& factors) {
     return impacts;
 }
 
+/// How far a batch is from the scalar solver.
+struct Agreement {
+    double restitution = 0.0;  ///< greatest |d(e^2)| over the conditioning of the problem
+    double contact_time =
+        0.0;  ///< greatest relative difference over the conditioning, which near capture is 1/e^2
+    Eigen::Index outcomes = 0;  ///< that differ
+
+    void add(const ImpactBatchResult& batch, Eigen::Index i, const ImpactResult& reference) {
+        if (batch.outcome[i] != reference.outcome) {
+            ++outcomes;
+            return;
+        }
+        restitution = std::max(restitution, conditioned_error(batch.restitution[i], reference));
+        if (!reference.contact_time) return;
+        const double depth = 1.0 + std::abs(reference.energy.minimum) / reference.energy.incident;
+        const double condition = 1.0 + depth / std::pow(reference.restitution, 2.0);
+        const double difference = std::abs(batch.contact_time[i] / *reference.contact_time - 1.0);
+        contact_time = std::max(contact_time, difference / condition);
+    }
+    void add(const Agreement& other) {
+        restitution = std::max(restitution, other.restitution);
+        contact_time = std::max(contact_time, other.contact_time);
+        outcomes += other.outcomes;
+    }
+};
+
+struct Agreements {
+    Agreement integrated{};
+    Agreement tabulated{};
+    Eigen::Index rebounds = 0;
+};
+
+Agreements agreements(const Impacts& impacts) {
+    const ImpactBatchResult integrated = solve_impacts(impacts.batch(), {.threads = 0});
+    const ImpactBatchResult tabulated =
+        solve_impacts(impacts.batch(), {.threads = 0, .turning_point = false, .method = BatchMethod::table});
+    Agreements all;
+    std::mutex adding;
+    const auto chunk = [&](std::size_t first, std::size_t count) {
+        Agreements own;
+        for (auto i = static_cast<Eigen::Index>(first); i < static_cast<Eigen::Index>(first + count); ++i) {
+            const ImpactResult reference = solve_impact(impacts.at(i));
+            own.integrated.add(integrated, i, reference);
+            own.tabulated.add(tabulated, i, reference);
+            if (reference.outcome == Outcome::rebound) ++own.rebounds;
+        }
+        const std::scoped_lock lock(adding);
+        all.integrated.add(own.integrated);
+        all.tabulated.add(own.tabulated);
+        all.rebounds += own.rebounds;
+    };
+    batch::for_chunks(static_cast<std::size_t>(impacts.size()), 512, 0, chunk);
+    return all;
+}
+
+/// A million with ASHIMPACT_WHOLE, as `./dev test reliability` sets it; under sanitizers every impact makes a
+/// square of a table.
+Eigen::Index impacts_in_all() {
+    if (sanitized) return 2'100;
+    return std::getenv("ASHIMPACT_WHOLE") == nullptr ? 200'000 : 1'000'000;
+}
+
 }  // namespace
 
 TEST_CASE("the batch does what the scalar solver does: every law, detachment and damping law") {
@@ -379,72 +441,6 @@ TEST_CASE("an inadmissible value is found wherever it stands, and zero where it 
         }
     }
 }
-
-namespace {
-
-/// How far a batch is from the scalar solver.
-struct Agreement {
-    double restitution = 0.0;  ///< greatest |d(e^2)| over the conditioning of the problem
-    double contact_time =
-        0.0;  ///< greatest relative difference over the conditioning, which near capture is 1/e^2
-    Eigen::Index outcomes = 0;  ///< that differ
-
-    void add(const ImpactBatchResult& batch, Eigen::Index i, const ImpactResult& reference) {
-        if (batch.outcome[i] != reference.outcome) {
-            ++outcomes;
-            return;
-        }
-        restitution = std::max(restitution, conditioned_error(batch.restitution[i], reference));
-        if (!reference.contact_time) return;
-        const double depth = 1.0 + std::abs(reference.energy.minimum) / reference.energy.incident;
-        const double condition = 1.0 + depth / std::pow(reference.restitution, 2.0);
-        const double difference = std::abs(batch.contact_time[i] / *reference.contact_time - 1.0);
-        contact_time = std::max(contact_time, difference / condition);
-    }
-    void add(const Agreement& other) {
-        restitution = std::max(restitution, other.restitution);
-        contact_time = std::max(contact_time, other.contact_time);
-        outcomes += other.outcomes;
-    }
-};
-
-struct Agreements {
-    Agreement integrated{};
-    Agreement tabulated{};
-    Eigen::Index rebounds = 0;
-};
-
-Agreements agreements(const Impacts& impacts) {
-    const ImpactBatchResult integrated = solve_impacts(impacts.batch(), {.threads = 0});
-    const ImpactBatchResult tabulated =
-        solve_impacts(impacts.batch(), {.threads = 0, .turning_point = false, .method = BatchMethod::table});
-    Agreements all;
-    std::mutex adding;
-    const auto chunk = [&](std::size_t first, std::size_t count) {
-        Agreements own;
-        for (auto i = static_cast<Eigen::Index>(first); i < static_cast<Eigen::Index>(first + count); ++i) {
-            const ImpactResult reference = solve_impact(impacts.at(i));
-            own.integrated.add(integrated, i, reference);
-            own.tabulated.add(tabulated, i, reference);
-            if (reference.outcome == Outcome::rebound) ++own.rebounds;
-        }
-        const std::scoped_lock lock(adding);
-        all.integrated.add(own.integrated);
-        all.tabulated.add(own.tabulated);
-        all.rebounds += own.rebounds;
-    };
-    batch::for_chunks(static_cast<std::size_t>(impacts.size()), 512, 0, chunk);
-    return all;
-}
-
-/// A million with ASHIMPACT_WHOLE, as `./dev test reliability` sets it; under sanitizers every impact makes a
-/// square of a table.
-Eigen::Index impacts_in_all() {
-    if (sanitized) return 2'100;
-    return std::getenv("ASHIMPACT_WHOLE") == nullptr ? 200'000 : 1'000'000;
-}
-
-}  // namespace
 
 TEST_CASE(
     "random impacts, a million in the whole form: integrated and tabulated batches do what the scalar solver "

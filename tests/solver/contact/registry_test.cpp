@@ -108,6 +108,21 @@ std::string refused(double value, Set&& set) {
     return input_error_of([&] { return solve_impact(impact); });
 }
 
+constexpr LawParameter with_default{.name = "with_default",
+                                    .dimension = Dimension::fraction,
+                                    .description = "a parameter",
+                                    .example = "2",
+                                    .typical = 2.0,
+                                    .otherwise = 7.0};
+
+Impact sjkr_impact() {
+    return {.law = Law::of<Sjkr>(),
+            .detachment = Detachment::zero_overlap,
+            .damping = {DampingLaw::constant, 0.002},
+            .contact = ash(0.0),
+            .velocity = 2.0};
+}
+
 }  // namespace
 
 TEST_CASE("admissible detachments of each law") {
@@ -189,25 +204,6 @@ TEST_CASE("a damping out of range is named in the unit of its law") {
     CHECK(input_error_of([&] { validate(impact); }) ==
           "damping is -3 Pa s; allowed: a non-negative viscosity [Pa s]");
 }
-
-namespace {
-
-constexpr LawParameter with_default{.name = "with_default",
-                                    .dimension = Dimension::fraction,
-                                    .description = "a parameter",
-                                    .example = "2",
-                                    .typical = 2.0,
-                                    .otherwise = 7.0};
-
-Impact sjkr_impact() {
-    return {.law = Law::of<Sjkr>(),
-            .detachment = Detachment::zero_overlap,
-            .damping = {DampingLaw::constant, 0.002},
-            .contact = ash(0.0),
-            .velocity = 2.0};
-}
-
-}  // namespace
 
 TEST_CASE("values of parameters are found by name; a default stands for one that is not given") {
     ParameterValues<double> values{{"cohesion_energy_density", 3.0}};

@@ -80,6 +80,21 @@ void check_finite(const MeasuredDamping& result) {
     }
 }
 
+/// 300 impacts, read to 2 um a pixel, of a truth that is none of the laws: e rises as the root of the
+/// velocity over 1.6 m/s.
+MeasurementSet sharp_impacts() {
+    constexpr double critical = 1.6;
+    Random random(11);
+    MeasurementSet set{.source = "lab", .points = {}};
+    for (int i = 0; i < 300; ++i) {
+        const double v = 1.4 + 6.6 * i / 299;
+        const double e = v > critical ? 0.62 * std::sqrt(1.0 - critical / v) * (1.0 - 0.015 * v) : 0.0;
+        const double rebound = e > 0.0 ? std::max(1e-6, e * v + random.normal(0.01)) : 0.0;
+        set.points.push_back({.velocity = v + random.normal(0.01), .rebound = rebound});
+    }
+    return with_camera(set, {.frame_rate = 80e3, .pixel_size = 2e-6, .frames = 5});
+}
+
 }  // namespace
 
 TEST_CASE("the whole analysis of a good series") {
@@ -227,25 +242,6 @@ TEST_CASE(
     // Which of the two depends on the last digits.
     CHECK((result.extrapolated || has_finding(result, "no-extrapolation")));
 }
-
-namespace {
-
-/// 300 impacts, read to 2 um a pixel, of a truth that is none of the laws: e rises as the root of the
-/// velocity over 1.6 m/s.
-MeasurementSet sharp_impacts() {
-    constexpr double critical = 1.6;
-    Random random(11);
-    MeasurementSet set{.source = "lab", .points = {}};
-    for (int i = 0; i < 300; ++i) {
-        const double v = 1.4 + 6.6 * i / 299;
-        const double e = v > critical ? 0.62 * std::sqrt(1.0 - critical / v) * (1.0 - 0.015 * v) : 0.0;
-        const double rebound = e > 0.0 ? std::max(1e-6, e * v + random.normal(0.01)) : 0.0;
-        set.points.push_back({.velocity = v + random.normal(0.01), .rebound = rebound});
-    }
-    return with_camera(set, {.frame_rate = 80e3, .pixel_size = 2e-6, .frames = 5});
-}
-
-}  // namespace
 
 TEST_CASE(
     "impacts that no damping of such an order describes within their noise are fitted with more of it") {

@@ -59,6 +59,77 @@ double least_misfit(const std::vector<Measurement>& points, double width) {
     return at(gsl::minimise_between(at, 0.8, 1.1, 1.6, 1e-7));
 }
 
+constexpr double truth = 1.27;         // mean v_c, 96 um [m/s]
+constexpr double uncertainty = 0.058;  // of v_in [m/s]
+constexpr unsigned long seed = 11;
+
+/// An impact aimed at @p velocity of a particle that rebounds from @p critical on, as measured.
+Measurement measured_impact(double velocity, double critical, Random& random) {
+    return {.velocity = velocity + random.normal(uncertainty),
+            .rebound = velocity < critical ? 0.0 : 0.3 * velocity,
+            .noise = VelocityNoise::of_velocities(uncertainty, uncertainty)};
+}
+
+/// Impacts of one outcome.
+struct OneSided {
+    int impacts;
+    double farthest;  ///< v_in are drawn evenly between truth and here; below it all are captured [m/s]
+};
+
+/// In how many series of @p repetitions the one bound there is excludes the truth.
+int wrong_bounds(const OneSided& laboratory, int repetitions) {
+    Random random(seed);
+    const bool captures = laboratory.farthest < truth;
+    int wrong = 0;
+    for (int i = 0; i < repetitions; ++i) {
+        MeasurementSet set{.source = "one outcome", .points = {}};
+        for (int j = 0; j < laboratory.impacts; ++j) {
+            const double velocity = truth + random.uniform(0.0, 1.0) * (laboratory.farthest - truth);
+            set.points.push_back(measured_impact(velocity, captures ? 2.0 * truth : 0.0, random));
+        }
+        const MeasuredCriticalVelocity measured = measured_critical_velocity(set);
+        CHECK(measured.lower.has_value() == captures);
+        CHECK(measured.upper.has_value() != captures);
+        if (captures ? measured.lower > truth : measured.upper < truth) ++wrong;
+    }
+    return wrong;
+}
+
+/// Whether so many miss that a bound which holds in 95 % of cases would give them once in 1000 times.
+bool too_many(int wrong, int repetitions) {
+    return wrong > 0 && 1.0 - gsl::binomial_probability(static_cast<unsigned>(wrong - 1), 1.0 - confidence,
+                                                        static_cast<unsigned>(repetitions)) <
+                            1e-3;
+}
+
+/// Particles whose critical velocities differ.
+struct Mixture {
+    int impacts;
+    double spread;  ///< standard deviation of v_c between particles [m/s]
+};
+
+struct MixtureCoverage {
+    int covered = 0;
+    double width = 0.0;  ///< mean half width [m/s]
+};
+
+MixtureCoverage coverage_of(const Mixture& mixture, int repetitions) {
+    Random random(seed);
+    MixtureCoverage result;
+    for (int i = 0; i < repetitions; ++i) {
+        MeasurementSet set{.source = "mixture", .points = {}};
+        for (int j = 0; j < mixture.impacts; ++j) {
+            const double velocity = random.uniform(0.5 * truth, 1.5 * truth);
+            set.points.push_back(measured_impact(velocity, truth + random.normal(mixture.spread), random));
+        }
+        const MeasuredCriticalVelocity measured = measured_critical_velocity(set);
+        if (!measured.lower || !measured.upper) continue;  // counts as missed
+        if (*measured.lower < truth && truth < *measured.upper) ++result.covered;
+        result.width += 0.5 * (*measured.upper - *measured.lower) / repetitions;
+    }
+    return result;
+}
+
 }  // namespace
 
 TEST_CASE("outcomes without noise bound v_c by the gap between them") {
@@ -365,81 +436,6 @@ TEST_CASE("the outcomes of many impacts are merged without a loss") {
     CHECK(std::abs(at(*measured.upper) - at(center) - 3.84) < 0.1);
     CHECK(std::abs(at(*measured.lower) - at(center) - 3.84) < 0.1);
 }
-
-namespace {
-
-constexpr double truth = 1.27;         // mean v_c, 96 um [m/s]
-constexpr double uncertainty = 0.058;  // of v_in [m/s]
-constexpr unsigned long seed = 11;
-
-/// An impact aimed at @p velocity of a particle that rebounds from @p critical on, as measured.
-Measurement measured_impact(double velocity, double critical, Random& random) {
-    return {.velocity = velocity + random.normal(uncertainty),
-            .rebound = velocity < critical ? 0.0 : 0.3 * velocity,
-            .noise = VelocityNoise::of_velocities(uncertainty, uncertainty)};
-}
-
-/// Impacts of one outcome.
-struct OneSided {
-    int impacts;
-    double farthest;  ///< v_in are drawn evenly between truth and here; below it all are captured [m/s]
-};
-
-/// In how many series of @p repetitions the one bound there is excludes the truth.
-int wrong_bounds(const OneSided& laboratory, int repetitions) {
-    Random random(seed);
-    const bool captures = laboratory.farthest < truth;
-    int wrong = 0;
-    for (int i = 0; i < repetitions; ++i) {
-        MeasurementSet set{.source = "one outcome", .points = {}};
-        for (int j = 0; j < laboratory.impacts; ++j) {
-            const double velocity = truth + random.uniform(0.0, 1.0) * (laboratory.farthest - truth);
-            set.points.push_back(measured_impact(velocity, captures ? 2.0 * truth : 0.0, random));
-        }
-        const MeasuredCriticalVelocity measured = measured_critical_velocity(set);
-        CHECK(measured.lower.has_value() == captures);
-        CHECK(measured.upper.has_value() != captures);
-        if (captures ? measured.lower > truth : measured.upper < truth) ++wrong;
-    }
-    return wrong;
-}
-
-/// Whether so many miss that a bound which holds in 95 % of cases would give them once in 1000 times.
-bool too_many(int wrong, int repetitions) {
-    return wrong > 0 && 1.0 - gsl::binomial_probability(static_cast<unsigned>(wrong - 1), 1.0 - confidence,
-                                                        static_cast<unsigned>(repetitions)) <
-                            1e-3;
-}
-
-/// Particles whose critical velocities differ.
-struct Mixture {
-    int impacts;
-    double spread;  ///< standard deviation of v_c between particles [m/s]
-};
-
-struct MixtureCoverage {
-    int covered = 0;
-    double width = 0.0;  ///< mean half width [m/s]
-};
-
-MixtureCoverage coverage_of(const Mixture& mixture, int repetitions) {
-    Random random(seed);
-    MixtureCoverage result;
-    for (int i = 0; i < repetitions; ++i) {
-        MeasurementSet set{.source = "mixture", .points = {}};
-        for (int j = 0; j < mixture.impacts; ++j) {
-            const double velocity = random.uniform(0.5 * truth, 1.5 * truth);
-            set.points.push_back(measured_impact(velocity, truth + random.normal(mixture.spread), random));
-        }
-        const MeasuredCriticalVelocity measured = measured_critical_velocity(set);
-        if (!measured.lower || !measured.upper) continue;  // counts as missed
-        if (*measured.lower < truth && truth < *measured.upper) ++result.covered;
-        result.width += 0.5 * (*measured.upper - *measured.lower) / repetitions;
-    }
-    return result;
-}
-
-}  // namespace
 
 TEST_CASE("a bound from one outcome holds in 95 % of cases, however many impacts there are") {
     constexpr int repetitions = 300;

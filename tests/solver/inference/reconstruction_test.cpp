@@ -44,6 +44,66 @@ void for_each_published(Action&& action) {
             action(published_damping(sample, law));
 }
 
+using LongMatrix = Eigen::Matrix<long double, 3, 3>;
+using LongVector = Eigen::Matrix<long double, 3, 1>;
+
+/// Fit and covariance by the normal equations in extended precision, which share nothing with the SVD of the
+/// fit; of the coefficients in ascending powers.
+struct NormalEquations {
+    LongVector coefficients = LongVector::Zero();
+    LongMatrix inverse = LongMatrix::Zero();
+    long double chi_squared = 0;
+
+    explicit NormalEquations(const std::vector<DampingPoint>& points) {
+        const auto weight = [](const DampingPoint& p) {
+            const long double u = p.standard_uncertainty;
+            return u > 0 ? 1 / (u * u) : 1.0L;
+        };
+        const auto row = [](const DampingPoint& p) {
+            const long double e = p.restitution;
+            return LongVector(1, e, e * e);
+        };
+        LongMatrix normal = LongMatrix::Zero();
+        LongVector right = LongVector::Zero();
+        for (const DampingPoint& p : points) {
+            normal += weight(p) * row(p) * row(p).transpose();
+            right += weight(p) * p.damping * row(p);
+        }
+        inverse = normal.inverse();
+        coefficients = inverse * right;
+        for (const DampingPoint& p : points)
+            chi_squared += weight(p) * std::pow(p.damping - row(p).dot(coefficients), 2.0L);
+    }
+};
+
+/// Noisy points on the 88 um Hertz row of Table 2.
+std::vector<DampingPoint> noisy_points(bool weighted) {
+    Random random(42);
+    std::vector<DampingPoint> points;
+    for (int i = 0; i < 12; ++i) {
+        const double e = 0.05 + 0.05 * i;
+        const double u = weighted ? 1e-4 * (1.0 + 0.3 * i) : 0.0;
+        const double noise = random.uniform(-2e-4, 2e-4);
+        points.push_back({e, 0.0238 * e * e - 0.0291 * e + 0.0153 + noise, u});
+    }
+    return points;
+}
+
+void check_against_normal_equations(const DampingFit& fit, const NormalEquations& expected,
+                                    long double scatter) {
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        CHECK(relative_difference(fit.damping.coefficients[i],
+                                  static_cast<double>(expected.coefficients[i])) < 1e-12);
+        for (Eigen::Index j = 0; j < 3; ++j) {
+            CAPTURE(i);
+            CAPTURE(j);
+            CHECK(relative_difference(fit.covariance(i, j),
+                                      static_cast<double>(scatter * expected.inverse(i, j))) < 1e-11);
+        }
+    }
+    CHECK(relative_difference(fit.chi_squared, static_cast<double>(expected.chi_squared)) < 1e-11);
+}
+
 }  // namespace
 
 TEST_CASE("the velocity of a restitution gives that restitution, for every case with a critical velocity") {
@@ -221,70 +281,6 @@ TEST_CASE("restitutions that no velocity has are refused") {
         "restitution need not rise with velocity where the contact yields; allowed: a contact without yield "
         "pressure");
 }
-
-namespace {
-
-using LongMatrix = Eigen::Matrix<long double, 3, 3>;
-using LongVector = Eigen::Matrix<long double, 3, 1>;
-
-/// Fit and covariance by the normal equations in extended precision, which share nothing with the SVD of the
-/// fit; of the coefficients in ascending powers.
-struct NormalEquations {
-    LongVector coefficients = LongVector::Zero();
-    LongMatrix inverse = LongMatrix::Zero();
-    long double chi_squared = 0;
-
-    explicit NormalEquations(const std::vector<DampingPoint>& points) {
-        const auto weight = [](const DampingPoint& p) {
-            const long double u = p.standard_uncertainty;
-            return u > 0 ? 1 / (u * u) : 1.0L;
-        };
-        const auto row = [](const DampingPoint& p) {
-            const long double e = p.restitution;
-            return LongVector(1, e, e * e);
-        };
-        LongMatrix normal = LongMatrix::Zero();
-        LongVector right = LongVector::Zero();
-        for (const DampingPoint& p : points) {
-            normal += weight(p) * row(p) * row(p).transpose();
-            right += weight(p) * p.damping * row(p);
-        }
-        inverse = normal.inverse();
-        coefficients = inverse * right;
-        for (const DampingPoint& p : points)
-            chi_squared += weight(p) * std::pow(p.damping - row(p).dot(coefficients), 2.0L);
-    }
-};
-
-/// Noisy points on the 88 um Hertz row of Table 2.
-std::vector<DampingPoint> noisy_points(bool weighted) {
-    Random random(42);
-    std::vector<DampingPoint> points;
-    for (int i = 0; i < 12; ++i) {
-        const double e = 0.05 + 0.05 * i;
-        const double u = weighted ? 1e-4 * (1.0 + 0.3 * i) : 0.0;
-        const double noise = random.uniform(-2e-4, 2e-4);
-        points.push_back({e, 0.0238 * e * e - 0.0291 * e + 0.0153 + noise, u});
-    }
-    return points;
-}
-
-void check_against_normal_equations(const DampingFit& fit, const NormalEquations& expected,
-                                    long double scatter) {
-    for (Eigen::Index i = 0; i < 3; ++i) {
-        CHECK(relative_difference(fit.damping.coefficients[i],
-                                  static_cast<double>(expected.coefficients[i])) < 1e-12);
-        for (Eigen::Index j = 0; j < 3; ++j) {
-            CAPTURE(i);
-            CAPTURE(j);
-            CHECK(relative_difference(fit.covariance(i, j),
-                                      static_cast<double>(scatter * expected.inverse(i, j))) < 1e-11);
-        }
-    }
-    CHECK(relative_difference(fit.chi_squared, static_cast<double>(expected.chi_squared)) < 1e-11);
-}
-
-}  // namespace
 
 TEST_CASE("an exact quadratic is recovered, with its critical damping") {
     std::vector<DampingPoint> points;

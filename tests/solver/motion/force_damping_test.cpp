@@ -45,6 +45,53 @@ Orbit<Extended> rebound_near(const PlasticMotion<Extended>& motion, Extended cri
     return above.outcome == Outcome::rebound ? above : follow(motion, critical * (1 - 1e-9L));
 }
 
+struct TwoTerms {
+    static constexpr double overdamped_squared = std::numeric_limits<double>::infinity();
+
+    template <class U>
+    [[nodiscard]] static constexpr std::array<U, 2> shapes(const U& /*u*/, const StaticForces<U>& forces) {
+        return {forces.repulsion, forces.attraction};
+    }
+    template <class Scale>
+    [[nodiscard]] static auto units(const Scale& scale) {
+        return std::array{1 / scale.velocity, 1 / scale.velocity};
+    }
+    /// The second coefficient is that of the attraction; the values stand for those of parameters.
+    [[nodiscard]] static std::array<double, 2> coefficients(double c, const ParameterValues<double>& values) {
+        return {c, values.begin()->second};
+    }
+};
+
+ScaledDamping<Extended> two_terms(double repulsive, double adhesive) {
+    const Scale scale =
+        Scale::of({.mass = 1, .effective_radius = 1, .contact_modulus = 0.75, .work_of_adhesion = 0}, 1);
+    const auto numbers = scale.damping_numbers<TwoTerms>(repulsive, {{"adhesive", adhesive}});
+    return ScaledDamping<Extended>::by<TwoTerms>({numbers[0], numbers[1]});
+}
+
+/// e of an impact at unit velocity by Runge & Kutta's method in time, with the force as a function of u.
+double restitution_in_time(double repulsive, double adhesive, double adhesion) {
+    // DMT: F = delta^(3/2) - A on zero overlap and above.
+    double overlap = 0;
+    double velocity = 1;
+    constexpr double step = 2e-5;
+    const auto rate = [&](double x, double v) {
+        const double hertz = x > 0 ? x * std::sqrt(x) : 0;
+        return -(hertz - adhesion) - (repulsive * hertz + adhesive * adhesion) * v;
+    };
+    while (true) {
+        const double k1 = rate(overlap, velocity);
+        const double k2 = rate(overlap + step / 2 * velocity, velocity + step / 2 * k1);
+        const double k3 = rate(overlap + step / 2 * (velocity + step / 2 * k1), velocity + step / 2 * k2);
+        const double k4 = rate(overlap + step * (velocity + step / 2 * k2), velocity + step * k3);
+        const double next = overlap + step * (velocity + step / 6 * (k1 + k2 + k3));
+        const double faster = velocity + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+        if (next <= 0) return -(velocity + (faster - velocity) * overlap / (overlap - next));
+        overlap = next;
+        velocity = faster;
+    }
+}
+
 }  // namespace
 
 TEST_CASE("Hertz: zeta v (1 + e) = ln[(1 + zeta v)/(1 - zeta v e)]") {
@@ -156,56 +203,6 @@ TEST_CASE("the ledger of an impact closes") {
 
 // Brach & Dunn 1995: F_d = (zeta_H F_r + zeta_A |F_a|) d(delta)/dt, the toy of two terms. As a type of a
 // damping law, so that what a registered law goes through is tested.
-namespace {
-
-struct TwoTerms {
-    static constexpr double overdamped_squared = std::numeric_limits<double>::infinity();
-
-    template <class U>
-    [[nodiscard]] static constexpr std::array<U, 2> shapes(const U& /*u*/, const StaticForces<U>& forces) {
-        return {forces.repulsion, forces.attraction};
-    }
-    template <class Scale>
-    [[nodiscard]] static auto units(const Scale& scale) {
-        return std::array{1 / scale.velocity, 1 / scale.velocity};
-    }
-    /// The second coefficient is that of the attraction; the values stand for those of parameters.
-    [[nodiscard]] static std::array<double, 2> coefficients(double c, const ParameterValues<double>& values) {
-        return {c, values.begin()->second};
-    }
-};
-
-ScaledDamping<Extended> two_terms(double repulsive, double adhesive) {
-    const Scale scale =
-        Scale::of({.mass = 1, .effective_radius = 1, .contact_modulus = 0.75, .work_of_adhesion = 0}, 1);
-    const auto numbers = scale.damping_numbers<TwoTerms>(repulsive, {{"adhesive", adhesive}});
-    return ScaledDamping<Extended>::by<TwoTerms>({numbers[0], numbers[1]});
-}
-
-/// e of an impact at unit velocity by Runge & Kutta's method in time, with the force as a function of u.
-double restitution_in_time(double repulsive, double adhesive, double adhesion) {
-    // DMT: F = delta^(3/2) - A on zero overlap and above.
-    double overlap = 0;
-    double velocity = 1;
-    constexpr double step = 2e-5;
-    const auto rate = [&](double x, double v) {
-        const double hertz = x > 0 ? x * std::sqrt(x) : 0;
-        return -(hertz - adhesion) - (repulsive * hertz + adhesive * adhesion) * v;
-    };
-    while (true) {
-        const double k1 = rate(overlap, velocity);
-        const double k2 = rate(overlap + step / 2 * velocity, velocity + step / 2 * k1);
-        const double k3 = rate(overlap + step / 2 * (velocity + step / 2 * k1), velocity + step / 2 * k2);
-        const double k4 = rate(overlap + step * (velocity + step / 2 * k2), velocity + step * k3);
-        const double next = overlap + step * (velocity + step / 6 * (k1 + k2 + k3));
-        const double faster = velocity + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-        if (next <= 0) return -(velocity + (faster - velocity) * overlap / (overlap - next));
-        overlap = next;
-        velocity = faster;
-    }
-}
-
-}  // namespace
 
 TEST_CASE("two terms: a coefficient of 0 leaves the other, equal ones damp with the whole of the force") {
     const auto e = [](const ScaledDamping<Extended>& damping) {

@@ -33,6 +33,10 @@ bool warns(const Regime& regime, const std::string& part) {
                        [&](const Finding& warning) { return contains(warning.text, part); });
 }
 
+Impact impact_with(Law law, double w, double number, double velocity) {
+    return impact_of({law, DampingLaw::constant, law.default_detachment()}, ash(w), number, velocity);
+}
+
 }  // namespace
 
 TEST_CASE("the numbers of a regime") {
@@ -236,14 +240,6 @@ TEST_CASE("velocities at which damping and adhesion are of order one") {
         CHECK(relative_difference(number, 1.0) < 1e-12);
     }
 }
-
-namespace {
-
-Impact impact_with(Law law, double w, double number, double velocity) {
-    return impact_of({law, DampingLaw::constant, law.default_detachment()}, ash(w), number, velocity);
-}
-
-}  // namespace
 
 TEST_CASE("each stage's impulses add up to its momentum, Eqs. 36 to 39, to rounding") {
     Worst residual;

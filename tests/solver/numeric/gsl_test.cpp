@@ -140,6 +140,61 @@ namespace {
 const std::vector<double> velocities{1.92, 2.0, 2.2, 3.1, 5.0, 9.0, 14.0};
 const std::vector<double> restitutions{0.0, 0.31, 0.52, 0.66, 0.68, 0.61, 0.50};
 
+using Model = double (*)(const Eigen::VectorXd& b, double x);
+
+double misra1a(const Eigen::VectorXd& b, double x) {
+    return b[0] * (1.0 - std::exp(-b[1] * x));
+}
+
+double thurber(const Eigen::VectorXd& b, double x) {
+    return (b[0] + x * (b[1] + x * (b[2] + x * b[3]))) / (1.0 + x * (b[4] + x * (b[5] + x * b[6])));
+}
+
+double mgh09(const Eigen::VectorXd& b, double x) {
+    return b[0] * (x * x + x * b[1]) / (x * x + x * b[2] + b[3]);
+}
+
+Eigen::VectorXd vector_of(const nlohmann::json& column) {
+    const auto values = column.get<std::vector<double>>();
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/// A problem of NIST's Statistical Reference Datasets, tests/data/nist.
+struct Certified {
+    Model model;
+    nlohmann::json data;
+    Eigen::VectorXd x = vector_of(data["x"]);
+    Eigen::VectorXd y = vector_of(data["y"]);
+
+    [[nodiscard]] Eigen::VectorXd residuals(const Eigen::VectorXd& b) const {
+        Eigen::VectorXd r(x.size());
+        for (Eigen::Index i = 0; i < x.size(); ++i) r[i] = model(b, x[i]) - y[i];
+        return r;
+    }
+    [[nodiscard]] double number(const char* key) const { return data[key].get<double>(); }
+};
+
+Certified misra_problem() {
+    return {&misra1a, data_file("nist/misra1a.json")};
+}
+
+/// Six digits in everything that is certified, from one published start.
+void check_certified(const Certified& problem, const Eigen::VectorXd& start) {
+    const gsl::NonlinearFit fit = gsl::fit_nonlinear(
+        {[&](const Eigen::VectorXd& b) { return problem.residuals(b); }}, start, {.most_iterations = 2000});
+    const Eigen::VectorXd parameters = vector_of(problem.data["parameters"]);
+    const Eigen::VectorXd deviations = vector_of(problem.data["standard_deviations"]);
+    const double deviation = std::sqrt(fit.chi_squared / problem.number("degrees_of_freedom"));
+    CHECK(relative_difference(fit.chi_squared, problem.number("residual_sum_of_squares")) < 1e-9);
+    CHECK(relative_difference(deviation, problem.number("residual_standard_deviation")) < 1e-9);
+    for (Eigen::Index i = 0; i < parameters.size(); ++i) {
+        CAPTURE(i);
+        CHECK(relative_difference(fit.parameters[i], parameters[i]) < 1e-6);
+        CHECK(relative_difference(deviation * std::sqrt(fit.covariance(i, i)), deviations[i]) < 1e-6);
+    }
+    CHECK(relative_difference(fit.residuals.squaredNorm(), fit.chi_squared) < 1e-14);
+}
+
 }  // namespace
 
 TEST_CASE("a measured curve passes through its points") {
@@ -227,65 +282,6 @@ TEST_CASE("a curve can be moved") {
     third = std::move(second);
     CHECK(third(2.7) == value);
 }
-
-namespace {
-
-using Model = double (*)(const Eigen::VectorXd& b, double x);
-
-double misra1a(const Eigen::VectorXd& b, double x) {
-    return b[0] * (1.0 - std::exp(-b[1] * x));
-}
-
-double thurber(const Eigen::VectorXd& b, double x) {
-    return (b[0] + x * (b[1] + x * (b[2] + x * b[3]))) / (1.0 + x * (b[4] + x * (b[5] + x * b[6])));
-}
-
-double mgh09(const Eigen::VectorXd& b, double x) {
-    return b[0] * (x * x + x * b[1]) / (x * x + x * b[2] + b[3]);
-}
-
-Eigen::VectorXd vector_of(const nlohmann::json& column) {
-    const auto values = column.get<std::vector<double>>();
-    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
-/// A problem of NIST's Statistical Reference Datasets, tests/data/nist.
-struct Certified {
-    Model model;
-    nlohmann::json data;
-    Eigen::VectorXd x = vector_of(data["x"]);
-    Eigen::VectorXd y = vector_of(data["y"]);
-
-    [[nodiscard]] Eigen::VectorXd residuals(const Eigen::VectorXd& b) const {
-        Eigen::VectorXd r(x.size());
-        for (Eigen::Index i = 0; i < x.size(); ++i) r[i] = model(b, x[i]) - y[i];
-        return r;
-    }
-    [[nodiscard]] double number(const char* key) const { return data[key].get<double>(); }
-};
-
-Certified misra_problem() {
-    return {&misra1a, data_file("nist/misra1a.json")};
-}
-
-/// Six digits in everything that is certified, from one published start.
-void check_certified(const Certified& problem, const Eigen::VectorXd& start) {
-    const gsl::NonlinearFit fit = gsl::fit_nonlinear(
-        {[&](const Eigen::VectorXd& b) { return problem.residuals(b); }}, start, {.most_iterations = 2000});
-    const Eigen::VectorXd parameters = vector_of(problem.data["parameters"]);
-    const Eigen::VectorXd deviations = vector_of(problem.data["standard_deviations"]);
-    const double deviation = std::sqrt(fit.chi_squared / problem.number("degrees_of_freedom"));
-    CHECK(relative_difference(fit.chi_squared, problem.number("residual_sum_of_squares")) < 1e-9);
-    CHECK(relative_difference(deviation, problem.number("residual_standard_deviation")) < 1e-9);
-    for (Eigen::Index i = 0; i < parameters.size(); ++i) {
-        CAPTURE(i);
-        CHECK(relative_difference(fit.parameters[i], parameters[i]) < 1e-6);
-        CHECK(relative_difference(deviation * std::sqrt(fit.covariance(i, i)), deviations[i]) < 1e-6);
-    }
-    CHECK(relative_difference(fit.residuals.squaredNorm(), fit.chi_squared) < 1e-14);
-}
-
-}  // namespace
 
 TEST_CASE("NIST StRD: certified values to six digits from both published starts") {
     const std::array<Certified, 3> problems{misra_problem(),

@@ -121,6 +121,22 @@ const Polynomial<double> quadratic = polynomial({0.5, -1.25, 3.0});
 
 constexpr double abscissae[] = {-1.7, -0.3, 0.0, 0.4, 2.6};
 
+/// Coefficients of 1/(1 - h/r), whose radius of convergence is r.
+template <class Real>
+Series<Real> geometric(Real factor, Real r) {
+    Series<Real> c;
+    for (std::size_t n = 0; n < c.size(); ++n) c[n] = factor * std::pow(r, -static_cast<Real>(n));
+    return c;
+}
+
+template <class Real>
+Series<Real> exponential() {
+    Series<Real> c;
+    c[0] = 1;
+    for (std::size_t n = 1; n < c.size(); ++n) c[n] = c[n - 1] / static_cast<Real>(n);
+    return c;
+}
+
 }  // namespace
 
 TEST_CASE("a polynomial's value is the sum of its terms") {
@@ -199,26 +215,6 @@ TEST_CASE("an upper bound between two points is above every value there, and clo
     }
     CHECK(quadratic.upper_bound(1.0, 2.0) == quadratic(2.0));  // reached at an end
 }
-
-namespace {
-
-/// Coefficients of 1/(1 - h/r), whose radius of convergence is r.
-template <class Real>
-Series<Real> geometric(Real factor, Real r) {
-    Series<Real> c;
-    for (std::size_t n = 0; n < c.size(); ++n) c[n] = factor * std::pow(r, -static_cast<Real>(n));
-    return c;
-}
-
-template <class Real>
-Series<Real> exponential() {
-    Series<Real> c;
-    c[0] = 1;
-    for (std::size_t n = 1; n < c.size(); ++n) c[n] = c[n - 1] / static_cast<Real>(n);
-    return c;
-}
-
-}  // namespace
 
 TEST_CASE("a series is exact to rounding within radius/e^2 of its centre") {
     const double r = 4.7e-8;

@@ -34,17 +34,6 @@ std::size_t cells_met(const DigitalSequence& sequence, unsigned rows, unsigned c
     return cells.size();
 }
 
-}  // namespace
-
-TEST_CASE("the first points of Sobol's sequence are the known ones") {
-    const DigitalSequence sobol(QuasiRandomSequence::sobol, 2);
-    constexpr std::uint64_t quarter = std::uint64_t{1} << 62U;
-    CHECK(coordinates(sobol, 0, 0, 4) == std::vector<std::uint64_t>{0, 2 * quarter, 3 * quarter, quarter});
-    CHECK(coordinates(sobol, 1, 0, 4) == std::vector<std::uint64_t>{0, 2 * quarter, quarter, 3 * quarter});
-}
-
-namespace {
-
 /// The fewest of 1024 equal intervals that a block of 1024 points meets on an axis.
 std::size_t fewest_intervals_met(const DigitalSequence& sequence, std::size_t axis) {
     std::size_t fewest = 1024;
@@ -57,7 +46,42 @@ std::size_t fewest_intervals_met(const DigitalSequence& sequence, std::size_t ax
     return fewest;
 }
 
+using Words = std::array<std::uint32_t, 4>;
+
+std::vector<double> values(const Design& design, std::size_t sample, std::size_t variable,
+                           std::uint64_t first, std::size_t count) {
+    std::vector<double> values(count);
+    design.fill(sample, variable, first, values);
+    return values;
+}
+
+const std::vector<Distribution> two_uniform{Uniform{0, 1}, Uniform{0, 1}};
+
+Sampling random_points(std::uint64_t points) {
+    return {.method = SamplingMethod::random, .points = points, .seed = 42};
+}
+
+Sampling quasi_random_points(std::uint64_t points, std::uint32_t shifts) {
+    return {.method = SamplingMethod::quasi_random, .points = points, .seed = 42, .shifts = shifts};
+}
+
+/// Error of the mean of x y over the unit square, which is 1/4.
+double error_of_product(const Design& design) {
+    const auto x = values(design, 0, 0, 0, design.points());
+    const auto y = values(design, 0, 1, 0, design.points());
+    double sum = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) sum += x[i] * y[i];
+    return std::abs(sum / static_cast<double>(x.size()) - 0.25);
+}
+
 }  // namespace
+
+TEST_CASE("the first points of Sobol's sequence are the known ones") {
+    const DigitalSequence sobol(QuasiRandomSequence::sobol, 2);
+    constexpr std::uint64_t quarter = std::uint64_t{1} << 62U;
+    CHECK(coordinates(sobol, 0, 0, 4) == std::vector<std::uint64_t>{0, 2 * quarter, 3 * quarter, quarter});
+    CHECK(coordinates(sobol, 1, 0, 4) == std::vector<std::uint64_t>{0, 2 * quarter, quarter, 3 * quarter});
+}
 
 TEST_CASE(
     "every block of 2^m points of Sobol's sequence has one in each of 2^m equal intervals, on every axis") {
@@ -101,12 +125,6 @@ TEST_CASE("a dimension beyond the tables is refused") {
     CHECK_THROWS_AS(DigitalSequence(QuasiRandomSequence::sobol, 0), InputError);
 }
 
-namespace {
-
-using Words = std::array<std::uint32_t, 4>;
-
-}  // namespace
-
 TEST_CASE("Philox gives the known answers of Random123 1.14, tests/kat_vectors") {
     CHECK(philox({0, 0, 0, 0}, {0, 0}) == Words{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8});
     CHECK(philox({~0U, ~0U, ~0U, ~0U}, {~0U, ~0U}) == Words{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd});
@@ -143,36 +161,6 @@ TEST_CASE("many random numbers at once are those drawn one by one, bit for bit")
         }
     }
 }
-
-namespace {
-
-std::vector<double> values(const Design& design, std::size_t sample, std::size_t variable,
-                           std::uint64_t first, std::size_t count) {
-    std::vector<double> values(count);
-    design.fill(sample, variable, first, values);
-    return values;
-}
-
-const std::vector<Distribution> two_uniform{Uniform{0, 1}, Uniform{0, 1}};
-
-Sampling random_points(std::uint64_t points) {
-    return {.method = SamplingMethod::random, .points = points, .seed = 42};
-}
-
-Sampling quasi_random_points(std::uint64_t points, std::uint32_t shifts) {
-    return {.method = SamplingMethod::quasi_random, .points = points, .seed = 42, .shifts = shifts};
-}
-
-/// Error of the mean of x y over the unit square, which is 1/4.
-double error_of_product(const Design& design) {
-    const auto x = values(design, 0, 0, 0, design.points());
-    const auto y = values(design, 0, 1, 0, design.points());
-    double sum = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) sum += x[i] * y[i];
-    return std::abs(sum / static_cast<double>(x.size()) - 0.25);
-}
-
-}  // namespace
 
 TEST_CASE("a grid is the full product, the last variable running fastest") {
     const Design grid({Choice{{1, 2}}, Choice{{10, 20, 30}}}, {.method = SamplingMethod::grid});

@@ -32,6 +32,43 @@ double normal_below(double z) {
 
 const auto relative = [](double value) { return doctest::Approx(value).epsilon(1e-12); };
 
+/// Restitution-like numbers: some zeros, the rest between 0 and 1.
+std::vector<double> fractions(std::size_t count) {
+    std::vector<double> values(count);
+    for (std::size_t i = 0; i < count; ++i)
+        values[i] = std::max(0.0, 1.2 * unit_interval(random_bits(3, i, 0, RandomStream::points)[0]) - 0.2);
+    return values;
+}
+
+/// Contact-time-like numbers over several decades.
+std::vector<double> times(std::size_t count) {
+    std::vector<double> values = fractions(count);
+    for (double& value : values) value = 1e-8 * std::pow(10.0, 3 * value);
+    return values;
+}
+
+double exact_quantile(std::vector<double> values, double probability) {
+    std::sort(values.begin(), values.end());
+    const auto rank = std::max(1.0, std::ceil(probability * static_cast<double>(values.size())));
+    return values[static_cast<std::size_t>(rank) - 1];
+}
+
+constexpr std::array probabilities{0.0, 0.001, 0.05, 0.25, 0.5, 0.9, 0.9999, 1.0};
+
+using Plane = ImportanceSampling<2>;
+
+Plane::NormalDensity wide_normal(double x, double y) {
+    return {.mean = {x, y}, .covariance = 4.0 * Plane::Matrix::Identity()};
+}
+
+/// Draws in rounds, each from the moments of those before.
+Plane adapted(const std::function<double(const Plane::Vector&)>& density, const Plane::NormalDensity& start) {
+    Plane draws(density);
+    draws.add(start, 500);
+    for (int i = 0; i < 12; ++i) draws.add(draws.moments(), 800);
+    return draws;
+}
+
 }  // namespace
 
 TEST_CASE("quantiles are the inverse of what is below them, at fly-ash scale") {
@@ -136,33 +173,6 @@ TEST_CASE("grids meet both ends exactly") {
     CHECK(linear_grid(5, 9, 1) == std::vector<double>{5});
 }
 
-namespace {
-
-/// Restitution-like numbers: some zeros, the rest between 0 and 1.
-std::vector<double> fractions(std::size_t count) {
-    std::vector<double> values(count);
-    for (std::size_t i = 0; i < count; ++i)
-        values[i] = std::max(0.0, 1.2 * unit_interval(random_bits(3, i, 0, RandomStream::points)[0]) - 0.2);
-    return values;
-}
-
-/// Contact-time-like numbers over several decades.
-std::vector<double> times(std::size_t count) {
-    std::vector<double> values = fractions(count);
-    for (double& value : values) value = 1e-8 * std::pow(10.0, 3 * value);
-    return values;
-}
-
-double exact_quantile(std::vector<double> values, double probability) {
-    std::sort(values.begin(), values.end());
-    const auto rank = std::max(1.0, std::ceil(probability * static_cast<double>(values.size())));
-    return values[static_cast<std::size_t>(rank) - 1];
-}
-
-constexpr std::array probabilities{0.0, 0.001, 0.05, 0.25, 0.5, 0.9, 0.9999, 1.0};
-
-}  // namespace
-
 TEST_CASE("quantiles of absolute bins hold the exact ones within one bin") {
     const Bins bins = Bins::absolute(1000);
     for (const std::size_t count : {1, 2, 17, 5000}) {
@@ -250,24 +260,6 @@ TEST_CASE("bins found in lanes are those of single values") {
 }
 
 using namespace ashimpact::test;
-
-namespace {
-
-using Plane = ImportanceSampling<2>;
-
-Plane::NormalDensity wide_normal(double x, double y) {
-    return {.mean = {x, y}, .covariance = 4.0 * Plane::Matrix::Identity()};
-}
-
-/// Draws in rounds, each from the moments of those before.
-Plane adapted(const std::function<double(const Plane::Vector&)>& density, const Plane::NormalDensity& start) {
-    Plane draws(density);
-    draws.add(start, 500);
-    for (int i = 0; i < 12; ++i) draws.add(draws.moments(), 800);
-    return draws;
-}
-
-}  // namespace
 
 TEST_CASE("importance sampling of a normal density gives its quantiles") {
     // Means 3 and -1, standard deviations 0.2 and 0.5, correlation 0.8.
