@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <regex>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,19 +17,13 @@
 #include "core/embedded.hpp"
 #include "core/version.hpp"
 
-// One bibliography for everything that is cited: data/references.bib.
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <map>
-#include <regex>
-#include <set>
-#include <string>
-#include <vector>
+using ashimpact::embedded_file;
+using ashimpact::embedded_files;
+using ashimpact::EmbeddedFile;
 
-#include <doctest/doctest.h>
+namespace ashimpact::test_fixtures {
+std::span<const EmbeddedFile> embedded_table();  // generated, see cmake/EmbedFiles.cmake
+}
 
 namespace {
 
@@ -83,17 +81,18 @@ std::set<std::string> cited_by_key(const std::string& text) {
     return keys;
 }
 
-}  // namespace
-
-TEST_CASE("a citation in words and one by key name the same source") {
-    CHECK(cited_in_words("/// Johnson, Kendall &\n/// Roberts 1971; Dong et al. 2013, Eq. 3 (Hertz 1882)") ==
-          std::set<std::string>{"johnson1971", "dong2013", "hertz1882"});
-    CHECK(cited_in_words("the year 2013 and 1999 points, section 2000").empty());
-    CHECK(cited_by_key(R"(output{.citations = {"dong2013, Eq. 1", "thornton1998"}})") ==
-          std::set<std::string>{"dong2013", "thornton1998"});
-    CHECK(cited_by_key("\"citations\": [\"bass1995\",\n \"qsi-fused-quartz\"]") ==
-          std::set<std::string>{"bass1995", "qsi-fused-quartz"});
+/// The text between two marks in the first line of a source file that begins with the first mark; empty if
+/// there is none.
+std::string first_between(const std::string& file, std::string_view before, std::string_view after) {
+    std::ifstream stream(std::string(ASHIMPACT_SOURCES "/") + file);
+    REQUIRE(stream);
+    for (std::string line; std::getline(stream, line);) {
+        if (line.starts_with(before)) return line.substr(before.size(), line.find(after) - before.size());
+    }
+    return {};
 }
+
+}  // namespace
 
 TEST_CASE(
     "whatever the sources, the data and the pages cite stands in data/references.bib, and nothing else") {
@@ -124,30 +123,12 @@ TEST_CASE(
                       " of data/references.bib");
 }
 
-using ashimpact::embedded_file;
-using ashimpact::embedded_files;
-using ashimpact::EmbeddedFile;
-
-namespace ashimpact::test_fixtures {
-std::span<const EmbeddedFile> embedded_table();  // generated, see cmake/EmbedFiles.cmake
-}
-
-namespace {
-
-std::string on_disk(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    REQUIRE_MESSAGE(file.is_open(), path);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-}  // namespace
-
 TEST_CASE("an embedded file has the bytes of the file on disk, whatever they are") {
     const std::span<const EmbeddedFile> table = ashimpact::test_fixtures::embedded_table();
     REQUIRE(table.size() == 4);
     for (const EmbeddedFile& file : table) {
         CAPTURE(file.path);
-        CHECK((file.content == on_disk(std::filesystem::path(ASHIMPACT_FIXTURES) / file.path)));
+        CHECK((file.content == text_of(std::filesystem::path(ASHIMPACT_FIXTURES) / file.path)));
     }
     CHECK(embedded_file(table, "empty")->empty());
     CHECK(embedded_file(table, "an odd folder/bytes (all).bin")->size() == 256);
@@ -177,25 +158,10 @@ TEST_CASE("the embedded files have the bytes of those in data/ and beside their 
             path.starts_with("export/")   ? present / "export/templates" / path.substr(7)
             : path.starts_with("report/") ? present / "report/page" / path.substr(7)
                                           : data / path;
-        CHECK((embedded_file(path) == on_disk(file)));
+        CHECK((embedded_file(path) == text_of(file)));
     }
     CHECK_FALSE(embedded_file("no such file"));
 }
-
-namespace {
-
-/// The text between two marks in the first line of a source file that begins with the first mark; empty if
-/// there is none.
-std::string first_between(const std::string& file, std::string_view before, std::string_view after) {
-    std::ifstream stream(std::string(ASHIMPACT_SOURCES "/") + file);
-    REQUIRE(stream);
-    for (std::string line; std::getline(stream, line);) {
-        if (line.starts_with(before)) return line.substr(before.size(), line.find(after) - before.size());
-    }
-    return {};
-}
-
-}  // namespace
 
 TEST_CASE("every file that states the version states that of the program") {
     const std::string_view version = ashimpact::program_version();
