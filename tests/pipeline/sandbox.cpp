@@ -121,6 +121,26 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
+Json edited(Json document, const std::string& edits) {
+    for (std::size_t begin = 0; begin < edits.size();) {
+        const std::size_t end = std::min(edits.find(" ; ", begin), edits.size());
+        const std::string edit = edits.substr(begin, end - begin);
+        begin = end + 3;
+        const std::size_t equals = edit.find(" = ");
+        if (equals != std::string::npos) {
+            document[Json::json_pointer(edit.substr(0, equals))] = Json::parse(edit.substr(equals + 3));
+            continue;
+        }
+        const Json::json_pointer gone(edit.substr(2));
+        Json& from = document.at(gone.parent_pointer());
+        if (from.is_array())
+            from.erase(std::stoul(gone.back()));
+        else
+            from.erase(gone.back());
+    }
+    return document;
+}
+
 Json example_case() {
     return parse_json(embedded_file("cases/example/case.json").value());
 }

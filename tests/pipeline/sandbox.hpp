@@ -78,6 +78,10 @@ struct Containing {
 /// Lines of a text, without their ends.
 [[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
 
+/// A document after edits such as `/wall/rigid = true ; - /name`: a value for a pointer, and what is taken
+/// away.
+[[nodiscard]] Json edited(Json document, const std::string& edits);
+
 /// The example case of `init`, which runs as it is.
 [[nodiscard]] Json example_case();
 
