@@ -5,13 +5,42 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
 
+#include "core/json/view.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/tables/text_lines.hpp"
 #include "core/text/error.hpp"
+#include "core/units/units.hpp"
 #include "tests/support/checks.hpp"
 
 namespace ashimpact::test {
+
+namespace {
+
+std::string message(std::string_view text, Dimension dimension) {
+    return input_error_of([&] { return parse_quantity(text, dimension); });
+}
+
+/// The parts of a text between marks.
+std::vector<std::string> parted(const std::string& text, char mark = '|') {
+    std::vector<std::string> parts(1);
+    for (const char letter : text) {
+        if (letter == mark)
+            parts.emplace_back();
+        else
+            parts.back() += letter;
+    }
+    return parts;
+}
+
+using json = nlohmann::ordered_json;
+
+std::string json_message(const char* text, Dimension dimension) {
+    return input_error_of([&] { return read_quantity(json::parse(text), dimension); });
+}
+
+}  // namespace
 
 TEST_CASE("an input error is one line: place, problem, what is allowed") {
     const InputError error("density is -3 kg/m3", "a positive density");
@@ -123,6 +152,263 @@ TEST_CASE("words are compared without marks, case, umlauts and accents") {
     CHECK(word_key("SiO₂ (±2σ)", "+") == "sio2+2sigma");
     CHECK(word_key("石英") == "石英");
     CHECK(word_key("wt.%", "%") == "wt%");
+}
+
+TEST_CASE("quantities as users write them") {
+    struct Written {
+        double value;
+        Dimension dimension;
+        const char* texts;
+    };
+    for (const Written& written : {
+             Written{44e-6, Dimension::length,
+                     "44 um|44um| 44 \u00b5m |44 \u03bcm|44\u00a0\u00b5m|44 micron|44 "
+                     "micrometer|4.4e-5|+4.4e-5 m"},
+             Written{-44e-6, Dimension::length, "\u221244 um"},
+             Written{3e-10, Dimension::length, "3 \u00c5"},
+             Written{2160, Dimension::density,
+                     "2160 kg/m3|2.16 g/cm3|2.16 g/cm^3|2.16 g/cm**3|2160 kg m-3|2160 kg\u00b7m\u207b\u00b3"},
+             Written{90e9, Dimension::pressure, "90 GPa|0.09 N/um^2"},
+             Written{13000 * 6894.757293168361, Dimension::pressure, "13000 psi"},
+             Written{0.3, Dimension::energy_per_area,
+                     "0.3 J/m2|300 mJ/m2|300 mJ m-2|300 erg/cm2|0.3 N/m|300 dyn/cm"},
+             Written{0.0141, Dimension::damping, "0.0141 kg/s|14.1 g/s|0.0141 N s/m"},
+             Written{2, Dimension::velocity, "2 m/s|2 m s-1|7.2 km/h"},
+             Written{-2e-3, Dimension::velocity, "-2 mm/s"},
+             Written{0.1, Dimension::fraction, "10 %|10%|0.1|0.1 1"},
+             Written{294e-9, Dimension::time, "294 ns"},
+             Written{0.93e-9, Dimension::mass, "0.93 ug"},
+             Written{1.9e-9, Dimension::energy, "1.9 nJ"},
+         })
+        for (const std::string& text : parted(written.texts)) {
+            CAPTURE(text);
+            CHECK(relative_difference(parse_quantity(text, written.dimension), written.value) < 1e-14);
+        }
+}
+
+TEST_CASE("junk, wrong dimensions and numbers that are none are one-line errors with examples") {
+    for (const std::string& text : parted(
+             "|  |um|forty um|44 parsnips|44 um um um/|44 5 um|44 m 3|nan|inf um|1e999 m|-inf|0x10 um|4,4 um|"
+             "44 um since 1970-01-01|44 lg(re 1 um)|44 um @ 3|44 um\n44 um|--1 m|+-1 m|1e|44 m -3|44 m*3|44 "
+             "m2|"
+             "44 kg|44 %|44 1/m|44 degC")) {
+        CAPTURE(text);
+        const std::string line = message(text, Dimension::length);
+        CHECK_FALSE(contains(line, "\n"));
+        CHECK(contains(line, "allowed: a length [m], e.g. 44 um"));
+    }
+    CHECK(message("2 kg/m 3", Dimension::density) ==
+          "the unit \"kg/m 3\" is not known; allowed: a density [kg/m3], e.g. 2160 kg/m3, 2.16 g/cm3");
+    CHECK(message("3 J", Dimension::energy_per_area) ==
+          "the unit \"J\" is not one of energy per area; allowed: an energy per area [J/m2], e.g. 0.3 J/m2, "
+          "300 "
+          "mJ/m2, 0.3 N/m");
+    CHECK(contains(message("5 1/s", Dimension::time), "allowed"));
+    CHECK(contains(message("1e308 GPa", Dimension::pressure), "too large"));
+}
+
+TEST_CASE("a long piece of junk is shown cut") {
+    CHECK(message(std::string(100'000, 'x'), Dimension::mass).size() < 200);
+}
+
+TEST_CASE("symbols and names have their values, with every prefix") {
+    struct Row {
+        std::string_view text;
+        std::string_view si;
+        double factor;
+    };
+    for (const auto& [text, si, factor] :
+         {Row{"N", "kg m s-2", 1}, Row{"Pa", "kg m-1 s-2", 1}, Row{"J", "kg m2 s-2", 1},
+          Row{"W", "kg m2 s-3", 1}, Row{"Hz", "s-1", 1}, Row{"g", "kg", 1e-3}, Row{"bar", "Pa", 1e5},
+          Row{"dyn", "N", 1e-5}, Row{"dyne", "N", 1e-5}, Row{"erg", "J", 1e-7}, Row{"P", "Pa s", 0.1},
+          Row{"poise", "Pa s", 0.1}, Row{"L", "m3", 1e-3}, Row{"micron", "m", 1e-6},
+          Row{"angstrom", "m", 1e-10}, Row{"mil", "m", 2.54e-5}, Row{"meter", "m", 1}, Row{"newton", "N", 1},
+          Row{"gram", "kg", 1e-3}}) {
+        struct Prefix {
+            std::string_view text;
+            double factor;
+        };
+        for (const Prefix& prefix :
+             {Prefix{"", 1}, Prefix{"T", 1e12}, Prefix{"G", 1e9}, Prefix{"M", 1e6}, Prefix{"k", 1e3},
+              Prefix{"c", 1e-2}, Prefix{"m", 1e-3}, Prefix{"u", 1e-6}, Prefix{"n", 1e-9}, Prefix{"p", 1e-12},
+              Prefix{"f", 1e-15}, Prefix{"giga", 1e9}, Prefix{"MEGA", 1e6}, Prefix{"Kilo", 1e3},
+              Prefix{"milli", 1e-3}, Prefix{"micro", 1e-6}, Prefix{"nano", 1e-9}}) {
+            const std::string whole = std::string(prefix.text) + std::string(text);
+            if (whole == "microN") continue;  // the micron, as names go in any case
+            CAPTURE(whole);
+            const auto unit = read_unit(whole);
+            REQUIRE(unit);
+            CHECK(unit->powers == read_unit(si)->powers);
+            CHECK(relative_difference(unit->factor, prefix.factor * factor) < 1e-14);
+        }
+    }
+}
+
+TEST_CASE("units are read as UDUNITS-2 2.2.28 reads them") {
+    // An SI unit, and units that are so many of it.
+    for (const std::string& line : parted(
+             "kg/m3|kg.m-3 = 1|kg*m^-3 = 1|kg m^-3 = 1|lb/ft3 = 16.018463373960138|"
+             "lb/in3 = 27679.90471020312|g/cc = 1000|g/L = 1\n"
+             "Pa s|kg/(m.s) = 1|cP = 1e-3\n"
+             "Pa|kg/m/s2 = 1|kgf/cm2 = 98066.5|lbf/in2 = 6894.757293168361|atm = 101325|torr = 133.322387415|"
+             "mmHg = 133.322387415|cmH2O = 98.0665|ksi = 6894757.293168361\n"
+             "N s|N-s = 1\n"
+             "m/s|mm/ms = 1|(m)(s-1) = 1|m per s = 1|m  per  s = 1|meters/second = 1|Metres Per Second = 1|"
+             "km h-1 = 0.2777777777777778|mi/h = 0.44704|ft/s = 0.3048|knot = 0.5144444444444445\n"
+             "J/m2|J/(m2) = 1|dyn/cm = 1e-3|erg/cm2 = 1e-3\n"
+             "m|MICROMETERS = 1e-6|inches = 0.0254|feet = 0.3048|dam = 10|((m)) = 1\n"
+             "m2|m^+2 = 1|m+2 = 1\n"
+             "kg|Mg = 1000|mg = 1e-6|grain = 6.479891e-5|pounds = 0.45359237|ton = 907.18474|tonnes = 1000\n"
+             "J|eV = 1.60217733e-19|cal = 4.1868|kWh = 3.6e6|Btu = 1055.05585262\n"
+             "s|min = 60|h = 3600|days = 86400\n"
+             "1|ppm = 1e-6|percent = 0.01",
+             '\n')) {
+        const std::vector<std::string> units = parted(line);
+        for (std::size_t i = 1; i < units.size(); ++i) {
+            CAPTURE(units[i]);
+            const std::size_t equals = units[i].find(" = ");
+            const auto unit = read_unit(units[i].substr(0, equals));
+            REQUIRE(unit);
+            CHECK(unit->powers == read_unit(units[0])->powers);
+            CHECK(relative_difference(unit->factor, std::stod(units[i].substr(equals + 3))) < 1e-14);
+        }
+    }
+    for (const std::string& text :
+         parted("|m^|m^ 2|m..s|()|m/|/m|perm|J perm2|(J)pers|m()|(m|m)|m)s|%m|m%|%%|mmm|oven|_m|m_|da|pa|2 "
+                "m|1 m|m 2|m--2|m-|cdd|m99999999999")) {
+        CAPTURE(text);
+        CHECK_FALSE(read_unit(text));
+    }
+    CHECK_FALSE(read_unit(std::string(1'000'000, '(')));
+    for (const std::string_view text : {"degC", "K", "A", "mol", "cd", "ncd", "J/degC", "lx"}) {
+        CAPTURE(text);
+        REQUIRE(read_unit(text));
+        CHECK(read_unit(text)->powers.back() != 0);
+    }
+}
+
+TEST_CASE("rounding noise of the unit factors does not reach the values") {
+    CHECK(parse_quantity("44 um", Dimension::length) == 44e-6);
+    CHECK(parse_quantity("2.8 g/cm3", Dimension::density) == 2800);
+    CHECK(parse_quantity("143.1 GPa", Dimension::pressure) == 143.1e9);
+    CHECK(parse_quantity("294 ns", Dimension::time) == 294e-9);
+}
+
+TEST_CASE("every dimension's own unit converts to itself") {
+    for (int i = 0; i <= static_cast<int>(Dimension::damping); ++i) {
+        const auto dimension = static_cast<Dimension>(i);
+        CAPTURE(dimension_name(dimension));
+        CHECK(to_si(7.3, si_unit(dimension), dimension) == 7.3);
+    }
+}
+
+TEST_CASE("a quantity is read from a number, a string or an object, and is SI afterwards") {
+    const auto from_number = read_quantity(json::parse("4.4e-5"), Dimension::length);
+    CHECK(from_number.value == 4.4e-5);
+    CHECK(from_number.unit == "m");
+    CHECK(!from_number.standard_uncertainty);
+    CHECK(relative_difference(read_quantity(json::parse(R"("44 um")"), Dimension::length).value, 4.4e-5) <
+          1e-15);
+    const auto from_object = read_quantity(
+        json::parse(R"({"value": 143.1, "unit": "GPa", "standard_uncertainty": 2.5})"), Dimension::pressure);
+    CHECK(relative_difference(from_object.value, 143.1e9) < 1e-15);
+    CHECK(from_object.unit == "Pa");
+    CHECK(relative_difference(from_object.standard_uncertainty.value(), 2.5e9) < 1e-15);
+}
+
+TEST_CASE("a string may carry its standard uncertainty, with one unit for both, or per cent") {
+    struct Row {
+        const char* text;
+        Dimension dimension;
+        double value;
+        double uncertainty;
+    };
+    for (const Row& row : {Row{R"("60 +- 3 um")", Dimension::length, 60e-6, 3e-6},
+                           Row{R"("60 um +- 3 um")", Dimension::length, 60e-6, 3e-6},
+                           Row{R"("60 um +/- 5 %")", Dimension::length, 60e-6, 3e-6},
+                           Row{"\"2.6 \u00b1 0.1 g/cm3\"", Dimension::density, 2600, 100},
+                           Row{R"("0.42 +- 0.02")", Dimension::fraction, 0.42, 0.02},
+                           Row{R"("42 +- 2 %")", Dimension::fraction, 0.42, 0.02}}) {
+        CAPTURE(row.text);
+        const Quantity quantity = read_quantity(json::parse(row.text), row.dimension);
+        CHECK(relative_difference(quantity.value, row.value) < 1e-14);
+        CHECK(relative_difference(quantity.standard_uncertainty.value(), row.uncertainty) < 1e-14);
+    }
+    CHECK(contains(json_message(R"("60 +- -3 um")", Dimension::length), "is below zero"));
+    CHECK_FALSE(json_message(R"("60 um +- 3 kg")", Dimension::length).empty());
+    CHECK_FALSE(json_message(R"("+- 3 um")", Dimension::length).empty());
+}
+
+TEST_CASE("a number without a dimension needs no unit; a decimal comma is refused with the remedy") {
+    const auto ratio =
+        read_quantity(json::parse(R"({"value": 0.29, "standard_uncertainty": 0.01})"), Dimension::fraction);
+    CHECK(ratio.value == 0.29);
+    CHECK(ratio.standard_uncertainty == 0.01);
+    CHECK(json_message(R"("2,6 g/cm3")", Dimension::density)
+              .starts_with("\"2,6 g/cm3\" has a decimal comma, write \"2.6 g/cm3\"; allowed: a density"));
+}
+
+TEST_CASE("the remedy for commas is a number that means what was meant") {
+    const auto remedy = [](const std::string& text, Dimension dimension) {
+        const std::string message = json_message(json(text).dump().c_str(), dimension);
+        const auto begin = message.find("write ");
+        return begin == std::string::npos ? message
+                                          : message.substr(begin, message.find("; allowed") - begin);
+    };
+    CHECK(remedy("2,60 g/cm3", Dimension::density) == "write \"2.60 g/cm3\"");
+    CHECK(remedy("0,005 kg/s", Dimension::damping) == "write \"0.005 kg/s\"");
+    CHECK(remedy("2,300 kg/m3", Dimension::density) == "write \"2300 kg/m3\" or \"2.300 kg/m3\"");
+    CHECK(remedy("2.300,5 kg/m3", Dimension::density) == "write \"2300.5 kg/m3\"");
+    CHECK(remedy("2,300.5 kg/m3", Dimension::density) == "write \"2300.5 kg/m3\"");
+    CHECK(remedy("1,234,567 Pa", Dimension::pressure) == "write \"1234567 Pa\"");
+    CHECK(remedy("2,3 +- 0,1 g/cm3", Dimension::density) == "write \"2.3 +- 0.1 g/cm3\"");
+    CHECK(json_message(R"({"value": "2,3", "unit": "g/cm3"})", Dimension::density)
+              .starts_with("/value: not a number, write 2.3 without quotes"));
+    CHECK(json_message(R"({"value": "much", "unit": "g/cm3"})", Dimension::density)
+              .starts_with("/value: not a number; allowed"));
+}
+
+TEST_CASE("an uncertainty in the last digits, and one without a unit") {
+    const auto of = [](const char* text, Dimension dimension) {
+        return read_quantity(json(text), dimension);
+    };
+    const Quantity diameter = of("60(3) um", Dimension::length);
+    CHECK(relative_difference(diameter.value, 60e-6) < 1e-14);
+    CHECK(relative_difference(diameter.standard_uncertainty.value(), 3e-6) < 1e-14);
+    const Quantity density = of("2.300(15) g/cm3", Dimension::density);
+    CHECK(relative_difference(density.value, 2300) < 1e-14);
+    CHECK(relative_difference(density.standard_uncertainty.value(), 15) < 1e-13);
+    CHECK(relative_difference(of("42(2) %", Dimension::fraction).standard_uncertainty.value(), 0.02) < 1e-14);
+    CHECK(relative_difference(of("0.29(1)", Dimension::fraction).standard_uncertainty.value(), 0.01) < 1e-14);
+    CHECK(of("3 kg/(m s)", Dimension::viscosity).value == 3);
+    CHECK(contains(json_message(R"("60 um +- 3")", Dimension::length), "has no unit"));
+    CHECK(contains(json_message(R"("60 um +- 1e300 m")", Dimension::length), "a standard uncertainty of"));
+}
+
+TEST_CASE("what is written is read back to the bit") {
+    const Quantity quantity = make_quantity(1.48126e11 / 3, Dimension::pressure, 1.7e9 / 7);
+    const json node = quantity;
+    CHECK(node.size() == 3);
+    const auto back = read_quantity(json::parse(node.dump()), Dimension::pressure);
+    CHECK(back.value == quantity.value);
+    CHECK(back.standard_uncertainty == quantity.standard_uncertainty);
+    const nlohmann::ordered_json ordered = make_quantity(2, Dimension::velocity);
+    CHECK(ordered.dump() == R"({"value":2.0,"unit":"m/s"})");
+}
+
+TEST_CASE("a wrong quantity is refused with a pointer to the wrong part") {
+    CHECK(contains(json_message("true", Dimension::length), "allowed: a number in m"));
+    CHECK(contains(json_message("[1]", Dimension::length), "not a quantity"));
+    CHECK(contains(json_message(R"({"value": 1})", Dimension::length), "\"unit\" is missing"));
+    CHECK(contains(json_message(R"({"unit": "m"})", Dimension::length), "\"value\" is missing"));
+    CHECK(json_message(R"({"value": "1", "unit": "m"})", Dimension::length)
+              .starts_with("/value: not a number"));
+    CHECK(json_message(R"({"value": 1, "unit": 3})", Dimension::length).starts_with("/unit: not a string"));
+    CHECK(contains(json_message(R"({"value": 1, "unit": "kg"})", Dimension::length), "not one of length"));
+    CHECK(json_message(R"({"value": 1, "unit": "m", "unc": 3})", Dimension::length)
+              .starts_with("/unc: unknown key"));
+    CHECK(json_message(R"({"value": 1, "unit": "m", "standard_uncertainty": -3})", Dimension::length)
+              .starts_with("/standard_uncertainty: "));
 }
 
 }  // namespace ashimpact::test

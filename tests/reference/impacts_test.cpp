@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-
 // Every impact of data/reference/impacts.json: an independent time-domain integration (DOP853, rtol 1e-12).
+// The static JKR law against Dong et al. 2013, Eqs. 15-20 (SI) and 25-27 (normalised), written from the paper
+// as corrected in docs/errata.md.
 #include <cmath>
 #include <numbers>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 
+#include "core/text/error.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/pair.hpp"
+#include "solver/contact/static_curve.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
 #include "tests/support/checks.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/published.hpp"
+#include "tests/support/quadrature.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;
@@ -71,6 +76,56 @@ double critical_with(double damping) {
 double constant_unit(double damping) {
     const double k = hertz_stiffness(ash(0.0));
     return std::pow(ash(0.0).mass, 3) * k * k / std::pow(damping, 5);
+}
+
+constexpr double pi = std::numbers::pi;
+
+/// Eqs. 25-27 at a normalised contact radius.
+struct Published {
+    double overlap;
+    double repulsive;
+    double attractive;
+    double total;
+};
+
+Published published(double a) {
+    Published p{};
+    p.overlap = a * a - 2.0 * std::sqrt(2.0 * a / 3.0);
+    p.total = std::pow(a, 3.0) - std::sqrt(6.0) * std::pow(a, 1.5);
+    if (a > std::cbrt(2.0 / 3.0)) {
+        p.attractive = -2.0 * std::pow(2.0 * a / 3.0, 0.75);
+        p.repulsive = p.total + 2.0 * std::pow(2.0 * a / 3.0, 0.75);
+    } else {
+        p.attractive = p.total;
+    }
+    return p;
+}
+
+/// Normalised constants of Eq. 21 for a pair.
+struct Units {
+    double radius;
+    double overlap;
+    double force;
+};
+
+Units units_of(const ContactPair& pair) {
+    const double w = pair.work_of_adhesion;
+    const double r = pair.effective_radius;
+    const double e = pair.contact_modulus;
+    const double k = 4.0 / 3.0 * e;
+    return {std::cbrt(pi * w * r * r / k), std::cbrt(9.0 * pi * pi * w * w * r / (16.0 * e * e)), pi * w * r};
+}
+
+const StaticCurve& normalised() {
+    static const StaticCurve curve = StaticCurve::normalised(Law::of<Jkr>());
+    return curve;
+}
+
+/// F_a of Eqs. 22-24 at a normalised overlap; F_r is overlap^(3/2) for all three.
+double published_attraction(Law law, double overlap) {
+    if (law == Law::of<Dmt>()) return -2.0;
+    if (law == Law::of<BrachDunn>()) return -std::pow(6.0, 2.0 / 3.0) * std::sqrt(overlap);
+    return 0.0;
 }
 
 }  // namespace
@@ -160,4 +215,202 @@ TEST_CASE("Tsuji's damping makes the Hertz impact a linear oscillator: e = exp(-
         CHECK(relative_difference(solve_impact(impact).restitution,
                                   std::exp(-std::numbers::pi * zeta / std::sqrt(1.0 - zeta * zeta))) < 1e-12);
     }
+}
+
+TEST_CASE("normalised: Eqs. 25-27 on both ranges of contact radius") {
+    Worst worst;
+    for (int i = 0; i < 345; ++i) {
+        const double a = std::pow(6.0, -1.0 / 3.0) * (1.0 + 1e-12) + 0.01 * i;
+        const StaticPoint point = normalised().at_contact_radius(a);
+        const Published p = published(a);
+        const double size = a * a * a + std::sqrt(6.0) * std::pow(a, 1.5);
+        const std::string where = std::to_string(a);
+        worst.see(std::abs(point.overlap - p.overlap) / (a * a + 1.0), where);
+        worst.see(std::abs(point.repulsive_force - p.repulsive) / size, where);
+        worst.see(std::abs(point.attractive_force - p.attractive) / size, where);
+        worst.see(std::abs(point.force() - p.total) / size, where);
+    }
+    CHECK(worst.count() > 1000);
+    CHECK_MESSAGE(worst.deviation() < 1e-14, worst.where());
+}
+
+TEST_CASE("SI at fly-ash scale: the normalised curve times the units of Eq. 21") {
+    Worst worst;
+    for (const double w : ash_adhesions) {
+        const ContactPair pair = ash(w);
+        const Units unit = units_of(pair);
+        const StaticCurve curve(Law::of<Jkr>(), pair);
+        for (const double a : {0.56, 0.8, 1.0, 1.3, 2.0, 5.0}) {
+            const StaticPoint point = curve.at_contact_radius(a * unit.radius);
+            const Published p = published(a);
+            const std::string where = std::to_string(w) + " " + std::to_string(a);
+            worst.see(relative_difference(point.overlap, p.overlap * unit.overlap), where);
+            worst.see(relative_difference(point.attractive_force, p.attractive * unit.force), where);
+            worst.see(std::abs(point.repulsive_force / unit.force - p.repulsive) / (1 + p.repulsive), where);
+            worst.see(std::abs(point.force() / unit.force - p.total) / (1 + std::abs(p.total)), where);
+        }
+    }
+    CHECK_MESSAGE(worst.deviation() < 1e-13, worst.where());
+}
+
+TEST_CASE(
+    "SI at fly-ash scale: contact radius of a force (Eq. 15), pressures and their integrals (Eqs. 16-20)") {
+    Worst worst;
+    for (const double w : ash_adhesions) {
+        const ContactPair pair = ash(w);
+        const double r = pair.effective_radius;
+        const double k = 4.0 / 3.0 * pair.contact_modulus;
+        const StaticCurve curve(Law::of<Jkr>(), pair);
+        for (const double ratio : {1.2, 1.5, 2.5, 6.0}) {
+            const double a = ratio * units_of(pair).radius;
+            const StaticPoint point = curve.at_contact_radius(a);
+            const double f = point.force();
+            const double three = 3.0 * pi * w * r;
+            const std::string where = std::to_string(w) + " " + std::to_string(ratio);
+            const double cube = r / k * (f + three + std::sqrt(2.0 * three * f + three * three));  // Eq. 15
+            worst.see(relative_difference(std::cbrt(cube), a), where);
+            const double overlap = (a * a - std::sqrt(8.0 * pi * w * r * r / (3.0 * k) * a)) / r;  // Eq. 16
+            worst.see(relative_difference(point.overlap, overlap), where);
+            const double p0 = 3.0 * a * k / (2.0 * pi * r);
+            const double q0 = std::sqrt(3.0 * w * k / (2.0 * pi * a)) / p0;
+            const double area = pi * a * a * p0;
+            worst.see(relative_difference(point.attractive_force, -4.0 / 3.0 * std::pow(q0, 1.5) * area),
+                      where);
+            worst.see(std::abs(f - (2.0 / 3.0 - 2.0 * q0) * area) / area, where);  // Eq. 19
+            const double repulsive = (2.0 / 3.0 - 2.0 * q0 + 4.0 / 3.0 * std::pow(q0, 1.5)) * area;
+            worst.see(std::abs(point.repulsive_force - repulsive) / area, where);  // Eq. 20
+        }
+    }
+    CHECK_MESSAGE(worst.deviation() < 1e-13, worst.where());
+}
+
+TEST_CASE("pull-off: the largest tension is (3/2) pi w R at abar = (3/2)^(1/3)") {
+    const double least = normalised().at_contact_radius(std::cbrt(1.5)).force();
+    CHECK(relative_difference(least, -1.5) < 1e-15);
+    for (const double a : {0.9, 0.999, 1.001, 1.1}) {
+        CHECK(normalised().at_contact_radius(a * std::cbrt(1.5)).force() > least);
+    }
+    for (const double w : ash_adhesions) {
+        const ContactPair pair = ash(w);
+        const double tension = StaticCurve(Law::of<Jkr>(), pair)
+                                   .at_contact_radius(std::cbrt(1.5) * units_of(pair).radius)
+                                   .force();
+        CHECK(relative_difference(tension, -1.5 * pi * w * 44e-6) < 1e-14);
+        CHECK(relative_difference(tension, -jkr_pull_off_force(pair)) < 1e-14);
+    }
+}
+
+TEST_CASE("the fold: abar = 6^(-1/3), deltabar = -3 6^(-2/3), (5/9) of the pull-off force") {
+    const StaticPoint fold = normalised().first();
+    CHECK(relative_difference(fold.contact_radius, std::pow(6.0, -1.0 / 3.0)) < 1e-15);
+    CHECK(relative_difference(fold.overlap, -3.0 * std::pow(6.0, -2.0 / 3.0)) < 1e-15);
+    CHECK(relative_difference(fold.force(), -5.0 / 9.0 * 1.5) < 1e-15);
+    CHECK(fold.repulsive_force == 0.0);
+    // No static contact is more stretched.
+    CHECK(normalised().at_contact_radius(1.01 * fold.contact_radius).overlap > fold.overlap);
+    CHECK(published(0.99 * fold.contact_radius).overlap > fold.overlap);
+}
+
+TEST_CASE("first touch: abar = (8/3)^(1/3) at zero overlap, (8/9) of the pull-off force") {
+    const StaticPoint touch = normalised().at_overlap(0.0);
+    CHECK(relative_difference(touch.contact_radius, std::cbrt(8.0 / 3.0)) < 1e-15);
+    CHECK(relative_difference(touch.force(), -8.0 / 9.0 * 1.5) < 1e-14);
+}
+
+TEST_CASE("the work from first touch to the end is 7.092196, at the largest tension 3.502602") {
+    // In SI, by quadrature of the force over the overlap in a variable that is smooth at the fold.
+    for (const double w : ash_adhesions) {
+        const ContactPair pair = ash(w);
+        const StaticCurve curve(Law::of<Jkr>(), pair);
+        const double unit = std::cbrt(std::pow(w, 5) * std::pow(44e-6, 4) / (90e9 * 90e9));
+        const auto work_to = [&](double end) {
+            return integral(
+                [&](double x) { return curve.at_overlap(end * (1 - x * x)).force() * 2 * x * end; }, 0.0,
+                1.0);
+        };
+        CAPTURE(w);
+        CHECK(relative_difference(work_to(curve.first().overlap) / unit, 7.0921959718639584) < 1e-12);
+        const double tension_overlap = published(std::cbrt(1.5)).overlap * units_of(pair).overlap;
+        CHECK(relative_difference(work_to(tension_overlap) / unit, 3.5026019718352908) < 1e-12);
+    }
+}
+
+// Figure 3 of Dong et al. 2013: the normalised curves of Eqs. 22-24, written from the paper, and what the
+// text reads off the figure.
+
+TEST_CASE("Hertz, DMT and Brach-Dunn: Eqs. 22-24") {
+    for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>()}) {
+        const StaticCurve curve = StaticCurve::normalised(law);
+        CAPTURE(law.name());
+        CHECK(curve.first().overlap == 0.0);
+        for (int i = 0; i < 36; ++i) {
+            const double overlap = 0.01 * std::pow(1.2, i);
+            CAPTURE(overlap);
+            const StaticPoint point = curve.at_overlap(overlap);
+            const double repulsion = std::pow(overlap, 1.5);
+            const double attraction = published_attraction(law, overlap);
+            CHECK(relative_difference(point.overlap, overlap) < 1e-14);
+            CHECK(relative_difference(point.contact_radius, std::sqrt(overlap)) < 1e-14);  // Eq. 5
+            CHECK(std::abs(point.repulsive_force - repulsion) < 1e-14 * (repulsion - attraction));
+            CHECK(relative_difference(point.attractive_force, attraction) < 1e-14);
+        }
+    }
+}
+
+TEST_CASE("Hertz, DMT and Brach-Dunn in SI at fly-ash scale: Eqs. 9-14") {
+    for (const double w : ash_adhesions) {
+        const double r = 44e-6;
+        const double e = 90e9;
+        const double pi = std::acos(-1.0);
+        const double line = std::cbrt(6.0 * w * w * r * e / pi);  // Eq. 14
+        for (const double overlap : {2e-9, 3e-8, 4e-7}) {
+            const double hertz = 4.0 / 3.0 * e * std::sqrt(r) * std::pow(overlap, 1.5);
+            const auto point = [&](Law law) { return StaticCurve(law, ash(w)).at_overlap(overlap); };
+            CAPTURE(w);
+            CAPTURE(overlap);
+            CHECK(relative_difference(point(Law::of<Hertz>()).force(), hertz) < 1e-14);
+            CHECK(relative_difference(point(Law::of<Dmt>()).attractive_force, -2.0 * pi * w * r) < 1e-14);
+            CHECK(relative_difference(point(Law::of<BrachDunn>()).attractive_force,
+                                      -2.0 * pi * line * std::sqrt(r * overlap)) < 1e-14);
+            for (const Law law : {Law::of<Dmt>(), Law::of<BrachDunn>()}) {
+                CHECK(std::abs(point(law).repulsive_force - hertz) <
+                      1e-14 * (hertz - point(law).attractive_force));
+            }
+        }
+    }
+}
+
+TEST_CASE(
+    "the figure's table: evenly spaced in contact radius, from the start of the curve to the overlap asked "
+    "for") {
+    for (std::size_t i = 0; i < Law::count(); ++i) {
+        if (!Law::at(i).parameters().empty()) {  // Eq. 21 has no unit for them
+            CHECK_THROWS_AS(static_cast<void>(StaticCurve::normalised(Law::at(i))), InputError);
+            continue;
+        }
+        const StaticCurve curve = StaticCurve::normalised(Law::at(i));
+        const std::vector<StaticPoint> table = curve.sampled(3.0, 61);
+        CAPTURE(Law::at(i).name());
+        REQUIRE(table.size() == 61);
+        CHECK(table.front().overlap == doctest::Approx(curve.first().overlap).epsilon(1e-14));
+        CHECK(relative_difference(table.back().overlap, 3.0) < 1e-14);
+        const double spacing = (table.back().contact_radius - table.front().contact_radius) / 60.0;
+        for (std::size_t j = 1; j < table.size(); ++j) {
+            CHECK(table[j].overlap > table[j - 1].overlap);
+            CHECK(std::abs(table[j].contact_radius - table[j - 1].contact_radius - spacing) < 1e-14);
+        }
+    }
+}
+
+TEST_CASE("Brach-Dunn attracts two to three times as much as JKR, as the text says of the figure") {
+    const auto ratio = [](double overlap) {
+        const auto attraction = [&](Law law) {
+            return StaticCurve::normalised(law).at_overlap(overlap).attractive_force;
+        };
+        return attraction(Law::of<BrachDunn>()) / attraction(Law::of<Jkr>());
+    };
+    CHECK(ratio(1.0) > 1.0);
+    CHECK(ratio(3.0) > ratio(1.0));
+    CHECK(ratio(3.0) > 1.5);
+    CHECK(ratio(3.0) < 3.0);
 }

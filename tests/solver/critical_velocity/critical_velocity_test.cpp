@@ -2,11 +2,13 @@
 #include "solver/critical_velocity/critical_velocity.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <doctest/doctest.h>
 
 #include "materials/contact_properties.hpp"
 #include "solver/critical_velocity/backward_orbit.hpp"
+#include "solver/motion/damping_inversion.hpp"
 #include "tests/support/checks.hpp"
 #include "tests/support/contact_cases.hpp"
 
@@ -33,6 +35,31 @@ double critical_at(Law law, double damping) {
 double exponent(Law law, double damping) {
     return std::log(critical_at(law, damping * 1.001) / critical_at(law, damping / 1.001)) /
            (2.0 * std::log(1.001));
+}
+
+DampingProblem problem_of(const ContactCase& c, double w, double velocity, double restitution) {
+    ContactPair contact = ash(w);
+    contact.yield_pressure = c.yield_pressure;
+    return {.law = c.law,
+            .detachment = c.detachment,
+            .damping_law = c.damping_law,
+            .contact = contact,
+            .velocity = velocity,
+            .restitution = restitution};
+}
+
+Impact impact_with(const DampingProblem& problem, double coefficient) {
+    return {.law = problem.law,
+            .detachment = problem.detachment,
+            .damping = {problem.damping_law, coefficient},
+            .contact = problem.contact,
+            .velocity = problem.velocity};
+}
+
+/// Without adhesion neither an end by force nor contact-radius damping captures.
+bool has_capturing_damping(const ContactCase& c) {
+    if (c.law != Law::of<Hertz>()) return true;
+    return c.detachment != Detachment::zero_force && c.damping_law != DampingLaw::contact_radius;
 }
 
 }  // namespace
@@ -176,4 +203,166 @@ TEST_CASE(
         CHECK(critical.value);
         CHECK_FALSE(critical.contact_time);
     }
+}
+
+TEST_CASE("restitution to damping and back, for every law, damping law and detachment") {
+    Worst there;
+    Worst back;
+    for (const ContactCase& c : contact_cases()) {
+        for (const double w : ash_adhesions) {
+            const double greatest = solve_impact(impact_with(problem_of(c, w, 2.0, 0.0), 0.0)).restitution;
+            for (const double part : {0.01, 0.1, 0.5, 0.9, 0.98}) {
+                const double e = part * greatest;
+                const DampingProblem problem = problem_of(c, w, 2.0, e);
+                const DampingInversion inversion = damping_from_restitution(problem);
+                CAPTURE(name_of(c));
+                CHECK(inversion.damping.law == c.damping_law);
+                CHECK(inversion.damping.coefficient > 0.0);
+                CHECK(inversion.impacts > 0);
+                CHECK(inversion.greatest_restitution == greatest);
+                CHECK(inversion.impact.outcome == Outcome::rebound);
+                const Impact again = impact_with(problem, inversion.damping.coefficient);
+                there.see(std::abs(solve_impact(again).restitution - e), describe(again));
+                there.see(std::abs(inversion.impact.restitution - e), describe(again));
+            }
+            for (const double number : {0.01, 0.1, 0.4, 0.7}) {
+                const Impact impact = impact_of(c, ash(w), number, 2.0);
+                const double e = solve_impact(impact).restitution;
+                if (e == 0.0) continue;
+                const double found = damping_from_restitution(problem_of(c, w, 2.0, e)).damping.coefficient;
+                back.see(relative_difference(found, impact.damping.coefficient), describe(impact));
+            }
+        }
+    }
+    CHECK(back.count() > 200);
+    CHECK_MESSAGE(there.deviation() < 1e-12, there.where());
+    CHECK_MESSAGE(back.deviation() < 1e-12, back.where());
+}
+
+TEST_CASE("restitution zero gives the smallest damping that captures") {
+    int found = 0;
+    for (const ContactCase& c : contact_cases()) {
+        for (const double w : ash_adhesions) {
+            const DampingProblem problem = problem_of(c, w, 2.0, 0.0);
+            CAPTURE(name_of(c));
+            if (!has_capturing_damping(c)) continue;
+            const DampingInversion inversion = damping_from_restitution(problem);
+            const double smallest = inversion.damping.coefficient;
+            CAPTURE(smallest);
+            CHECK(inversion.impact.outcome == Outcome::capture);
+            CHECK(solve_impact(impact_with(problem, smallest)).outcome == Outcome::capture);
+            // Hertz with Tsuji's damping rebounds up to sqrt5, but with exp(-pi/sqrt(2 (1 - zeta))).
+            const bool linear = c.law == Law::of<Hertz>() && c.damping_law == DampingLaw::tsuji;
+            if (linear) CHECK(smallest == std::sqrt(5.0));
+            const double below = smallest * (1.0 - (linear ? 1e-3 : 1e-9));
+            CHECK(solve_impact(impact_with(problem, below)).outcome == Outcome::rebound);
+            ++found;
+        }
+    }
+    CHECK(found >= 30);
+}
+
+TEST_CASE("the greatest restitution belongs to no damping, and inverts to it") {
+    for (const ContactCase& c : contact_cases()) {
+        const DampingInversion inversion = damping_from_restitution(problem_of(c, 1.0, 2.0, 0.5));
+        const double greatest = inversion.greatest_restitution;
+        CAPTURE(name_of(c));
+        CHECK(greatest == solve_impact(impact_with(problem_of(c, 1.0, 2.0, 0.5), 0.0)).restitution);
+        const DampingInversion limit = damping_from_restitution(problem_of(c, 1.0, 2.0, greatest));
+        CHECK(limit.damping.coefficient == 0.0);
+    }
+}
+
+TEST_CASE("just below the greatest restitution there is just a little damping") {
+    for (const ContactCase& c : contact_cases()) {
+        const double greatest = damping_from_restitution(problem_of(c, 0.3, 2.0, 0.5)).greatest_restitution;
+        CAPTURE(name_of(c));
+        const auto damping_at = [&](double loss) {
+            return damping_from_restitution(problem_of(c, 0.3, 2.0, greatest - loss)).damping.coefficient;
+        };
+        const double ulp = greatest - std::nextafter(greatest, 0.0);
+        // Restitution falls in proportion to so little damping; the greatest one is itself rounded by half an
+        // ulp.
+        const double slope = damping_at(std::ldexp(ulp, 26)) / std::ldexp(ulp, 26);
+        for (const int bits : {0, 1, 4, 10, 20}) {
+            const double loss = std::ldexp(ulp, bits);
+            CAPTURE(bits);
+            CHECK(std::abs(damping_at(loss) / slope - loss) <= 0.51 * ulp + 1e-6 * loss);
+        }
+    }
+}
+
+TEST_CASE("however small the restitution, no damping is nearer than a few numbers") {
+    for (const ContactCase& c : contact_cases()) {
+        CAPTURE(name_of(c));
+        for (const double e : {1e-3, 1e-6, 1e-9}) {
+            // Without end by capture restitution falls for ever; its powers of damping are not the point
+            // here.
+            if (!has_capturing_damping(c)) continue;
+            // Hertz with Tsuji's damping: see above.
+            if (c.law == Law::of<Hertz>() && c.damping_law == DampingLaw::tsuji && e < 1e-6) continue;
+            CAPTURE(e);
+            const DampingProblem problem = problem_of(c, 0.3, 2.0, e);
+            const double found = damping_from_restitution(problem).damping.coefficient;
+            const double little = 8 * std::numeric_limits<double>::epsilon();
+            const auto restitution_at = [&](double damping) {
+                return solve_impact(impact_with(problem, damping)).restitution;
+            };
+            CHECK(restitution_at(found * (1.0 + little)) <= e);
+            CHECK(restitution_at(found * (1.0 - little)) >= e);
+        }
+    }
+}
+
+TEST_CASE("an unreachable restitution is refused with the reachable range") {
+    const auto message = [](const DampingProblem& problem) {
+        return input_error_of([&] { return damping_from_restitution(problem); });
+    };
+    const ContactCase hertz{Law::of<Hertz>(), DampingLaw::constant, Detachment::zero_overlap};
+    CHECK(message(problem_of(hertz, 0.0, 2.0, 1.5)) ==
+          "restitution 1.5 cannot be reached by damping law 'constant' with contact law 'hertz' at 2 m/s; "
+          "allowed: 0 <= e <= 1");
+    CHECK(contains(message(problem_of(hertz, 0.0, 2.0, -0.1)), "allowed: 0 <= e <= 1"));
+    CHECK(contains(message(problem_of(hertz, 0.0, 2.0, std::numeric_limits<double>::quiet_NaN())),
+                   "restitution nan cannot be reached"));
+
+    // By force there is no capture: zero is not reachable, everything above is.
+    const ContactCase by_force{Law::of<Hertz>(), DampingLaw::constant, Detachment::zero_force};
+    CHECK(contains(message(problem_of(by_force, 0.0, 2.0, 0.0)), "allowed: 0 < e <= 1"));
+    CHECK(contains(message(problem_of(by_force, 0.0, 2.0, 1.5)), "allowed: 0 < e <= 1"));
+    const ContactCase by_radius{Law::of<Hertz>(), DampingLaw::contact_radius, Detachment::zero_overlap};
+    CHECK(contains(message(problem_of(by_radius, 0.0, 2.0, 0.0)), "allowed: 0 < e <= 1"));
+
+    // JKR spends energy on the break: at 0.1 m/s and 1 J/m2 undamped restitution is clearly below 1.
+    const ContactCase jkr{Law::of<Jkr>(), DampingLaw::constant, Detachment::pull_off};
+    const double greatest = damping_from_restitution(problem_of(jkr, 1.0, 0.1, 0.1)).greatest_restitution;
+    CHECK(greatest < 0.99);
+    const std::string refused = message(problem_of(jkr, 1.0, 0.1, 0.5 * (1.0 + greatest)));
+    CHECK(contains(refused, "allowed: 0 <= e <= 0."));
+    CHECK(relative_difference(std::stod(refused.substr(refused.rfind(' ') + 1)), greatest) < 1e-7);
+}
+
+TEST_CASE("an impact that is captured without damping has only restitution zero") {
+    const ContactCase jkr{Law::of<Jkr>(), DampingLaw::constant, Detachment::pull_off};
+    const double analytic = *critical_velocity({jkr.law, jkr.detachment, {}, ash(1.0)}).value;
+    const DampingInversion captured = damping_from_restitution(problem_of(jkr, 1.0, 0.5 * analytic, 0.0));
+    CHECK(captured.damping.coefficient == 0.0);
+    CHECK(captured.impact.outcome == Outcome::capture);
+    CHECK(contains(
+        input_error_of([&] { return damping_from_restitution(problem_of(jkr, 1.0, 0.5 * analytic, 0.3)); }),
+        "allowed: 0, or a velocity at which the impact rebounds"));
+}
+
+TEST_CASE("inadmissible impacts are refused before any is solved") {
+    DampingProblem problem =
+        problem_of({Law::of<Dmt>(), DampingLaw::constant, Detachment::zero_overlap}, 0.3, 2.0, 0.5);
+    problem.contact.mass = -1.0;
+    CHECK(contains(input_error_of([&] { return damping_from_restitution(problem); }), "mass is -1 kg"));
+    problem.contact = ash(0.3);
+    problem.velocity = 0.0;
+    CHECK(contains(input_error_of([&] { return damping_from_restitution(problem); }), "velocity is 0 m/s"));
+    problem.velocity = 2.0;
+    problem.detachment = Detachment::pull_off;
+    CHECK(contains(input_error_of([&] { return damping_from_restitution(problem); }),
+                   "pull-off does not end a contact of law dmt"));
 }
