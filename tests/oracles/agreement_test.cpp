@@ -9,7 +9,6 @@
 #include <doctest/doctest.h>
 
 #include "tests/oracles/comparison.hpp"
-#include "tests/oracles/impact_case.hpp"
 #include "tests/oracles/time_domain.hpp"
 #include "tests/support/checks.hpp"
 

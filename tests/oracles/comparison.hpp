@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/oracles/impact_case.hpp"
+#include "tests/oracles/time_domain.hpp"
 
 namespace ashimpact::oracles {
 

@@ -9,7 +9,7 @@
 #include "solver/contact/law.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 #include "solver/surrogate/contact_model.hpp"
-#include "tests/oracles/impact_case.hpp"
+#include "tests/oracles/time_domain.hpp"
 #include "tests/support/random.hpp"
 
 namespace ashimpact::studies {
