@@ -84,6 +84,26 @@ DemCode::Setup liggghts_wall(const Impact& impact) {
     return {deck_template("liggghts_wall.in"), std::move(values)};
 }
 
+/// One time step of a DEM run.
+struct Sample {
+    double overlap;   ///< [m]
+    double velocity;  ///< rate of overlap [m/s]
+};
+
+/// A DEM run from first touch (sample 0) at a constant time step.
+struct Track {
+    double time_step = 0;  ///< [s]
+    std::vector<Sample> samples;
+};
+
+/// One run of one impact.
+struct DemRun {
+    Impact impact{};
+    double time_step = 0;          ///< [s]
+    std::size_t steps = 0;         ///< from first touch
+    std::size_t output_every = 1;  ///< steps between samples
+};
+
 struct Job {
     DemCode::Setup setup;
     const DemRun& run;
@@ -148,6 +168,138 @@ std::vector<Track> read_log(const std::vector<Job>& jobs, const std::filesystem:
             throw std::runtime_error(file.string() + ": run " + std::to_string(i) + " is not complete");
     }
     return tracks;
+}
+
+/// Runs them all in one call of the code; the decks and the log stay in the directory of the given name below
+/// the build directory. Returns a track for each run, its time step being that between samples.
+/// @throws std::runtime_error if the code is missing, fails, or prints anything but the samples asked for
+std::vector<Track> run(const DemCode& code, std::span<const DemRun> runs, const std::string& directory) {
+    const auto program = find_program(code.program, code.debian_package);
+    const std::filesystem::path place = std::filesystem::path(ASHIMPACT_ORACLE_WORK) / directory;
+    std::filesystem::remove_all(place);
+    std::filesystem::create_directories(place);
+    std::vector<Job> jobs;
+    for (const DemRun& one : runs) jobs.push_back({code.setup(one.impact), one});
+    write_deck(jobs, place / "deck.in");
+    const int status = run_program(
+        program, {"-in", "deck.in", "-log", "log", "-screen", "none", "-echo", "none", "-nocite"}, place);
+    if (status != 0)
+        throw std::runtime_error(program.string() + " ended with status " + std::to_string(status) + ": " +
+                                 complaint(place / "log"));
+    return read_log(jobs, place / "log");
+}
+
+/// What one run says, before any extrapolation in the time step.
+struct Contact {
+    bool separated = false;
+    double restitution = 0;
+    double contact_time = 0;     ///< [s]
+    double maximum_overlap = 0;  ///< [m]
+    double end_in_steps = 0;     ///< contact time in time steps: where between two samples the end fell
+};
+
+// Time is counted in steps here.
+template <std::size_t points>
+class Polynomial {
+  public:
+    Polynomial(const Track& track, std::size_t first, double Sample::*quantity) : first_(first) {
+        for (std::size_t i = 0; i < points; ++i) values_[i] = track.samples[first + i].*quantity;
+    }
+
+    [[nodiscard]] double operator()(double time) const {  // Neville
+        auto p = values_;
+        const double t = time - static_cast<double>(first_);
+        for (std::size_t level = 1; level < points; ++level)
+            for (std::size_t i = 0; i + level < points; ++i)
+                p[i] += (t - static_cast<double>(i)) / static_cast<double>(level) * (p[i + 1] - p[i]);
+        return p[0];
+    }
+
+    // where the polynomial falls through a level, between two times
+    [[nodiscard]] double time_at(double level, double above, double below) const {
+        for (int i = 0; i < 100; ++i) {
+            const double middle = 0.5 * (above + below);
+            ((*this)(middle) > level ? above : below) = middle;
+        }
+        return 0.5 * (above + below);
+    }
+
+  private:
+    std::size_t first_;
+    std::array<double, points> values_;
+};
+
+constexpr std::size_t turn_points = 8;
+constexpr std::size_t end_points = 5;
+
+/// Reads turning point and end of contact between the samples, by polynomials through samples of the contact
+/// alone: the first one outside has felt the jump of the force.
+/// @param end_overlap the overlap at which the contact ends [m]
+Contact read_contact(const Track& track, double end_overlap) {
+    const auto& samples = track.samples;
+    const auto turned =
+        std::find_if(samples.begin(), samples.end(), [](const Sample& s) { return s.velocity <= 0; });
+    const auto left =
+        std::find_if(turned, samples.end(), [&](const Sample& s) { return s.overlap <= end_overlap; });
+    const auto turn = static_cast<std::size_t>(turned - samples.begin());
+    const auto end = static_cast<std::size_t>(left - samples.begin());
+
+    Contact contact;
+    if (turn < turn_points || turn + turn_points > samples.size()) return contact;
+    const std::size_t first = turn - turn_points / 2;
+    const double turn_time = Polynomial<turn_points>(track, first, &Sample::velocity)
+                                 .time_at(0, static_cast<double>(turn - 1), static_cast<double>(turn));
+    contact.maximum_overlap = Polynomial<turn_points>(track, first, &Sample::overlap)(turn_time);
+    if (left == samples.end()) return contact;
+
+    const Polynomial<end_points> overlap(track, end - end_points, &Sample::overlap);
+    const Polynomial<end_points> velocity(track, end - end_points, &Sample::velocity);
+    contact.separated = true;
+    contact.end_in_steps =
+        overlap.time_at(end_overlap, static_cast<double>(end - 1), static_cast<double>(end) + 1);
+    contact.contact_time = contact.end_in_steps * track.time_step;
+    contact.restitution = -velocity(contact.end_in_steps) / samples.front().velocity;
+    return contact;
+}
+
+/// Returns the coefficients c0, c1, ... of c0 + c1 h^p1 + ... through all points.
+std::vector<double> fit_powers(std::span<const double> steps, std::span<const double> values,
+                               std::span<const double> powers) {
+    assert(steps.size() == values.size() && steps.size() == powers.size() + 1);
+    const auto count = static_cast<Eigen::Index>(steps.size());
+    const long double unit = steps.front();
+    Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> matrix(count, count);
+    Eigen::Vector<long double, Eigen::Dynamic> right(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        right[i] = values[row];
+        matrix(i, 0) = 1;
+        for (Eigen::Index j = 1; j < count; ++j)
+            matrix(i, j) = std::pow(steps[row] / unit,
+                                    static_cast<long double>(powers[static_cast<std::size_t>(j - 1)]));
+    }
+    const Eigen::Vector<long double, Eigen::Dynamic> solution = matrix.partialPivLu().solve(right);
+    std::vector<double> coefficients(steps.size());
+    for (std::size_t j = 0; j < coefficients.size(); ++j)
+        coefficients[j] =
+            static_cast<double>(solution[static_cast<Eigen::Index>(j)] /
+                                (j == 0 ? 1 : std::pow(unit, static_cast<long double>(powers[j - 1]))));
+    return coefficients;
+}
+
+/// Richardson extrapolation to step zero: fits value(h) = c0 + c1 h^p1 + c2 h^p2 + ... through all points and
+/// returns c0, in the unit of the values. The error is the distance to the same without the largest step and
+/// the highest power, so it belongs to the lower order and is on the safe side.
+/// @param steps five or so step sizes in any unit, largest first
+/// @param powers ascending, one fewer than there are steps
+Estimate extrapolate(std::span<const double> steps, std::span<const double> values,
+                     std::span<const double> powers) {
+    const double best = fit_powers(steps, values, powers).front();
+    const auto lower = powers.first(powers.size() - 1);
+    const double fine = fit_powers(steps.subspan(1), values.subspan(1), lower).front();
+    const double coarse =
+        fit_powers(steps.first(lower.size() + 1), values.first(lower.size() + 1), lower).front();
+    return {best, std::max(std::abs(best - fine), std::abs(best - coarse))};
 }
 
 constexpr double hertz_contact_time = 3.21806546;  // undamped, in time scales
@@ -247,40 +399,6 @@ OracleResult extrapolated(std::span<const DemRun> runs, std::span<const Contact>
             .maximum_overlap = at_zero_step(maximum_overlap)};
 }
 
-// Time is counted in steps here.
-template <std::size_t points>
-class Polynomial {
-  public:
-    Polynomial(const Track& track, std::size_t first, double Sample::*quantity) : first_(first) {
-        for (std::size_t i = 0; i < points; ++i) values_[i] = track.samples[first + i].*quantity;
-    }
-
-    [[nodiscard]] double operator()(double time) const {  // Neville
-        auto p = values_;
-        const double t = time - static_cast<double>(first_);
-        for (std::size_t level = 1; level < points; ++level)
-            for (std::size_t i = 0; i + level < points; ++i)
-                p[i] += (t - static_cast<double>(i)) / static_cast<double>(level) * (p[i + 1] - p[i]);
-        return p[0];
-    }
-
-    // where the polynomial falls through a level, between two times
-    [[nodiscard]] double time_at(double level, double above, double below) const {
-        for (int i = 0; i < 100; ++i) {
-            const double middle = 0.5 * (above + below);
-            ((*this)(middle) > level ? above : below) = middle;
-        }
-        return 0.5 * (above + below);
-    }
-
-  private:
-    std::size_t first_;
-    std::array<double, points> values_;
-};
-
-constexpr std::size_t turn_points = 8;
-constexpr std::size_t end_points = 5;
-
 }  // namespace
 
 DemCode lammps() {
@@ -306,22 +424,6 @@ DemCode liggghts() {
             .setup = liggghts_wall};
 }
 
-std::vector<Track> run(const DemCode& code, std::span<const DemRun> runs, const std::string& directory) {
-    const auto program = find_program(code.program, code.debian_package);
-    const std::filesystem::path place = std::filesystem::path(ASHIMPACT_ORACLE_WORK) / directory;
-    std::filesystem::remove_all(place);
-    std::filesystem::create_directories(place);
-    std::vector<Job> jobs;
-    for (const DemRun& one : runs) jobs.push_back({code.setup(one.impact), one});
-    write_deck(jobs, place / "deck.in");
-    const int status = run_program(
-        program, {"-in", "deck.in", "-log", "log", "-screen", "none", "-echo", "none", "-nocite"}, place);
-    if (status != 0)
-        throw std::runtime_error(program.string() + " ended with status " + std::to_string(status) + ": " +
-                                 complaint(place / "log"));
-    return read_log(jobs, place / "log");
-}
-
 std::vector<OracleResult> dem_impacts(const DemCode& code, std::span<const Impact> impacts) {
     const auto coarse = contacts(code, coarse_runs(impacts), code.program + "-coarse");
     const auto runs = fine_runs(impacts, coarse);
@@ -344,67 +446,6 @@ std::vector<bool> dem_rebounds(const DemCode& code, std::span<const Impact> impa
     for (std::size_t i = 0; i < runs.size(); ++i)
         rebounds.push_back(tracks[i].samples.back().overlap < ContactForce(impacts[i]).end_overlap());
     return rebounds;
-}
-
-Contact read_contact(const Track& track, double end_overlap) {
-    const auto& samples = track.samples;
-    const auto turned =
-        std::find_if(samples.begin(), samples.end(), [](const Sample& s) { return s.velocity <= 0; });
-    const auto left =
-        std::find_if(turned, samples.end(), [&](const Sample& s) { return s.overlap <= end_overlap; });
-    const auto turn = static_cast<std::size_t>(turned - samples.begin());
-    const auto end = static_cast<std::size_t>(left - samples.begin());
-
-    Contact contact;
-    if (turn < turn_points || turn + turn_points > samples.size()) return contact;
-    const std::size_t first = turn - turn_points / 2;
-    const double turn_time = Polynomial<turn_points>(track, first, &Sample::velocity)
-                                 .time_at(0, static_cast<double>(turn - 1), static_cast<double>(turn));
-    contact.maximum_overlap = Polynomial<turn_points>(track, first, &Sample::overlap)(turn_time);
-    if (left == samples.end()) return contact;
-
-    const Polynomial<end_points> overlap(track, end - end_points, &Sample::overlap);
-    const Polynomial<end_points> velocity(track, end - end_points, &Sample::velocity);
-    contact.separated = true;
-    contact.end_in_steps =
-        overlap.time_at(end_overlap, static_cast<double>(end - 1), static_cast<double>(end) + 1);
-    contact.contact_time = contact.end_in_steps * track.time_step;
-    contact.restitution = -velocity(contact.end_in_steps) / samples.front().velocity;
-    return contact;
-}
-
-std::vector<double> fit_powers(std::span<const double> steps, std::span<const double> values,
-                               std::span<const double> powers) {
-    assert(steps.size() == values.size() && steps.size() == powers.size() + 1);
-    const auto count = static_cast<Eigen::Index>(steps.size());
-    const long double unit = steps.front();
-    Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> matrix(count, count);
-    Eigen::Vector<long double, Eigen::Dynamic> right(count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const auto row = static_cast<std::size_t>(i);
-        right[i] = values[row];
-        matrix(i, 0) = 1;
-        for (Eigen::Index j = 1; j < count; ++j)
-            matrix(i, j) = std::pow(steps[row] / unit,
-                                    static_cast<long double>(powers[static_cast<std::size_t>(j - 1)]));
-    }
-    const Eigen::Vector<long double, Eigen::Dynamic> solution = matrix.partialPivLu().solve(right);
-    std::vector<double> coefficients(steps.size());
-    for (std::size_t j = 0; j < coefficients.size(); ++j)
-        coefficients[j] =
-            static_cast<double>(solution[static_cast<Eigen::Index>(j)] /
-                                (j == 0 ? 1 : std::pow(unit, static_cast<long double>(powers[j - 1]))));
-    return coefficients;
-}
-
-Estimate extrapolate(std::span<const double> steps, std::span<const double> values,
-                     std::span<const double> powers) {
-    const double best = fit_powers(steps, values, powers).front();
-    const auto lower = powers.first(powers.size() - 1);
-    const double fine = fit_powers(steps.subspan(1), values.subspan(1), lower).front();
-    const double coarse =
-        fit_powers(steps.first(lower.size() + 1), values.first(lower.size() + 1), lower).front();
-    return {best, std::max(std::abs(best - fine), std::abs(best - coarse))};
 }
 
 }  // namespace ashimpact::oracles
