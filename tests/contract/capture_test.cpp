@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -85,13 +84,7 @@ bool check_verdict(const Impact& impact) {
 }
 
 Impact random_impact(Random& random, ContactCase c) {
-    const double radius = random.log_uniform(1e-7, 1e-3);
-    const double density = random.log_uniform(500.0, 2e4);
-    ContactPair pair{.mass = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density,
-                     .effective_radius = radius,
-                     .contact_modulus = random.log_uniform(1e8, 1e12),
-                     .work_of_adhesion = random.log_uniform(1e-4, 10.0)};
-    pair.parameters = parameters_like(pair.work_of_adhesion);
+    const ContactPair pair = random_pair(random);
     const double velocity = random.log_uniform(1e-4, 1e3);
     if (std::isfinite(c.yield_pressure))
         c.yield_pressure = pair.contact_modulus * random.log_uniform(1e-3, 1.0);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -114,13 +113,7 @@ Impact random_impact(Law law, Random& random) {
     ContactCase c{.law = law,
                   .damping_law = all_values<DampingLaw>[random.below(all_values<DampingLaw>.size())],
                   .detachment = all_values<Detachment>[random.below(all_values<Detachment>.size())]};
-    const double radius = random.log_uniform(1e-7, 1e-3);
-    const double density = random.log_uniform(500.0, 2e4);
-    ContactPair pair{.mass = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density,
-                     .effective_radius = radius,
-                     .contact_modulus = random.log_uniform(1e8, 1e12),
-                     .work_of_adhesion = random.log_uniform(1e-4, 10.0)};
-    pair.parameters = parameters_like(pair.work_of_adhesion);
+    const ContactPair pair = random_pair(random);
     if (random.below(2) == 0) c.yield_pressure = pair.contact_modulus * random.log_uniform(1e-3, 1.0);
     const double velocity = random.log_uniform(1e-4, 1e3);
     return impact_of(c, pair, random.uniform(0.0, 2.0), velocity);
@@ -174,6 +167,7 @@ void check_impact(const Impact& impact, Findings& findings) {
         std::isfinite(result.maximum_overlap) && result.maximum_overlap > 0.0 &&
         result.contact_time.has_value() == rebound &&
         (rebound ? result.restitution > 0.0 && result.restitution <= 1.0 : result.restitution == 0.0) &&
+        result.rebound_velocity == result.restitution * impact.velocity && result.steps > 0 &&
         (!result.approach_time || *result.approach_time > 0.0) &&
         (!rebound || *result.contact_time > result.approach_time.value());
     CHECK(consistent);

@@ -12,12 +12,26 @@
 #include "pipeline/present/export/folder.hpp"
 #include "pipeline/present/export/subject.hpp"
 #include "solver/contact/sjkr.hpp"
-#include "tests/exports/ash.hpp"
 #include "tests/support/checks.hpp"
 
 namespace ashimpact::test {
 
 namespace {
+
+/// Fly ash of 88 um with constant damping.
+ExportSubject ash(std::string_view law_name) {
+    const Law law = Law::named(law_name);
+    return {.law = law,
+            .detachment = law.default_detachment(),
+            .contact = {.mass = sphere_mass(44e-6, 2600),
+                        .effective_radius = 44e-6,
+                        .contact_modulus = 90e9,
+                        .work_of_adhesion = 0.3},
+            .density = 2600,
+            .damping = {.law = DampingLaw::constant, .nodes = {{0, 0.0141}}, .reference_diameter = 88e-6},
+            .from_diameter = 88e-6,
+            .to_diameter = 88e-6};
+}
 
 ExportSubject sizes(ExportSubject subject, double from, double to, double exponent) {
     subject.from_diameter = from;

@@ -225,20 +225,12 @@ def check(code, name, options):
 
 
 def check_refusals():
-    for code, options, reason in (
-            ("lammps", JKR + CONSTANT, "NaN"), ("liggghts", JKR + CONSTANT, "sjkr"), ("yade", JKR + CONSTANT, "jkr"),
-            ("yade", DMT + ["--damping-law", "tsuji", "--damping", "0.5"], "gamma"),
+    for code, options, reason in (  # tests/exports/exports_test.cpp has what each code cannot do
             ("yade", [os.path.join(WORK, "run"), "--sample", "88 um", "--law", "dmt", "--follow-velocity"], "velocity"),
             ("openfoam", [os.path.join(WORK, "run"), "--sample", "88 um", "--law", "dmt", "--follow-velocity"] + SIZES
              + ["2"], "lammps or liggghts for several"),
             ("lammps", DMT + CONSTANT + SIZES[:4], "--damping-exponent"), ("lamps", DMT, "lammps"),
-            ("openfoam", DMT + CONSTANT + PARTNER, "no second sphere"), ("fluent", DMT + CONSTANT + PARTNER, "walls"),
-            ("lammps", JKR + PARTNER + PAIR_DAMPING, "load-controlled"),
-            ("lammps", BRACH_DUNN + PARTNER + PAIR_DAMPING, "knows no brach-dunn"),
             ("lammps", DMT + PARTNER + ["--damping-law", "tsuji", "--damping", "0.5"], "no damping tsuji"),
-            ("lammps", DMT + PARTNER + PAIR_DAMPING + SIZES + ["2"], "--damping-exponent 0"),
-            ("liggghts", JKR + PARTNER + PAIR_DAMPING + BREAKS, "knows no jkr"),
-            ("liggghts", DMT + PARTNER + PAIR_DAMPING + SIZES + ["0"], "edinburgh"),
             ("liggghts", HERTZ + PARTNER + ["--damping", "30 kg/s"], "edinburgh"),
             ("table", DMT + CONSTANT + ["--partner-density", "2600 kg/m3"], "--partner-radius"),
             ("table", DMT + CONSTANT + SIZES + ["2", "--roughness", "1 nm"], "--roughness"),

@@ -14,7 +14,6 @@
 #include "pipeline/run/stage.hpp"
 #include "pipeline/run/uncertainty/calibration.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
-#include "solver/motion/trajectory.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/support/checks.hpp"
 
@@ -252,30 +251,6 @@ TEST_CASE("8-histories: columns of the stated length, contact ends where it bega
             }
         }
     }
-}
-
-TEST_CASE("the momentum balance: 2 eta delta_m for constant damping, symmetry without") {
-    const ContactPair contact{
-        .mass = 9.277e-10, .effective_radius = 44e-6, .contact_modulus = 90e9, .work_of_adhesion = 0.3};
-    const Impact damped{
-        Law::of<BrachDunn>(), Detachment::zero_overlap, {DampingLaw::constant, 0.008}, contact, 2.5};
-    const double overlap = solve_impact(damped).maximum_overlap;
-    const MomentumBalance balance = momentum_balance(damped);
-    CHECK(relative_difference(balance.approach.damping_impulse, 0.008 * overlap) < 1e-13);
-    CHECK(relative_difference(balance.rebound.damping_impulse, 0.008 * overlap) < 1e-13);
-    CHECK(std::abs(balance.approach.residual) < 1e-15 * contact.mass * 2.5);
-    CHECK(std::abs(balance.rebound.residual) < 1e-15 * contact.mass * 2.5);
-    CHECK(balance.rebound_is_longer());
-
-    Impact undamped = damped;
-    undamped.damping.coefficient = 0;
-    const MomentumBalance symmetric = momentum_balance(undamped);
-    CHECK(relative_difference(symmetric.approach.duration, symmetric.rebound.duration) < 1e-9);
-    CHECK(symmetric.damping_impulse == 0);
-
-    Impact captured = damped;
-    captured.velocity = 0.01;
-    CHECK_THROWS_AS(static_cast<void>(momentum_balance(captured)), InputError);
 }
 
 TEST_CASE("comparison: fixed places, published values beside ours, the ratio in the sentence") {

@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include "materials/contact_properties.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/motion/scale.hpp"
@@ -76,6 +77,16 @@ ContactPair ash(double work_of_adhesion) {
             .contact_modulus = 90e9,
             .work_of_adhesion = work_of_adhesion,
             .parameters = parameters_like(work_of_adhesion)};
+}
+
+ContactPair random_pair(Random& random) {
+    const double radius = random.log_uniform(1e-7, 1e-3);
+    ContactPair pair{.mass = sphere_mass(radius, random.log_uniform(500.0, 2e4)),
+                     .effective_radius = radius,
+                     .contact_modulus = random.log_uniform(1e8, 1e12),
+                     .work_of_adhesion = random.log_uniform(1e-4, 10.0)};
+    pair.parameters = parameters_like(pair.work_of_adhesion);
+    return pair;
 }
 
 Impact impact_of(const ContactCase& c, const ContactPair& pair, double damping_number, double velocity) {

@@ -7,6 +7,7 @@
 
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
+#include "tests/support/random.hpp"
 
 namespace ashimpact::test {
 
@@ -40,6 +41,9 @@ struct ContactCase {
 
 /// The sphere of the reference impacts (88 um, 2600 kg/m3) on its wall, E* = 90 GPa, with parameters_like().
 [[nodiscard]] ContactPair ash(double work_of_adhesion);
+
+/// A sphere anywhere in the range that fly ash and its neighbours span, with parameters_like().
+[[nodiscard]] ContactPair random_pair(Random& random);
 
 /// Works of adhesion, velocities and scaled dampings that span the reference impacts [J/m2], [m/s], [1].
 inline constexpr double ash_adhesions[] = {0.05, 0.3, 1.0};

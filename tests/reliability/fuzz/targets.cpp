@@ -22,7 +22,6 @@
 #include "pipeline/present/text/result_text.hpp"
 #include "solver/batch/batch.hpp"
 #include "solver/inference/impacts/measurement.hpp"
-#include "tests/support/solve_as_batch.hpp"
 
 namespace ashimpact::test {
 
@@ -219,8 +218,8 @@ void feed_solver(std::string_view bytes) {
     require(alone.restitution >= 0.0 && alone.restitution <= 1.0, "0 <= e <= 1");
     require((alone.outcome == Outcome::rebound) == (alone.restitution > 0.0), "a rebound has a restitution");
     require(!alone.contact_time || *alone.contact_time > 0.0, "a contact takes time");
-    const ImpactBatchResult with_turn = solve_as_batch(impact);
-    const ImpactBatchResult without = solve_as_batch(impact, {.turning_point = false});
+    const ImpactBatchResult with_turn = solve_impacts(ImpactList({impact}).batch());
+    const ImpactBatchResult without = solve_impacts(ImpactList({impact}).batch(), {.turning_point = false});
     const double conditioning = 1.0 + std::abs(alone.energy.minimum) / alone.energy.incident;
     const double difference = std::abs(std::pow(without.restitution[0], 2) - std::pow(alone.restitution, 2));
     require(difference <= 2e-12 * conditioning, "the batch agrees with the scalar solver");

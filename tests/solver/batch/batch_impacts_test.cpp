@@ -15,7 +15,6 @@
 #include "solver/motion/scale.hpp"
 #include "tests/solver/batch/batch_sample.hpp"
 #include "tests/support/checks.hpp"
-#include "tests/support/solve_as_batch.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;
@@ -194,7 +193,7 @@ TEST_CASE("rebounds within 1e-9 of capture, in energy, are those of the scalar s
         impact.velocity = critical * (1 + beyond);
         const ImpactResult scalar = solve_impact(impact);
         CAPTURE(beyond);
-        CHECK(solve_as_batch(impact).restitution[0] == scalar.restitution);
+        CHECK(solve_impacts(ImpactList({impact}).batch()).restitution[0] == scalar.restitution);
         rebounds += scalar.outcome == Outcome::rebound ? 1 : 0;
     }
     CHECK(rebounds > 5);
@@ -380,11 +379,11 @@ TEST_CASE(
                                       .contact_modulus = 878769.27807571762,
                                       .work_of_adhesion = 546.34430536746243},
                           .velocity = 0.0044471614277916943};
-    CHECK(std::isnan(solve_as_batch(creeping).approach_time[0]));
+    CHECK(std::isnan(solve_impacts(ImpactList({creeping}).batch()).approach_time[0]));
     CHECK_FALSE(solve_impact(creeping).approach_time.has_value());
     for (const Impact& impact : {stopped, deep}) {
         CAPTURE(impact.law.name());
-        const ImpactBatchResult result = solve_as_batch(impact);
+        const ImpactBatchResult result = solve_impacts(ImpactList({impact}).batch());
         const ImpactResult reference = solve_impact(impact);
         CHECK(result.outcome[0] == reference.outcome);
         CHECK(conditioned_error(result.restitution[0], reference) <= bound);

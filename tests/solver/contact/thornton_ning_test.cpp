@@ -237,11 +237,7 @@ TEST_CASE("plastic work is never negative and restitution never above JKR's") {
     const int times = repetitions(2000);
     int yielded = 0;
     for (int i = 0; i < times; ++i) {
-        const double radius = random.log_uniform(1e-7, 1e-3);
-        ContactPair pair{.mass = sphere_mass(radius, random.log_uniform(500.0, 2e4)),
-                         .effective_radius = radius,
-                         .contact_modulus = random.log_uniform(1e8, 1e12),
-                         .work_of_adhesion = random.log_uniform(1e-4, 10.0)};
+        ContactPair pair = random_pair(random);
         const double velocity = random.log_uniform(1e-3, 1e3);
         const double elastic = solve_impact(undamped(pair, velocity, Law::of<Jkr>())).restitution;
         pair.yield_pressure = pair.contact_modulus * random.log_uniform(1e-3, 0.3);

@@ -16,48 +16,20 @@
 using namespace ashimpact;
 using namespace ashimpact::test;
 
-TEST_CASE("outcomes have names") {
-    CHECK(name_of(Outcome::rebound) == "rebound");
-    CHECK(name_of(Outcome::capture) == "capture");
+namespace {
+
+Motion<Extended> motion_of(const Impact& impact) {
+    return scaled_motion<Extended>(impact, Scale::of(impact.contact, impact.velocity));
 }
 
-TEST_CASE("the parts of a result agree with one another") {
-    int captures = 0;
-    for (const ContactCase& c : contact_cases()) {
-        for (const double number : {0.0, 0.05, 0.3, 0.8, 1.3, 2.5}) {
-            const Impact impact = impact_of(c, ash(0.3), number, 2.0);
-            const ImpactResult result = solve_impact(impact);
-            CAPTURE(describe(impact));
-            CHECK(result.rebound_velocity == result.restitution * impact.velocity);
-            CHECK(result.maximum_overlap > 0.0);
-            CHECK(result.steps > 0);
-            REQUIRE(result.approach_time);
-            CHECK(*result.approach_time > 0.0);
-            if (result.outcome == Outcome::capture) {
-                ++captures;
-                CHECK(result.restitution == 0.0);
-                CHECK(!result.contact_time);
-                continue;
-            }
-            CHECK(result.restitution > 0.0);
-            REQUIRE(result.contact_time);
-            CHECK(*result.contact_time > *result.approach_time);
-        }
-    }
-    CHECK(captures > 10);
+/// Derivative of a series at @p h.
+Extended slope_at(const Series<Extended>& c, Extended h) {
+    Extended sum = 0;
+    for (std::size_t n = c.size(); n-- > 1;) sum = sum * h + static_cast<Extended>(n) * c[n];
+    return sum;
 }
 
-TEST_CASE("an impact is deterministic") {
-    for (const ContactCase& c : contact_cases()) {
-        const Impact impact = impact_of(c, ash(0.3), 0.3, 2.0);
-        const ImpactResult a = solve_impact(impact);
-        const ImpactResult b = solve_impact(impact);
-        CHECK(a.restitution == b.restitution);
-        CHECK(*a.contact_time == *b.contact_time);
-        CHECK(a.maximum_overlap == b.maximum_overlap);
-        CHECK(a.energy.residual == b.energy.residual);
-    }
-}
+}  // namespace
 
 TEST_CASE(
     "at the critical velocity itself, where rounding decides, an impact ends: next to no rebound or none") {
@@ -138,21 +110,6 @@ TEST_CASE(
 }
 
 // The regularised equation of motion and its expansion, in the solver's own scaled units.
-
-namespace {
-
-Motion<Extended> motion_of(const Impact& impact) {
-    return scaled_motion<Extended>(impact, Scale::of(impact.contact, impact.velocity));
-}
-
-/// Derivative of a series at @p h.
-Extended slope_at(const Series<Extended>& c, Extended h) {
-    Extended sum = 0;
-    for (std::size_t n = c.size(); n-- > 1;) sum = sum * h + static_cast<Extended>(n) * c[n];
-    return sum;
-}
-
-}  // namespace
 
 TEST_CASE("potential, stiffness and drag belong to the force, the overlap and the damping") {
     Worst worst;
