@@ -23,34 +23,6 @@ namespace {
 
 constexpr double bound = 1e-12;  ///< |d(e^2)| over the conditioning of the problem
 
-/// Compares a batch with the scalar solver, impact by impact. The contact time near capture is as
-/// ill-conditioned as 1/e^2.
-void check_against_scalar(const Impacts& impacts) {
-    const ImpactBatchResult result = solve_impacts(impacts.batch());
-    CAPTURE(impacts.law.name());
-    CAPTURE(name_of(impacts.detachment));
-    CAPTURE(name_of(impacts.damping_law));
-    for (Eigen::Index i = 0; i < impacts.size(); ++i) {
-        CAPTURE(i);
-        const ImpactResult reference = solve_impact(impacts.at(i));
-        REQUIRE(result.outcome[i] == reference.outcome);
-        CHECK(conditioned_error(result.restitution[i], reference) <= bound);
-        CHECK(relative_difference(result.maximum_overlap[i], reference.maximum_overlap) <= 1e-9);
-        if (reference.contact_time) {
-            const double depth = 1.0 + std::abs(reference.energy.minimum) / reference.energy.incident;
-            const double condition = 1.0 + depth / std::pow(reference.restitution, 2.0);
-            CHECK(relative_difference(result.contact_time[i], *reference.contact_time) <= 1e-11 * condition);
-        } else {
-            CHECK(std::isnan(result.contact_time[i]));
-        }
-        if (reference.approach_time) {
-            CHECK(relative_difference(result.approach_time[i], *reference.approach_time) <= 1e-8);
-        } else {
-            CHECK(std::isnan(result.approach_time[i]));
-        }
-    }
-}
-
 /// Impacts at the critical velocity times each factor.
 Impacts around_critical(Impacts impacts, const std::vector<double>& factors) {
     std::vector<Eigen::Index> places;
@@ -75,15 +47,25 @@ Impacts around_critical(Impacts impacts, const std::vector<double>& factors) {
 struct Agreement {
     double restitution = 0.0;  ///< greatest |d(e^2)| over the conditioning of the problem
     double contact_time =
-        0.0;  ///< greatest relative difference over the conditioning, which near capture is 1/e^2
-    Eigen::Index outcomes = 0;  ///< that differ
+        0.0;            ///< greatest relative difference over the conditioning, which near capture is 1/e^2
+    double turn = 0.0;  ///< greatest relative difference of overlap, tenth of that of approach time
+    Eigen::Index outcomes = 0;  ///< that differ, as times do that one of both has
 
-    void add(const ImpactBatchResult& batch, Eigen::Index i, const ImpactResult& reference) {
-        if (batch.outcome[i] != reference.outcome) {
+    void add(const ImpactBatchResult& batch, Eigen::Index i, const ImpactResult& reference,
+             bool turns = false) {
+        if (batch.outcome[i] != reference.outcome ||
+            std::isnan(batch.contact_time[i]) == reference.contact_time.has_value() ||
+            (turns && std::isnan(batch.approach_time[i]) == reference.approach_time.has_value())) {
             ++outcomes;
             return;
         }
         restitution = std::max(restitution, conditioned_error(batch.restitution[i], reference));
+        if (turns) {
+            turn = std::max(turn, relative_difference(batch.maximum_overlap[i], reference.maximum_overlap));
+            if (reference.approach_time)
+                turn = std::max(turn,
+                                0.1 * relative_difference(batch.approach_time[i], *reference.approach_time));
+        }
         if (!reference.contact_time) return;
         const double depth = 1.0 + std::abs(reference.energy.minimum) / reference.energy.incident;
         const double condition = 1.0 + depth / std::pow(reference.restitution, 2.0);
@@ -93,6 +75,7 @@ struct Agreement {
     void add(const Agreement& other) {
         restitution = std::max(restitution, other.restitution);
         contact_time = std::max(contact_time, other.contact_time);
+        turn = std::max(turn, other.turn);
         outcomes += other.outcomes;
     }
 };
@@ -113,7 +96,7 @@ Agreements agreements(const Impacts& impacts) {
         Agreements own;
         for (auto i = static_cast<Eigen::Index>(first); i < static_cast<Eigen::Index>(first + count); ++i) {
             const ImpactResult reference = solve_impact(impacts.at(i));
-            own.integrated.add(integrated, i, reference);
+            own.integrated.add(integrated, i, reference, true);
             own.tabulated.add(tabulated, i, reference);
             if (reference.outcome == Outcome::rebound) ++own.rebounds;
         }
@@ -130,18 +113,10 @@ Agreements agreements(const Impacts& impacts) {
 /// square of a table.
 Eigen::Index impacts_in_all() {
     if (sanitized) return 2'100;
-    return std::getenv("ASHIMPACT_WHOLE") == nullptr ? 200'000 : 1'000'000;
+    return std::getenv("ASHIMPACT_WHOLE") == nullptr ? 40'000 : 1'000'000;
 }
 
 }  // namespace
-
-TEST_CASE("the batch does what the scalar solver does: every law, detachment and damping law") {
-    for (const Impacts& impacts : random_impacts(250, 1.2, 11)) check_against_scalar(impacts);
-}
-
-TEST_CASE("the batch does what the scalar solver does where damping captures almost everything") {
-    for (const Impacts& impacts : random_impacts(80, 2.2, 12)) check_against_scalar(impacts);
-}
 
 TEST_CASE("capture is decided exactly, down to a part in 1e9 of the critical velocity") {
     for (const Impacts& impacts : random_impacts(12, 0.8, 13)) {
@@ -326,30 +301,6 @@ TEST_CASE("an elastic-plastic law goes through the scalar solver") {
     }
 }
 
-TEST_CASE("Hertz: damping beyond all bounds captures, and asking for the turning point changes nothing") {
-    int seen = 0;
-    for (const Impacts& impacts : random_impacts(200, 1e11, 29)) {  // damping numbers up to 1e11
-        // A contact that ends at zero force is refused there: it does not converge.
-        if (impacts.law != Law::of<Hertz>() || impacts.damping_law != DampingLaw::constant ||
-            impacts.detachment != Detachment::zero_overlap)
-            continue;
-        ++seen;
-        const ImpactBatchResult with_turn = solve_impacts(impacts.batch());
-        const ImpactBatchResult without = solve_impacts(impacts.batch(), {.turning_point = false});
-        for (Eigen::Index i = 0; i < impacts.size(); ++i) {
-            CAPTURE(i);
-            CHECK(with_turn.outcome[i] == Outcome::capture);
-            CHECK(without.outcome[i] == Outcome::capture);
-            CHECK(with_turn.restitution[i] == 0);
-            CHECK(without.restitution[i] == 0);
-            CHECK(std::isnan(with_turn.contact_time[i]));
-            CHECK(std::isnan(without.contact_time[i]));
-            CHECK(with_turn.maximum_overlap[i] > 0);
-        }
-    }
-    CHECK(seen == 1);
-}
-
 TEST_CASE(
     "a turn that is lost in rounding, and a rebound out of a well far deeper than its energy, are right") {
     // Stopped by damping alone: the contact's own force is 1e-12 of that of the damping.
@@ -447,19 +398,21 @@ TEST_CASE(
     const auto sets = std::ssize(random_impacts(1, 1.0, 51));
     Eigen::Index solved = 0;
     Eigen::Index rebounds = 0;
-    for (const Impacts& impacts : random_impacts(impacts_in_all() / sets + 1, 1.1, 51)) {
-        CAPTURE(impacts.law.name());
-        CAPTURE(name_of(impacts.detachment));
-        CAPTURE(name_of(impacts.damping_law));
-        const Agreements found = agreements(impacts);
-        solved += impacts.size();
-        rebounds += found.rebounds;
-        MESSAGE("integrated ", found.integrated.restitution, ", ", found.integrated.contact_time, "; table ",
-                found.tabulated.restitution, ", ", found.tabulated.contact_time);
-        for (const Agreement& agreement : {found.integrated, found.tabulated}) {
-            CHECK(agreement.outcomes == 0);
-            CHECK(agreement.restitution <= 1e-12);
-            CHECK(agreement.contact_time <= 1e-11);
+    for (const double most_damping : {1.1, 2.2}) {  // where damping captures almost everything, fewer
+        const Eigen::Index each = most_damping < 2 ? impacts_in_all() / sets + 1 : 80;
+        for (const Impacts& impacts : random_impacts(each, most_damping, 51)) {
+            CAPTURE(impacts.law.name());
+            CAPTURE(name_of(impacts.detachment));
+            CAPTURE(name_of(impacts.damping_law));
+            const Agreements found = agreements(impacts);
+            solved += impacts.size();
+            rebounds += found.rebounds;
+            for (const Agreement& agreement : {found.integrated, found.tabulated}) {
+                CHECK(agreement.outcomes == 0);
+                CHECK(agreement.restitution <= 1e-12);
+                CHECK(agreement.contact_time <= 1e-11);
+                CHECK(agreement.turn <= 1e-9);
+            }
         }
     }
     CHECK(solved >= impacts_in_all());

@@ -2,31 +2,18 @@
 #include "tests/solver/batch/batch_sample.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <numbers>
-#include <random>
 #include <stdexcept>
 
+#include "materials/contact_properties.hpp"
 #include "solver/batch/kernels/kernel.hpp"
 #include "solver/motion/scale.hpp"
 #include "tests/support/contact_cases.hpp"
+#include "tests/support/random.hpp"
 
 namespace ashimpact::test {
 
 namespace {
-
-class Random {
-  public:
-    explicit Random(std::uint64_t seed) : engine_(seed) {}
-    double uniform(double low, double high) { return low + (high - low) * unit(); }
-    /// Evenly in the logarithm.
-    double scale(double low, double high) { return low * std::pow(high / low, unit()); }
-
-  private:
-    double unit() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
-    std::mt19937_64 engine_;
-};
 
 Impacts random_impacts(Law law, Detachment detachment, DampingLaw damping_law, Eigen::Index count,
                        double most_damping, Random& random) {
@@ -36,18 +23,17 @@ Impacts random_impacts(Law law, Detachment detachment, DampingLaw damping_law, E
         column->resize(count);
     }
     for (Eigen::Index i = 0; i < count; ++i) {
-        const double radius = random.scale(5e-7, 1e-4);
-        const double density = random.uniform(1500.0, 3000.0);
+        const double radius = random.log_uniform(5e-7, 1e-4);
         impacts.effective_radius[i] = radius;
-        impacts.mass[i] = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density;
-        impacts.contact_modulus[i] = random.scale(3e10, 1.5e11);
-        impacts.work_of_adhesion[i] = random.scale(0.01, 1.0);
+        impacts.mass[i] = sphere_mass(radius, random.uniform(1500.0, 3000.0));
+        impacts.contact_modulus[i] = random.log_uniform(3e10, 1.5e11);
+        impacts.work_of_adhesion[i] = random.log_uniform(0.01, 1.0);
         for (const auto& [name, value] : parameters_like(impacts.work_of_adhesion[i])) {
             Eigen::ArrayXd& column = impacts.parameters[name];
             column.conservativeResize(count);
             column[i] = value;
         }
-        impacts.velocity[i] = random.scale(0.01, 20.0);
+        impacts.velocity[i] = random.log_uniform(0.01, 20.0);
         const Scale scale = Scale::of(impacts.at(i).contact, impacts.velocity[i]);
         impacts.damping[i] = scale.damping_coefficient(damping_law, random.uniform(0.0, most_damping));
     }
