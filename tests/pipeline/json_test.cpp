@@ -121,31 +121,10 @@ TEST_CASE("every schema is complete in itself and lists what the program knows")
     }
 }
 
-TEST_CASE("a violation is told by pointer, what is wrong and what is allowed") {
+TEST_CASE("a radius in a case and a diameter in a sweep are told by pointer, with the key that is meant") {
     const auto message = [](const std::string& text) {
         return test::input_error_of([&] { validate_document(parse_json(text), "case"); });
     };
-    CHECK(message(R"({"name": "x"})")
-              .starts_with("/: \"samples\" is missing; allowed: a list of at least one sample"));
-    CHECK(message(R"({"name": "x", "samples": []})")
-              .starts_with("/samples: is a list of 0; allowed: a list of at"));
-    CHECK(
-        message(
-            R"({"name": "x", "sample": [], "samples": [{"name": "a", "diameter": 1, "composition": {}}]})")
-            .starts_with(
-                "/sample: unknown key, did you mean \"samples\"?; allowed: $schema, schema_version, name, "));
-    CHECK(message(R"({"name": "x", "samples": [{"name": "a", "diameter": "1 um"}]})")
-              .starts_with("/samples/0: \"composition\" is missing; allowed: weight_fractions, "));
-    CHECK(
-        message(
-            R"({"name": "x", "laws": ["herz"], "samples": [{"name": "a", "diameter": 1, "composition": {}}]})")
-            .starts_with("/laws/0: unknown name \"herz\", did you mean \"hertz\"?; allowed: hertz, dmt, "));
-    CHECK(message(R"({"name": "x", "samples": [{"name": "a", "diameter": [1], "composition": {}}]})")
-              .starts_with("/samples/0/diameter: is a list of 1; allowed: a length: "));
-    CHECK(
-        message(
-            R"({"name": "x", "samples": [{"name": "a", "diameter": {"value": 1, "units": "m"}, "composition": {}}]})")
-            .starts_with("/samples/0/diameter/units: unknown key, did you mean \"unit\"?"));
     // The size of a sphere: whether its diameter is missing or stands beside it.
     for (const char* sizes : {R"("radius": "44 um")", R"("radius": "44 um", "diameter": "88 um")"})
         CHECK(message(R"({"name": "x", "samples": [{"name": "a", "composition": {}, )" + std::string(sizes) +

@@ -103,26 +103,6 @@ TEST_CASE("results read back from artifacts are written again as they were, and 
     }
 }
 
-TEST_CASE("1-modulus: Table 1 and the three moduli of the paper from weight fractions") {
-    const std::map<std::string, std::array<double, 4>> printed{// quartz, mullite, crystalline [%], E [GPa]
-                                                               {"88 um", {1.65, 47.63, 49.28, 148.13}},
-                                                               {"96 um", {6.29, 48.73, 55.02, 150.82}},
-                                                               {"104 um", {10.19, 57.12, 67.31, 164.81}}};
-    for (const auto& sample : result("1-modulus.json")["samples"]) {
-        const auto& [quartz, mullite, crystalline, modulus] = printed.at(sample["name"].get<std::string>());
-        const auto percent = [&](std::size_t i) {
-            return 100 * sample["phases"][i]["volume_fraction"].get<double>();
-        };
-        CHECK(std::abs(percent(0) - quartz) < 0.005);
-        CHECK(std::abs(percent(1) - mullite) < 0.005);
-        CHECK(std::abs(percent(0) + percent(1) - crystalline) < 0.005);
-        const double e = sample["young_modulus"]["value"];
-        CHECK(std::abs(e / 1e9 - modulus) < 0.01);
-        CHECK(sample["bounds"]["lower"]["value"].get<double>() < e);
-        CHECK(sample["bounds"]["upper"]["value"].get<double>() > e);
-    }
-}
-
 TEST_CASE("2-contact: mass from density and diameter, origins kept") {
     for (const SampleContact& sample : built_in_run().contact.samples) {
         const double r = sample.pair.effective_radius;

@@ -62,6 +62,8 @@ const Spoiled spoiled_cases[]{
     {R"(/samples/0/density = "2300 GPa")", "/samples/0/density",
      R"(the unit "GPa" is not one of density; allowed: a density [kg/m3])"},
     {R"(/samples/0/diameter = {"value": 88, "unit": "kg"})", "/samples/0/diameter", "not one of length"},
+    {R"(/samples/0/diameter = {"value": 1, "units": "m"})", "/samples/0/diameter/units",
+     R"(unknown key, did you mean "unit"?)"},
     {R"(/samples/0/diameter = "88 furlnogs")", "/samples/0/diameter", "is not known"},
     {R"(/samples/0/diameter = "large")", "/samples/0/diameter", "does not start with a number"},
     {R"(/samples/0/diameter = "nan um")", "/samples/0/diameter", "is not finite"},
@@ -165,8 +167,6 @@ TEST_CASE("what JSON itself forbids is found by line and column, a duplicate key
     };
     for (const Text& text :
          {Text{"{\"name\": \"x\",\n \"samples\": [}", "line 2, column 14", "not valid JSON"},
-          Text{"", "line 1, column 1", "not valid JSON"},
-          Text{"{\"name\": NaN}", "line 1, column 10", "not valid JSON"},
           Text{"{\"name\": \"a\", \"name\": \"b\"}", "/name", "this key is there twice"},
           Text{"{\"samples\": [{\"density\": 1e999}]}", "/samples/0/density", "out of the range"},
           Text{"[1, 2]", "/", "allowed: a case"}, Text{"null", "/", "allowed: a case"}}) {

@@ -177,7 +177,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a case with a second sphere: its contact, the limits of a wall and of equal spheres") {
+TEST_CASE("a case with a second sphere: its contact, and that of equal spheres") {
     const Sandbox sandbox;
     const auto contact_of = [&](const Json& document) {
         write_example(sandbox, document);
@@ -209,26 +209,6 @@ TEST_CASE("a case with a second sphere: its contact, the limits of a wall and of
     const Json halves = contact_of(with_partner(equal));
     CHECK(relative_difference(number(halves["effective_radius"]), radius / 2) < 1e-15);
     CHECK(relative_difference(number(halves["effective_mass"]), mass / 2) < 1e-15);
-
-    Json document = with_partner(steel_ball);
-    document.erase("partner");
-    document["wall"] = {{"young_modulus", "193 GPa"}, {"poisson_ratio", 0.29}};
-    const Json wall = contact_of(document);
-    CHECK_FALSE(wall.contains("partner"));
-    const double on_wall =
-        number(sandbox.json("two/3-analytic.json")["result"]["samples"][0]["critical_velocity"]);
-    double before = 1;
-    for (const char* diameter : {"8 mm", "80 mm", "800 mm"}) {
-        Json large = steel_ball;
-        large["diameter"] = diameter;
-        contact_of(with_partner(large));
-        const double distance = relative_difference(
-            number(sandbox.json("two/3-analytic.json")["result"]["samples"][0]["critical_velocity"]),
-            on_wall);
-        CHECK(distance < 0.2 * before);
-        before = distance;
-    }
-    CHECK(before < 1e-3);
 }
 
 TEST_CASE("a case with a second sphere: measured impacts, edits of the spheres, what is refused") {
@@ -257,32 +237,20 @@ TEST_CASE("a case with a second sphere: measured impacts, edits of the spheres, 
     sandbox.write("two/2-contact.json", artifact.dump());
     check_refused(sandbox, "run -o two --from analytic", "/effective_radius: is not that of the two spheres");
 
-    const auto refused = [&](const Json& wrong, const char* message) {
-        write_example(sandbox, wrong);
-        const auto result = ashimpact_program(sandbox, "run case.json -o none");
-        CHECK(result.status == 2);
-        CHECK(result.err == containing(message));
-        CHECK_FALSE(sandbox.has("none"));
-    };
-    Json both = document;
-    both["wall"] = {{"rigid", true}};
-    refused(both, "/partner: a wall and a second sphere are both given");
-    Json weightless = document;
-    weightless["partner"].erase("density");
-    refused(weightless, "/partner: the density and the mass are both given, or neither");
-    Json soft = document;
-    soft["partner"].erase("young_modulus");
-    refused(soft, "/partner: \"young_modulus\" is missing");
-    Json without = document;
-    for (const char* key : {"young_modulus", "poisson_ratio"}) without["partner"].erase(key);
-    refused(without, "neither the partner's elasticity nor a contact modulus is given");
-    Json negative = document;
-    negative["partner"]["diameter"] = "-1 um";
-    refused(negative, "/partner/diameter");
-    Json energies = document;
-    energies["work_of_adhesion"] = Json::parse(
-        R"({"surface_energies": {"particle": 0.04, "wall": 0.5, "partner": 0.5}, "rule": "girifalco-good"})");
-    refused(energies, "the surface energy of the other body is given twice");
+    for (const auto& [edits, message] : {
+             std::pair{R"(/wall = {"rigid": true})", "/partner: a wall and a second sphere are both given"},
+             {"- /partner/density", "/partner: the density and the mass are both given, or neither"},
+             {"- /partner/young_modulus", "/partner: \"young_modulus\" is missing"},
+             {"- /partner/young_modulus ; - /partner/poisson_ratio",
+              "neither the partner's elasticity nor a contact modulus is given"},
+             {R"(/partner/diameter = "-1 um")", "/partner/diameter"},
+             {R"(/work_of_adhesion = {"rule": "girifalco-good", "surface_energies": )"
+              R"({"particle": 0.04, "wall": 0.5, "partner": 0.5}})",
+              "the surface energy of the other body is given twice"},
+         }) {
+        write_example(sandbox, edited(document, edits));
+        check_refused(sandbox, "run case.json -o none", message);
+    }
     const auto exported = ashimpact_program(sandbox, "export table two --sample fine --law jkr -o folder");
     CHECK(exported.status == 2);
     CHECK_FALSE(sandbox.has("folder"));
