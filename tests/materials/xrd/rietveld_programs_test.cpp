@@ -48,7 +48,7 @@ xdd "C:\data\Ash 7.raw"
     MVW( 426.05 , 167.4`, 11.1)
 )";
 
-void refuses(const std::string& text, const std::string& says) {
+void refuses_text(const std::string& text, const std::string& says) {
     CAPTURE(text);
     CHECK(contains(refused_text(text), says));
 }
@@ -94,16 +94,17 @@ TEST_CASE("FullProf: no brackets, a field too narrow, several patterns, a sum th
 
 TEST_CASE("malformed FullProf summaries are refused at their line") {
     const std::string quartz = fullprof_phase(1, "Quartz", "40.00( 1.00)");
-    refuses(quartz + " => Phase:  2     Mullite\n", "line 4: the phase \"Mullite\" has no Fract(%)");
-    refuses(quartz + fullprof_phase(2, "QUARTZ", "60.00"), "line 5: the phase \"QUARTZ\" is there twice");
-    refuses(fullprof_phase(1, "Quartz", "-4.00"), "line 2: the fraction is below zero");
-    refuses(fullprof_phase(1, "Quartz", "4.00( 1.0"), "line 2: cannot read");
-    refuses(fullprof_phase(1, "Quartz", "abc"), "line 2: cannot read");
-    refuses(fullprof_phase(1, "Quartz", "0.00"), "no phase has a fraction");
+    refuses_text(quartz + " => Phase:  2     Mullite\n", "line 4: the phase \"Mullite\" has no Fract(%)");
+    refuses_text(quartz + fullprof_phase(2, "QUARTZ", "60.00"),
+                 "line 5: the phase \"QUARTZ\" is there twice");
+    refuses_text(fullprof_phase(1, "Quartz", "-4.00"), "line 2: the fraction is below zero");
+    refuses_text(fullprof_phase(1, "Quartz", "4.00( 1.0"), "line 2: cannot read");
+    refuses_text(fullprof_phase(1, "Quartz", "abc"), "line 2: cannot read");
+    refuses_text(fullprof_phase(1, "Quartz", "0.00"), "no phase has a fraction");
     for (const std::string number : {"x", "0", "3e43", "-1e300"})
-        refuses(" => Phase:  " + number + "     Quartz\n => Bragg R-factor: 2 Fract(%): 4\n",
-                "line 1: cannot read");
-    refuses(" Fract(%): 4\n" + quartz, "line 1: a fraction stands before the first phase");
+        refuses_text(" => Phase:  " + number + "     Quartz\n => Bragg R-factor: 2 Fract(%): 4\n",
+                     "line 1: cannot read");
+    refuses_text(" Fract(%): 4\n" + quartz, "line 1: a fraction stands before the first phase");
 }
 
 TEST_CASE("a TOPAS file: macros and keywords, comments, standard deviations, amorphous part") {
@@ -141,8 +142,8 @@ TEST_CASE("TOPAS: a spiked standard gives the amorphous part of the ash") {
     other.replace(other.find(" 50"), 3, " 30");
     CHECK(contains(read_text(other).samples[0].warnings.back().text,
                    "amorphous part of the mixture is 30 %, the standard gives 50 %"));
-    refuses(spiked + "str phase_name Calcite weight_percent 5 spiked_phase_measured_weight_percent 5\n",
-            "line 5: there are two spiked phases");
+    refuses_text(spiked + "str phase_name Calcite weight_percent 5 spiked_phase_measured_weight_percent 5\n",
+                 "line 5: there are two spiked phases");
 }
 
 TEST_CASE("TOPAS: several patterns, phases without an xdd, a phase without a weight") {
@@ -171,19 +172,20 @@ TEST_CASE("TOPAS: several patterns, phases without an xdd, a phase without a wei
 }
 
 TEST_CASE("malformed TOPAS files are refused at their line") {
-    refuses("str phase_name \"Quartz\nweight_percent 3\n", "line 1: a quote is not closed");
-    refuses("str phase_name Quartz\n/* weight_percent\n", "line 2: a comment is not closed");
-    refuses("phase_name Quartz\nweight_percent 3\n", "line 1: \"phase_name\" stands before the first phase");
-    refuses("str phase_name Quartz\nweight_percent\n", "nothing follows \"weight_percent\"");
-    refuses("str phase_name Quartz\nweight_percent 3x\n", "line 2: cannot read \"3x\"");
-    refuses("str phase_name Quartz\nweight_percent -3\n", "line 2: cannot read \"-3\"");
-    refuses("str phase_name Quartz\nMVW( 1, 2\n", "cut off");
-    refuses("str phase_name Quartz\nMVW( 1, 2)\n", "line 2: MVW has 2 arguments");
-    refuses("str phase_name Quartz weight_percent 0\n", "no phase has a weight");
-    refuses("str weight_percent 4\nstr phase_name Quartz weight_percent 3\n",
-            "line 1: a phase has no phase_name");
-    refuses("str phase_name Quartz weight_percent 4\nstr phase_name quartz weight_percent 3\n",
-            "line 2: the phase \"quartz\" is there twice");
+    refuses_text("str phase_name \"Quartz\nweight_percent 3\n", "line 1: a quote is not closed");
+    refuses_text("str phase_name Quartz\n/* weight_percent\n", "line 2: a comment is not closed");
+    refuses_text("phase_name Quartz\nweight_percent 3\n",
+                 "line 1: \"phase_name\" stands before the first phase");
+    refuses_text("str phase_name Quartz\nweight_percent\n", "nothing follows \"weight_percent\"");
+    refuses_text("str phase_name Quartz\nweight_percent 3x\n", "line 2: cannot read \"3x\"");
+    refuses_text("str phase_name Quartz\nweight_percent -3\n", "line 2: cannot read \"-3\"");
+    refuses_text("str phase_name Quartz\nMVW( 1, 2\n", "cut off");
+    refuses_text("str phase_name Quartz\nMVW( 1, 2)\n", "line 2: MVW has 2 arguments");
+    refuses_text("str phase_name Quartz weight_percent 0\n", "no phase has a weight");
+    refuses_text("str weight_percent 4\nstr phase_name Quartz weight_percent 3\n",
+                 "line 1: a phase has no phase_name");
+    refuses_text("str phase_name Quartz weight_percent 4\nstr phase_name quartz weight_percent 3\n",
+                 "line 2: the phase \"quartz\" is there twice");
 }
 
 TEST_CASE(
