@@ -2,10 +2,11 @@
 #include "tests/solver/batch/batch_sample.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <numbers>
 #include <stdexcept>
 
-#include "materials/contact_properties.hpp"
 #include "solver/batch/kernels/kernel.hpp"
 #include "solver/motion/scale.hpp"
 #include "tests/support/contact_cases.hpp"
@@ -15,6 +16,11 @@ namespace ashimpact::test {
 
 namespace {
 
+/// Evenly in the logarithm.
+double scaled(Random& random, double low, double high) {
+    return low * std::pow(high / low, random.uniform(0.0, 1.0));
+}
+
 Impacts random_impacts(Law law, Detachment detachment, DampingLaw damping_law, Eigen::Index count,
                        double most_damping, Random& random) {
     Impacts impacts{.law = law, .detachment = detachment, .damping_law = damping_law};
@@ -23,17 +29,18 @@ Impacts random_impacts(Law law, Detachment detachment, DampingLaw damping_law, E
         column->resize(count);
     }
     for (Eigen::Index i = 0; i < count; ++i) {
-        const double radius = random.log_uniform(5e-7, 1e-4);
+        const double radius = scaled(random, 5e-7, 1e-4);
         impacts.effective_radius[i] = radius;
-        impacts.mass[i] = sphere_mass(radius, random.uniform(1500.0, 3000.0));
-        impacts.contact_modulus[i] = random.log_uniform(3e10, 1.5e11);
-        impacts.work_of_adhesion[i] = random.log_uniform(0.01, 1.0);
+        const double density = random.uniform(1500.0, 3000.0);
+        impacts.mass[i] = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density;
+        impacts.contact_modulus[i] = scaled(random, 3e10, 1.5e11);
+        impacts.work_of_adhesion[i] = scaled(random, 0.01, 1.0);
         for (const auto& [name, value] : parameters_like(impacts.work_of_adhesion[i])) {
             Eigen::ArrayXd& column = impacts.parameters[name];
             column.conservativeResize(count);
             column[i] = value;
         }
-        impacts.velocity[i] = random.log_uniform(0.01, 20.0);
+        impacts.velocity[i] = scaled(random, 0.01, 20.0);
         const Scale scale = Scale::of(impacts.at(i).contact, impacts.velocity[i]);
         impacts.damping[i] = scale.damping_coefficient(damping_law, random.uniform(0.0, most_damping));
     }
