@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -30,11 +31,12 @@ struct PublishedSample {
     std::vector<PublishedLaw> laws;
 
     /// The entry of that law.
-    [[nodiscard]] const PublishedLaw& of(Law law) const;
+    [[nodiscard]] const PublishedLaw& of(Law law) const {
+        for (const PublishedLaw& entry : laws)
+            if (entry.law == law) return entry;
+        throw std::runtime_error("nothing published for that law");
+    }
 };
-
-/// tests/data/published/dong2013.json.
-[[nodiscard]] std::vector<PublishedSample> published_samples();
 
 /// A JSON file of tests/data. @throws std::runtime_error where it cannot be read
 [[nodiscard]] inline nlohmann::json data_file(const std::string& name) {
@@ -42,6 +44,28 @@ struct PublishedSample {
     std::ifstream file(path);
     if (!file) throw std::runtime_error("cannot read " + path);
     return nlohmann::json::parse(file);
+}
+
+/// tests/data/published/dong2013.json.
+[[nodiscard]] inline std::vector<PublishedSample> published_samples() {
+    const nlohmann::json data = data_file("published/dong2013.json");
+    std::vector<PublishedSample> samples;
+    for (const auto& entry : data.at("samples")) {
+        PublishedSample sample{.name = entry.at("name"),
+                               .diameter = entry.at("diameter"),
+                               .young_modulus = entry.at("young_modulus"),
+                               .contact_time = entry.at("contact_time"),
+                               .laws = {}};
+        for (const auto& [name, law] : entry.at("laws").items()) {
+            const std::array<double, 3> fit = law.at("damping_fit");
+            sample.laws.push_back({.law = Law::named(name),
+                                   .damping_fit = DampingPolynomial::quadratic(fit[0], fit[1], fit[2]),
+                                   .critical_damping = law.at("critical_damping"),
+                                   .critical_velocity = law.at("critical_velocity")});
+        }
+        samples.push_back(sample);
+    }
+    return samples;
 }
 
 }  // namespace ashimpact::test

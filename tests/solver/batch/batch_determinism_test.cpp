@@ -238,9 +238,7 @@ TEST_CASE("tabulated critical velocities are those of the backward integration t
         impacts.damping[2] *= 1e3;
         impacts.work_of_adhesion[3] = 0.0;
         const CriticalVelocityBatchResult result = critical_velocities(critical_batch(impacts));
-        CAPTURE(impacts.law.name());
-        CAPTURE(name_of(impacts.detachment));
-        CAPTURE(name_of(impacts.damping_law));
+        CAPTURE(name_of(impacts));
         for (Eigen::Index i = 0; i < impacts.size(); ++i) {
             CAPTURE(i);
             const Impact impact = impacts.at(i);
@@ -268,9 +266,7 @@ TEST_CASE("damping found from a restitution gives it back") {
         Impacts undamped = again;
         undamped.damping.setZero();
         const Eigen::ArrayXd greatest = solve_impacts(undamped.batch()).restitution;
-        CAPTURE(impacts.law.name());
-        CAPTURE(name_of(impacts.detachment));
-        CAPTURE(name_of(impacts.damping_law));
+        CAPTURE(name_of(impacts));
         for (const BatchMethod method : {BatchMethod::integration, BatchMethod::table}) {
             CAPTURE(method);
             const DampingBatchResult found =

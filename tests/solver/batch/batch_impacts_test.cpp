@@ -122,9 +122,7 @@ TEST_CASE("capture is decided exactly, down to a part in 1e9 of the critical vel
     for (const Impacts& impacts : random_impacts(12, 0.8, 13)) {
         const Impacts near = around_critical(impacts, {1.0 - 1e-9, 1.0 + 1e-9, 1.0 - 1e-5, 1.0 + 1e-5, 1.01});
         if (near.size() == 0) continue;
-        CAPTURE(near.law.name());
-        CAPTURE(name_of(near.detachment));
-        CAPTURE(name_of(near.damping_law));
+        CAPTURE(name_of(near));
         const ImpactBatchResult result = solve_impacts(near.batch());
         for (Eigen::Index i = 0; i < near.size(); ++i) {
             CAPTURE(i);
@@ -138,8 +136,7 @@ TEST_CASE("without damping all of the energy comes back, less what the break cos
     for (Impacts& impacts : random_impacts(40, 1.0, 14)) {
         impacts.damping.setZero();
         const ImpactBatchResult result = solve_impacts(impacts.batch());
-        CAPTURE(impacts.law.name());
-        CAPTURE(name_of(impacts.detachment));
+        CAPTURE(name_of(impacts));
         for (Eigen::Index i = 0; i < impacts.size(); ++i) {
             const ImpactResult reference = solve_impact(impacts.at(i));
             CHECK(result.outcome[i] == reference.outcome);
@@ -232,9 +229,7 @@ TEST_CASE("columns of the caller get what a result holds, and those that are not
 TEST_CASE("asking for turning points changes no bit of the rest, however strong the damping") {
     for (const double most_damping : {1.5, 1e3, 1e11}) {
         for (const Impacts& impacts : random_impacts(150, most_damping, 19)) {
-            CAPTURE(impacts.law.name());
-            CAPTURE(name_of(impacts.detachment));
-            CAPTURE(name_of(impacts.damping_law));
+            CAPTURE(name_of(impacts));
             ImpactBatchResult less;
             try {
                 less = solve_impacts(impacts.batch(), {.turning_point = false});
@@ -264,8 +259,7 @@ TEST_CASE("captures by very strong damping are captures, with turning points too
 
 TEST_CASE("a table tells most impacts, undamped ones and those of no adhesion too") {
     for (Impacts& impacts : random_impacts(400, 1.0, 18)) {
-        CAPTURE(impacts.law.name());
-        CAPTURE(name_of(impacts.damping_law));
+        CAPTURE(name_of(impacts));
         for (Eigen::Index i = 0; i < 100; ++i) impacts.damping[i] = 0.0;
         for (Eigen::Index i = 50; i < 150; ++i) impacts.work_of_adhesion[i] = 0.0;
         const ImpactBatchResult read =
@@ -401,9 +395,7 @@ TEST_CASE(
     for (const double most_damping : {1.1, 2.2}) {  // where damping captures almost everything, fewer
         const Eigen::Index each = most_damping < 2 ? impacts_in_all() / sets + 1 : 80;
         for (const Impacts& impacts : random_impacts(each, most_damping, 51)) {
-            CAPTURE(impacts.law.name());
-            CAPTURE(name_of(impacts.detachment));
-            CAPTURE(name_of(impacts.damping_law));
+            CAPTURE(name_of(impacts));
             const Agreements found = agreements(impacts);
             solved += impacts.size();
             rebounds += found.rebounds;

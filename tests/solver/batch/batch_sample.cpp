@@ -108,6 +108,10 @@ Impacts Impacts::picked(const std::vector<Eigen::Index>& places) const {
             .parameters = picked_parameters(parameters, places)};
 }
 
+std::string name_of(const Impacts& impacts) {
+    return name_of(ContactCase{impacts.law, impacts.damping_law, impacts.detachment});
+}
+
 std::vector<Impacts> random_impacts(Eigen::Index count, double most_damping, std::uint64_t seed) {
     Random random(seed);
     std::vector<Impacts> sets;

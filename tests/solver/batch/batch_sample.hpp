@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -32,6 +33,9 @@ struct Impacts {
     /// Those at these places, in this order.
     [[nodiscard]] Impacts picked(const std::vector<Eigen::Index>& places) const;
 };
+
+/// "dmt, tsuji, zero-overlap".
+[[nodiscard]] std::string name_of(const Impacts& impacts);
 
 /// Every law with a batch kernel with every detachment admissible for it and every damping law, @p count
 /// impacts each: fly ash of 0.5 to 100 micrometres at 0.01 to 20 m/s, damping numbers evenly from 0 to @p
