@@ -161,24 +161,23 @@ TEST_CASE(
 
 TEST_CASE(
     "elastic-plastic: the work of adhesion grows with the flattening, which captures fast impacts again") {
-    for (const Detachment detachment : {Detachment::pull_off, Detachment::load_controlled}) {
-        for (const Extended zeta : {5.0L, 10.0L}) {
-            const PlasticMotion<Extended> motion({0.1L, 0.3L}, hunt_crossley(zeta), detachment);
-            const CriticalImpacts found = critical_impacts(motion, 1000);
-            CAPTURE(static_cast<double>(zeta));
-            REQUIRE(found.impacts.size() == 2);
-            // Backward the orbits of the upper one turn at a quarter of its contact or escape.
-            for (const CriticalImpact& impact : found.impacts) {
-                CHECK(parts_outcomes(motion, impact.velocity, 1e-9L));
-                const Orbit<Extended> rebound = rebound_near(motion, impact.velocity);
-                CHECK(std::abs(rebound.plastic_work - impact.plastic) < 1e-7L * (1 + impact.plastic));
-                CHECK(std::abs(rebound.end.dissipation - impact.dissipated) < 1e-7L * impact.dissipated);
-                CHECK(std::abs(rebound.end.time - *impact.contact_time) < 1e-2L * *impact.contact_time);
-            }
-            CHECK(follow(motion, found.impacts[0].velocity / 2).outcome == Outcome::capture);
-            CHECK(follow(motion, found.impacts[0].velocity * 2).outcome == Outcome::rebound);
-            CHECK(follow(motion, found.impacts[1].velocity * 2).outcome == Outcome::capture);
+    for (const auto& [detachment, zeta] :
+         {std::pair{Detachment::pull_off, 5.0L}, {Detachment::load_controlled, 10.0L}}) {
+        const PlasticMotion<Extended> motion({0.1L, 0.3L}, hunt_crossley(zeta), detachment);
+        const CriticalImpacts found = critical_impacts(motion, 1000);
+        CAPTURE(static_cast<double>(zeta));
+        REQUIRE(found.impacts.size() == 2);
+        // Backward the orbits of the upper one turn at a quarter of its contact or escape.
+        for (const CriticalImpact& impact : found.impacts) {
+            CHECK(parts_outcomes(motion, impact.velocity, 1e-9L));
+            const Orbit<Extended> rebound = rebound_near(motion, impact.velocity);
+            CHECK(std::abs(rebound.plastic_work - impact.plastic) < 1e-7L * (1 + impact.plastic));
+            CHECK(std::abs(rebound.end.dissipation - impact.dissipated) < 1e-7L * impact.dissipated);
+            CHECK(std::abs(rebound.end.time - *impact.contact_time) < 1e-2L * *impact.contact_time);
         }
+        CHECK(follow(motion, found.impacts[0].velocity / 2).outcome == Outcome::capture);
+        CHECK(follow(motion, found.impacts[0].velocity * 2).outcome == Outcome::rebound);
+        CHECK(follow(motion, found.impacts[1].velocity * 2).outcome == Outcome::capture);
     }
     CHECK(critical_impacts(
               PlasticMotion<Extended>({0.3L, 0.3L}, hunt_crossley(5), Detachment::load_controlled), 1000)
