@@ -161,8 +161,8 @@ TEST_CASE(
 
 TEST_CASE(
     "elastic-plastic: the work of adhesion grows with the flattening, which captures fast impacts again") {
-    for (const auto& [detachment, zeta] :
-         {std::pair{Detachment::pull_off, 5.0L}, {Detachment::load_controlled, 10.0L}}) {
+    for (const Detachment detachment : {Detachment::pull_off, Detachment::load_controlled}) {
+        const Extended zeta = detachment == Detachment::pull_off ? 5.0L : 10.0L;
         const PlasticMotion<Extended> motion({0.1L, 0.3L}, hunt_crossley(zeta), detachment);
         const CriticalImpacts found = critical_impacts(motion, 1000);
         CAPTURE(static_cast<double>(zeta));
