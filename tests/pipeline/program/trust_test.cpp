@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdlib>
-#include <filesystem>
-
-#include <doctest/doctest.h>
-
-#include "tests/pipeline/sandbox.hpp"
-
 // What nobody's file and no surroundings may do: SECURITY.md.
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 
 #include <doctest/doctest.h>
@@ -16,6 +10,7 @@
 
 using namespace ashimpact;
 using test::ashimpact_program;
+using test::check_refused;
 using test::containing;
 using test::Sandbox;
 
@@ -84,8 +79,6 @@ TEST_CASE("no environment variable and no locale changes a byte of an artifact, 
     }
     CHECK(compared > 10);
 }
-
-using test::check_refused;
 
 TEST_CASE("a run does not write over the case or the data that it reads") {
     const Sandbox sandbox;

@@ -1,14 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include <doctest/doctest.h>
-
-#include "solver/contact/static_curve.hpp"
-#include "tests/support/checks.hpp"
-#include "tests/support/contact_cases.hpp"
-
 // The static law of Maugis and Dugdale: its equations as printed, its limits, its energies and pressures.
 #include <algorithm>
 #include <cmath>

@@ -236,13 +236,6 @@ TEST_CASE("parts make the same histogram in any order; what is no number is left
     CHECK(merged.zeros() == whole.zeros());
 }
 
-TEST_CASE("merging nothing changes nothing") {
-    Histogram histogram;
-    histogram.merge(Histogram{});
-    CHECK(histogram.total() == 0);
-    CHECK(histogram.counts().empty());
-}
-
 TEST_CASE("bins found in lanes are those of single values") {
     std::vector<double> values = fractions(1'003);
     values[5] = 1.0;
