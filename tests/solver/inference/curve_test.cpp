@@ -166,7 +166,10 @@ TEST_CASE("impacts that scatter far less than they state give an estimate whatev
         {2.31, 0.57}, {2.55, 0.73}, {2.9, 0.93},  {3.35, 1.2},  {3.9, 1.51},  {4.6, 1.84}};
     for (const Law law : fitted_laws) {
         const ContactModel model = ash_model(law);
-        for (const double u : {0.02, 0.04, 0.065, 0.13, 0.25}) {
+        const bool first = law == Law::of<Hertz>() || law == Law::of<BrachDunn>();  // laws take turns
+        for (const double u : sanitized ? std::vector{0.065}
+                              : first   ? std::vector{0.02, 0.065, 0.25}
+                                        : std::vector{0.04, 0.13}) {
             CAPTURE(law.name());
             CAPTURE(u);
             const CurveEstimate curve = estimate_critical_velocity(model, set_of(impacts, u)).curve;
@@ -247,13 +250,14 @@ TEST_CASE("too few rebounds give no estimate, and why") {
 TEST_CASE("many impacts: groups count for all, and the interval shrinks as it should") {
     const ContactModel model = ash_model(Law::of<BrachDunn>());
     const double critical = ash_laboratory(model, TrueDamping::quadratic).critical_velocity();
-    const MeasurementSet set = measured(model, 40000, 11);
+    constexpr int count = sanitized ? 4000 : 40000;
+    const MeasurementSet set = measured(model, count, 11);
     const auto groups = grouped(recorded_impacts(set));
     CHECK(groups.size() < 6000);
     const Interval many = estimate_critical_velocity(model, set).curve.critical_velocity;
     const Interval few = estimate_critical_velocity(model, measured(model, 400, 11)).curve.critical_velocity;
     CHECK(std::abs(many.value / critical - 1.0) < 0.03);
-    CHECK(many.standard_uncertainty < 0.35 * few.standard_uncertainty);
+    CHECK(many.standard_uncertainty < 3.5 * std::sqrt(400.0 / count) * few.standard_uncertainty);
 }
 
 TEST_CASE("many impacts: groups keep impacts apart whose noise is a share of their velocity") {

@@ -200,7 +200,8 @@ TEST_CASE("a robust extrapolation finds the truth among outliers, also where the
     options.extrapolated.robust = true;
     unsigned near = 0;
     unsigned hidden = 0;
-    for (unsigned long seed = 1; seed <= 20; ++seed) {
+    constexpr unsigned laboratories = sanitized ? 3 : 20;
+    for (unsigned long seed = 1; seed <= laboratories; ++seed) {
         MeasurementSet set = measured(30, 20, seed);
         Random random(1000 + seed);
         for (Measurement& point : set.points)
@@ -211,8 +212,8 @@ TEST_CASE("a robust extrapolation finds the truth among outliers, also where the
         near += is_near(result.extrapolated->critical_damping, 0.0149) ? 1U : 0U;
         hidden += has_finding(result, "rising-branch-hidden") ? 1U : 0U;
     }
-    CHECK(near >= 19);
-    CHECK(hidden < 10);
+    CHECK(near >= laboratories - 1);
+    CHECK(2 * hidden < laboratories);
 
     // Two slow impacts that hardly lose energy: the restitution falls from the first on.
     MeasurementSet set = measured(12);
