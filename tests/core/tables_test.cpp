@@ -2,7 +2,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>

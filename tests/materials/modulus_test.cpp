@@ -2,7 +2,6 @@
 #include "materials/modulus.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <random>
 

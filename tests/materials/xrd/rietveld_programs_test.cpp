@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // FullProf and TOPAS: what their files may look like, and what is refused.
-#include <cmath>
 #include <string>
 
 #include <doctest/doctest.h>

@@ -13,7 +13,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include <Eigen/LU>

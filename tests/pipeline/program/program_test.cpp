@@ -385,24 +385,6 @@ TEST_CASE("run --only writes one artifact and the manifest") {
         CHECK(artifact["written_by_this_run"] == (artifact["stage"] == "damping"));
 }
 
-TEST_CASE("init, run and inspect, as the help says") {
-    const Sandbox sandbox;
-    test::succeeded(sandbox, "init my-case");
-    CHECK(ashimpact_program(sandbox, "init my-case").status == 2);
-    CHECK(sandbox.read("my-case/case.json") == containing("\n  // A case of ashimpact. "));
-    test::succeeded(sandbox, "run my-case/case.json -o my-case/results");
-    for (const char* file : {"0-case", "1-modulus", "2-contact", "3-analytic", "4-restitution", "5-damping",
-                             "6-fit", "7-critical-velocity", "8-histories", "comparison", "manifest"}) {
-        const auto shown =
-            ashimpact_program(sandbox, std::string("inspect my-case/results/") + file + ".json");
-        CHECK_MESSAGE(shown.status == 0, shown.err);
-        CHECK_MESSAGE(shown.out.starts_with(std::string(file) + " by ashimpact "), file);
-    }
-    const auto contact_tables = ashimpact_program(sandbox, "inspect my-case/results/2-contact.json");
-    CHECK(contact_tables.out == containing("2300 kg/m3"));
-    CHECK(ashimpact_program(sandbox, "inspect my-case/case.json").status == 2);
-}
-
 TEST_CASE("inspect shows an artifact with empty texts and refuses a quantity without a unit") {
     const Sandbox sandbox;
     test::put_built_in_run(sandbox);

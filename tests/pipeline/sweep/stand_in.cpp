@@ -8,7 +8,6 @@
 #include <string>
 #include <thread>
 
-#include "core/text/error.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/sweep/sweep.hpp"
 #include "pipeline/app/sweep/workers.hpp"

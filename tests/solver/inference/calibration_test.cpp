@@ -14,7 +14,6 @@
 #include "solver/numeric/gsl/statistics.hpp"
 #include "tests/support/checks.hpp"
 #include "tests/support/published.hpp"
-#include "tests/support/random.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;
