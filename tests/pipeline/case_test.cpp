@@ -239,11 +239,3 @@ TEST_CASE("the complete case reads back as the same impacts, with their uncertai
         }
     }
 }
-
-TEST_CASE("laws know whether they use a work of adhesion and whether they yield") {
-    for (const Law law : {Law::of<Hertz>(), Law::of<Sjkr>()}) CHECK_FALSE(law.uses_work_of_adhesion());
-    for (const Law law : {Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>(), Law::of<ThorntonNing>()})
-        CHECK(law.uses_work_of_adhesion());
-    CHECK(Law::of<ThorntonNing>().is_plastic());
-    CHECK_FALSE(Law::of<Jkr>().is_plastic());
-}

@@ -320,6 +320,7 @@ TEST_CASE("descriptions in help keep their column, also behind a name that fills
 TEST_CASE("no output on the built-in case is wider than 80 columns" * doctest::skip(test::sanitized)) {
     const Sandbox sandbox;
     check_fits(test::put_built_in_run(sandbox));
+    const std::string before = sandbox.read("results/7-critical-velocity.json");
     Json one = parse_json(embedded_file("cases/dong2013/case.json").value());
     while (one["samples"].size() > 1) one["samples"].erase(1);
     sandbox.write("one.json", one.dump());
@@ -331,6 +332,7 @@ TEST_CASE("no output on the built-in case is wider than 80 columns" * doctest::s
     check_fits(compared);
     CHECK(compared.out == test::containing("Least AIC: "));
     check_inspect_fits(sandbox, "results");
+    CHECK(sandbox.read("results/7-critical-velocity.json") == before);  // of both runs
     check_fits(sandbox, "report results -o a.html");
 }
 

@@ -58,9 +58,10 @@ TEST_CASE("every artifact carries the identity of its run; a mixture of two runs
 
 TEST_CASE("the same case gives the same run and the same bytes") {
     const Sandbox sandbox;
-    run_case(sandbox, quick_case(), "one");
+    test::write_example(sandbox, quick_case());
+    const auto first = test::succeeded(sandbox, "run case.json -o one");
     const auto before = sandbox.everything();
-    run_case(sandbox, quick_case(), "one");
+    CHECK(test::succeeded(sandbox, "run case.json -o one").out == first.out);
     CHECK(sandbox.everything() == before);
     CHECK(ashimpact_program(sandbox, "run -o one --from comparison").status == 0);
     CHECK(sandbox.read("one/comparison.json") ==
