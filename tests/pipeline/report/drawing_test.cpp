@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <regex>
 
 #include <doctest/doctest.h>
 
@@ -133,36 +132,7 @@ TEST_CASE("what is not finite or outside of fixed ends is not drawn") {
     CHECK(drawn_marks.find("<use") == drawn_marks.rfind("<use"));
 }
 
-TEST_CASE("a legend stays within its figure: long names are cut, and what has no room begins a row") {
-    Figure figure{.id = "f", .title = "f", .counterpart = "", .caption = "", .panels = {}, .numbers = {}};
-    XyPanel panel = one_line({{0, 0}, {5, 5}});
-    panel.series.front().legend = std::string(300, 'w');
-    for (const char* name : {"one", "another", "a third"}) {
-        panel.series.push_back(panel.series.front());
-        panel.series.back().legend = name;
-    }
-    figure.panels = {panel};
-    for (const Width form : {Width::wide, Width::narrow}) {
-        const std::string svg = svg_of(figure, form);
-        const double width = form == Width::wide ? 840 : 340;
-        int entries = 0;
-        std::string first_row;
-        std::string last_row;
-        const std::regex entry(R"RE(<text x="([0-9.]+)" y="([0-9.]+)">([^<]*)</text>)RE");
-        const std::string legend = svg.substr(svg.find("class=\"legend\""));
-        for (std::sregex_iterator each(legend.begin(), legend.end(), entry), none; each != none; ++each) {
-            if (++entries > 4) break;
-            // the estimate of the ellipsis is on the safe side
-            CHECK(std::stod((*each)[1]) + text_width((*each)[3].str(), 12) <= width + 12);
-            if (entries == 1) first_row = (*each)[2];
-            last_row = (*each)[2];
-        }
-        CHECK(entries >= 4);
-        CHECK(first_row != last_row);
-    }
-}
-
-TEST_CASE("a title that has no room is set smaller, then cut, and stays in its place") {
+TEST_CASE("a title that has no room is set smaller, then cut") {
     const auto drawn_title = [](std::size_t letters) {
         return title_text(std::string(letters, 'n'), {.least = 10, .x = 40, .end = 200, .y = 12});
     };
@@ -174,7 +144,6 @@ TEST_CASE("a title that has no room is set smaller, then cut, and stays in its p
         const std::string look = svg.substr(0, svg.find(" x="));
         if (looks.empty() || looks.back() != look) looks.push_back(look);
         CHECK((svg.find("<title>") == std::string::npos) == (svg.find("\u2026") == std::string::npos));
-        CHECK(std::stod(svg.substr(svg.find("x=\"") + 3)) >= 10);
     }
     CHECK(looks == std::vector<std::string>{"<text class=\"title\"", "<text class=\"title tick\"",
                                             "<text class=\"title sub\""});
