@@ -201,9 +201,6 @@ TEST_CASE("what does not close or makes no sense is refused in one line") {
              .amorphous = AmorphousFraction{.value = 0.3, .basis = FractionBasis::volume}},
             "not both by weight or by volume");
     refuses({.phases = two(0.6, 0.4), .amorphous = AmorphousRemainder{.scale = 1.2}}, "120 % of the sample");
-    refuses({.phases = {{.name = "quartz", .fraction = 0.5}, {.name = "SiO2", .fraction = 0.5}},
-             .amorphous = AmorphousNone{}},
-            "\"quartz\" and \"SiO2\" are the same phase, quartz");
     refuses({.phases = {{.name = "quartz", .fraction = 0.5}, {.name = "glass", .fraction = 0.5}},
              .amorphous = AmorphousFraction{.value = 0.5}},
             "listed among the phases and stated again");

@@ -2,7 +2,6 @@
 #include "materials/phase_catalogue.hpp"
 
 #include <cmath>
-#include <set>
 #include <string>
 
 #include <doctest/doctest.h>
@@ -15,15 +14,6 @@ namespace ashimpact::test {
 
 namespace {
 
-std::set<std::string> keys_of(const std::string& bibliography) {
-    std::set<std::string> keys;
-    for (auto at = bibliography.find("\n@"); at != std::string::npos; at = bibliography.find("\n@", at + 1)) {
-        const auto open = bibliography.find('{', at) + 1;
-        keys.insert(bibliography.substr(open, bibliography.find(',', open) - open));
-    }
-    return keys;
-}
-
 std::string one_phase(const std::string& members) {
     return R"({"set": "s", "title": "", "phases": [{"name": "x", )" + members + "}]}";
 }
@@ -32,26 +22,6 @@ constexpr const char* density = R"("density": {"value": 2.5, "unit": "g/cm3", "c
 constexpr const char* modulus = R"("young_modulus": {"value": 73, "unit": "GPa", "citations": ["k"]})";
 
 }  // namespace
-
-TEST_CASE("every property of every phase cites a key of the bibliography") {
-    const auto keys = keys_of("\n" + file_text(ASHIMPACT_DATA "/references.bib"));
-    const PhaseCatalogue catalogue = shipped_catalogue();
-    for (const PhaseSet& set : catalogue.sets()) {
-        REQUIRE(set.phases.size() >= 3);
-        for (const Phase& phase : set.phases) {
-            CAPTURE(phase.name);
-            std::vector<PhaseProperty> properties{phase.density, phase.young_modulus};
-            if (phase.poisson_ratio) properties.push_back(*phase.poisson_ratio);
-            for (const PhaseProperty& property : properties) {
-                CHECK(!property.citations.empty());
-                for (const auto& citation : property.citations) {
-                    CAPTURE(citation);
-                    CHECK(keys.contains(citation));
-                }
-            }
-        }
-    }
-}
 
 TEST_CASE("values of the catalogue agree with the bulk and shear moduli of their sources") {
     struct Row {
