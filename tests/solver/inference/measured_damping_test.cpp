@@ -244,8 +244,9 @@ TEST_CASE(
     CHECK((result.extrapolated || has_finding(result, "no-extrapolation")));
 }
 
-TEST_CASE(
-    "impacts that no damping of such an order describes within their noise are fitted with more of it") {
+// e = sqrt(1 - v_c/v) is no law's threshold; forced on it, Hertz's lies 6 % too low, whatever the priors. A
+// false mode of the posterior would be off by a third or more.
+TEST_CASE("sharp impacts of another truth: the estimate is near it, and the fit has more than their noise") {
     const MeasurementSet set = sharp_impacts();
     for (const Law law : fitted_laws) {
         CAPTURE(law.name());
@@ -254,17 +255,6 @@ TEST_CASE(
         REQUIRE(result.extrapolated);
         CHECK(result.extrapolated->scatter > 1.0);
         CHECK(has_finding(result, "extrapolation-scatter"));
-        if (!result.estimate) CHECK(has_finding(result, "hardly any smooth damping explains all impacts"));
-    }
-}
-
-// e = sqrt(1 - v_c/v) is no law's threshold; forced on it, Hertz's lies 6 % too low, whatever the priors. A
-// false mode of the posterior would be off by a third or more.
-TEST_CASE("the estimate of sharp impacts of another truth is near it") {
-    const MeasurementSet set = sharp_impacts();
-    for (const Law law : fitted_laws) {
-        CAPTURE(law.name());
-        const MeasuredDamping result = analysed(set, law);
         REQUIRE(result.estimate);
         CHECK(std::abs(result.estimate->curve.critical_velocity.value - 1.6) < 0.1 * 1.6);
     }
