@@ -315,19 +315,6 @@ TEST_CASE("without uncertainties the covariance is scaled by the scatter of the 
                               static_cast<double>(std::sqrt(expected.chi_squared / 9))) < 1e-12);
 }
 
-TEST_CASE("equal uncertainties fit like none, and the covariance goes with their square") {
-    auto points = noisy_points(false);
-    const DampingFit plain = fit_damping(points);
-    for (DampingPoint& p : points) p.standard_uncertainty = 1e-4;
-    const DampingFit one = fit_damping(points);
-    for (DampingPoint& p : points) p.standard_uncertainty = 3e-4;
-    const DampingFit three = fit_damping(points);
-    CHECK(relative_difference(plain.damping.coefficients[2], one.damping.coefficients[2]) < 1e-12);
-    CHECK(relative_difference(one.damping.coefficients[2], three.damping.coefficients[2]) < 1e-12);
-    CHECK(relative_difference(three.covariance(0, 1), 9.0 * one.covariance(0, 1)) < 1e-11);
-    CHECK(relative_difference(one.chi_squared, 9.0 * three.chi_squared) < 1e-11);
-}
-
 TEST_CASE("three points are interpolated and leave no scatter") {
     const std::vector<DampingPoint> points{{0.1, 0.013, 0.0}, {0.3, 0.009, 0.0}, {0.6, 0.0065, 0.0}};
     const DampingFit fit = fit_damping(points);
