@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include "core/units/units.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
@@ -14,7 +15,7 @@
 #include "solver/motion/damping_inversion.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/motion/trajectory.hpp"
-#include "solver/numeric/power.hpp"
+#include "solver/numeric/number.hpp"
 #include "tests/support/checks.hpp"
 #include "tests/support/contact_cases.hpp"
 
@@ -47,35 +48,8 @@ constexpr double force_unit = energy_unit / length_unit;
 
 /// The old SI unit of a dimension in the new one.
 double unit_of(Dimension dimension) {
-    switch (dimension) {
-        case Dimension::fraction:
-            return 1.0;
-        case Dimension::length:
-            return length_unit;
-        case Dimension::mass:
-            return mass_unit;
-        case Dimension::time:
-            return time_unit;
-        case Dimension::velocity:
-            return velocity_unit;
-        case Dimension::density:
-            return mass_unit / (length_unit * length_unit * length_unit);
-        case Dimension::pressure:
-            return force_unit / (length_unit * length_unit);
-        case Dimension::force:
-            return force_unit;
-        case Dimension::energy:
-            return energy_unit;
-        case Dimension::energy_per_area:
-            return energy_unit / (length_unit * length_unit);
-        case Dimension::damping:
-            return mass_unit / time_unit;
-        case Dimension::viscosity:
-            return mass_unit / (length_unit * time_unit);
-        case Dimension::impulse:
-            return mass_unit * velocity_unit;
-    }
-    return 0.0;
+    const auto powers = read_unit(si_unit(dimension)).value().powers;
+    return std::pow(length_unit, powers[0]) * std::pow(mass_unit, powers[1]) * std::pow(time_unit, powers[2]);
 }
 
 ParameterValues<double> in_other_units(const ParameterValues<double>& values) {

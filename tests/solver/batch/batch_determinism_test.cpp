@@ -14,7 +14,7 @@
 #include "core/text/error.hpp"
 #include "solver/batch/batch.hpp"
 #include "solver/batch/kernels/kernel.hpp"
-#include "solver/batch/tables/restitution_table.hpp"
+#include "solver/batch/tables/law_tables.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/damping/damping.hpp"
 #include "tests/solver/batch/batch_sample.hpp"

@@ -235,3 +235,10 @@ TEST_CASE("velocity, restitution and damping of a contact model follow from one 
         CHECK_FALSE(model.velocity(0.0, 0.99 * model.damping(range.lower, 0.0).value));
     }
 }
+
+TEST_CASE("a contact that ends at zero force, and so never captures, has no contact model") {
+    const Law hertz = Law::of<Hertz>();
+    CHECK_THROWS_AS(
+        static_cast<void>(make_contact_model(hertz, Detachment::zero_force, ash_pair, {0.01, 30.0})),
+        InputError);
+}

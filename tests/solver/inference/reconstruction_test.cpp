@@ -9,7 +9,7 @@
 
 #include "materials/contact_properties.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
-#include "solver/inference/calibration/calibration_objective.hpp"
+#include "solver/inference/calibration/published_damping.hpp"
 #include "tests/support/checks.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/published.hpp"

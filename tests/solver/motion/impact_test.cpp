@@ -119,10 +119,10 @@ TEST_CASE("potential, stiffness and drag belong to the force, the overlap and th
             const auto near = [&](Extended a, Extended b) {
                 worst.see(static_cast<double>(std::abs(a - b)), name_of(c));
             };
-            near(motion.stiffness(q), motion.slope(q) * motion.force(q));
-            near(motion.drag(q), motion.slope(q) * motion.damping(q));
-            near(motion.potential.derivative()(q), motion.stiffness(q));
-            near(motion.slope(q), motion.overlap.derivative()(q));
+            near(motion.first.stiffness(q), motion.slope(q) * motion.force(q));
+            near(motion.first.drag(q), motion.slope(q) * motion.damping(q));
+            near(motion.first.potential.derivative()(q), motion.first.stiffness(q));
+            near(motion.slope(q), motion.first.overlap.derivative()(q));
         }
         CHECK(motion.potential(0.0L) == 0.0L);
         CHECK(std::abs(motion.overlap(motion.touch)) < 1e-18L);
@@ -154,7 +154,7 @@ TEST_CASE("an expansion satisfies the equation of motion all over its step") {
                 near(slope_at(x.position, h), s.velocity);
                 near(slope_at(x.velocity, h), acceleration);
                 near(slope_at(x.time, h), motion.slope(s.position));
-                near(slope_at(x.dissipation, h), motion.drag(s.position) * s.velocity * s.velocity);
+                near(slope_at(x.dissipation, h), motion.first.drag(s.position) * s.velocity * s.velocity);
             }
         }
     }

@@ -10,8 +10,6 @@
 #include "solver/contact/maugis_dugdale.hpp"
 #include "solver/contact/mechanics.hpp"
 #include "solver/contact/registry.hpp"
-#include "solver/contact/transition.hpp"
-#include "solver/motion/momentum_balance.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/motion/trajectory.hpp"
 #include "tests/support/checks.hpp"

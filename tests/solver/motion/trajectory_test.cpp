@@ -10,7 +10,6 @@
 
 #include "solver/contact/mechanics.hpp"
 #include "solver/contact/static_curve.hpp"
-#include "solver/contact/transition.hpp"
 #include "solver/motion/explicit_scheme.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "tests/support/checks.hpp"
