@@ -193,7 +193,8 @@ std::vector<Influence> influences_of(const std::vector<Factor>& factors,
                               {indices[i].total, indices[i].total_error.value_or(0.0)}});
     // Shares that are rounding alone keep the order of the factors.
     const auto rank = [](const Influence& of) { return std::round(1e9 * of.total.value); };
-    std::ranges::stable_sort(influences, std::ranges::greater(), rank);
+    std::stable_sort(influences.begin(), influences.end(),
+                     [&](const Influence& a, const Influence& b) { return rank(a) > rank(b); });
     return influences;
 }
 
