@@ -77,6 +77,11 @@ constexpr auto find_if(Range&& range, Test test, Projection projection = {}) {
     while (at != std::end(range) && !std::invoke(test, std::invoke(projection, *at))) ++at;
     return at;
 }
+template <class Range, class Value, class Projection = web::Identity>
+constexpr auto count(Range&& range, const Value& value, Projection projection = {}) {
+    return std::count_if(std::begin(range), std::end(range),
+                         [&](const auto& each) { return std::invoke(projection, each) == value; });
+}
 template <class Range, class Test>
 constexpr auto count_if(Range&& range, Test test) {
     return std::count_if(std::begin(range), std::end(range),
