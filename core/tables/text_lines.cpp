@@ -106,12 +106,26 @@ TableRow cut_row(const TextLine& line, char separator) {
     }
 }
 
+namespace {
+
+/// Whether a line is a comment. One that begins with an error value of a spreadsheet ("#N/A", "#DIV/0!",
+/// "#WERT!", "####") or with a number ("#1") is a row.
+bool is_comment(std::string_view text) {
+    if (!text.starts_with('#')) return false;
+    const std::string_view word = text.substr(0, text.find_first_of(" \t;,"));
+    if (word.size() > 1 && (is_digit(word[1]) || word[1] == '#')) return false;
+    const bool shouts = std::none_of(word.begin(), word.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+    return word != "#N/A" && word != "#NV" && !(shouts && (word.ends_with('!') || word.ends_with('?')));
+}
+
+}  // namespace
+
 std::vector<TextLine> lines_with_content(const TextLines& file) {
     std::vector<TextLine> lines;
     for (const TextLine& line : file.lines()) {
         const std::string_view text = trimmed(line.text);
-        if (!text.empty() && !text.starts_with('#') && !lower_case(text).starts_with("sep="))
-            lines.push_back(line);
+        const bool has_content = text.find_first_not_of(" \t;,") != std::string_view::npos;
+        if (has_content && !is_comment(text) && !lower_case(text).starts_with("sep=")) lines.push_back(line);
     }
     return lines;
 }

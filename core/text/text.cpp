@@ -151,20 +151,20 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
 }
 
 std::string remedy_for_commas(std::string_view text) {
-    const auto is_digit = [&](std::size_t at) {
-        return at < text.size() && text[at] >= '0' && text[at] <= '9';
+    const auto digit_at = [&](std::size_t at) {
+        return at < text.size() && is_digit(text[at]);
     };
     std::string with_point;
     std::string without_groups;
     for (std::size_t at = 0; at < text.size();) {
-        if (!is_digit(at)) {
+        if (!digit_at(at)) {
             with_point += text[at];
             without_groups += text[at++];
             continue;
         }
         std::size_t end = at;
-        while (is_digit(end) ||
-               (end < text.size() && (text[end] == ',' || text[end] == '.') && is_digit(end + 1)))
+        while (digit_at(end) ||
+               (end < text.size() && (text[end] == ',' || text[end] == '.') && digit_at(end + 1)))
             ++end;
         const auto [decimal, grouped] = readings_of_commas(text.substr(at, end - at));
         with_point += decimal;

@@ -25,6 +25,10 @@ namespace ashimpact {
 /// ASCII letters in lower case; other bytes as they are.
 [[nodiscard]] std::string lower_case(std::string_view text);
 
+[[nodiscard]] inline bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
 /// The fewest digits that read back as the same number, "1e+05" rather than "100000" where that is shorter.
 [[nodiscard]] std::string shortest(double value);
 

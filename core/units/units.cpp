@@ -160,9 +160,6 @@ const Row* unit_row(std::string_view text) {
 
 constexpr std::size_t longest_unit = 200;  // bounds the depth of brackets
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '%';
 }

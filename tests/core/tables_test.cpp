@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <random>
 #include <string>
 #include <utility>
@@ -11,6 +13,7 @@
 #include <unistd.h>
 
 #include "core/quantities/quantity.hpp"
+#include "core/tables/number_marks.hpp"
 #include "core/tables/vocabulary.hpp"
 #include "core/tables/workbook/workbook.hpp"
 #include "materials/xrd/table_layout.hpp"
@@ -149,8 +152,9 @@ TEST_CASE("cells of .xlsx hold what the spreadsheet shows") {
     const std::string styles =
         "<styleSheet><numFmts><numFmt numFmtId='164' formatCode='dd\\.mm\\.yyyy'/>"
         "<numFmt numFmtId='165' formatCode='0.0%'/>"
-        "<numFmt numFmtId='166' formatCode='[Red]0.00\" days\"'/></numFmts><cellXfs><xf/>"
-        "<xf numFmtId='164'/><xf numFmtId='165'/><xf numFmtId='166'/><xf numFmtId='14'/>"
+        "<numFmt numFmtId='166' formatCode='[Red]0.00\" days\"'/></numFmts>"
+        "<fonts><font/><font><strike/></font></fonts><cellXfs><xf/>"
+        "<xf numFmtId='164'/><xf numFmtId='165'/><xf numFmtId='166'/><xf numFmtId='14'/><xf fontId='1'/>"
         "</cellXfs></styleSheet>";
     const std::string strings =
         "<sst><si><t>plain</t></si><si><r><t>ri</t></r><r><t>ch</t></r>"
@@ -169,7 +173,21 @@ TEST_CASE("cells of .xlsx hold what the spreadsheet shows") {
     CHECK(cell("<c r='A1' s='3'><v>12.5</v></c>") == "12.5");
     CHECK(cell("<c r='A1' t='s'><v>0</v></c>") == "plain");
     CHECK(cell("<c r='A1' t='s'><v>1</v></c>") == "rich");
-    CHECK(cell("<c r='A1' t='s'><v>7</v></c><c r='B1'><v>2</v></c>") == "\t2");
+    CHECK(contains(input_error_of([&] { static_cast<void>(cell("<c r='A1' t='s'><v>7</v></c>")); }),
+                   "the text of a cell is not in the file"));
+    CHECK(contains(
+        input_error_of([&] { static_cast<void>(cell("<c r='A1'><v>1</v></c><c r='A1'><v>2</v></c>")); }),
+        "A1: the cell is in the file twice"));
+    const auto runs = [&](const std::string& properties, const std::string& run) {
+        return cell("<c t='inlineStr'><is><r><t>753</t></r><r><rPr>" + properties + "</rPr><t>" + run +
+                    "</t></r></is></c>");
+    };
+    CHECK(runs("<vertAlign val='superscript'/>", "1") == "753\u00b9");
+    CHECK(runs("<vertAlign val='superscript'/>", "a") == "753^a");
+    CHECK(runs("<vertAlign val='subscript'/>", "a") == "753a");
+    CHECK(runs("<strike/>", "9") == "7539 (struck out)");
+    CHECK(runs("<strike val='0'/>", "9") == "7539");
+    CHECK(cell("<c r='A1' s='5'><v>12.5</v></c>") == "12.5 (struck out)");
     CHECK(cell("<c r='A1' t='b'><v>1</v></c>") == "TRUE");
     CHECK(cell("<c r='A1' t='e'><v>#DIV/0!</v></c>") == "#DIV/0!");
     CHECK(cell("<c r='A1' t='str'><f>A2</f><v>haftet</v></c>") == "haftet");
@@ -212,6 +230,57 @@ TEST_CASE("cells of .ods hold what the spreadsheet shows") {
             "<table:table-cell><text:p>b</text:p></table:table-cell></table:table-row>"
             "<table:table-row table:number-rows-repeated='1048570'><table:table-cell/></table:table-row>")) ==
         "a\nb\nb\nb\n");
+}
+
+TEST_CASE("marks in numbers have one reading, by the other numbers of the table, or are refused") {
+    struct Case {
+        std::vector<std::vector<std::string>> rows;
+        std::vector<std::vector<double>> values;  ///< not a number: refused
+    };
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<Case> cases{
+        {{{"1.234", "0.912"}, {"2.345", "1.5"}}, {{1.234, 0.912}, {2.345, 1.5}}},
+        {{{"1,234", "0,912"}, {"2,345", "7"}}, {{1.234, 0.912}, {2.345, 7}}},
+        {{{"1,234", "5"}, {"2,345", "7"}}, {{none, 5}, {none, 7}}},
+        {{{"1.234"}, {"2.345"}}, {{1.234}, {2.345}}},
+        {{{"1.234", "5,5"}, {"2.345", "7,25"}}, {{1234, 5.5}, {2345, 7.25}}},
+        {{{"1.234", "5,5"}, {"12,5", "7,25"}}, {{none, 5.5}, {12.5, 7.25}}},
+        {{{"1,234", "5.5"}, {"12.5", "7.25"}}, {{none, 5.5}, {12.5, 7.25}}},
+        {{{"1.234.567", "1,234"}}, {{1234567, 1.234}}},
+        {{{"1.234,5"},
+          {"1'234,5"},
+          {"1\u2019234,5"},
+          {"1 234,5"},
+          {"1\u00a0234,5"},
+          {"12\u202f345\u202f678"},
+          {"12,34,567.8"}},
+         {{1234.5}, {1234.5}, {1234.5}, {1234.5}, {1234.5}, {12345678}, {1234567.8}}},
+        {{{"0.123"}, {"-0.123"}, {"1.2345"}, {"1.234e3"}}, {{0.123}, {-0.123}, {1.2345}, {1234}}},
+    };
+    for (const Case& c : cases) {
+        NumberMarks marks;
+        for (const auto& row : c.rows)
+            for (std::size_t k = 0; k < row.size(); ++k) marks.see(row[k], k);
+        for (std::size_t i = 0; i < c.rows.size(); ++i)
+            for (std::size_t k = 0; k < c.rows[i].size(); ++k) {
+                CAPTURE(c.rows[i][k]);
+                if (std::isnan(c.values[i][k])) {
+                    CHECK_THROWS_AS(static_cast<void>(marks.read(c.rows[i][k], k)), InputError);
+                } else {
+                    const auto number = marks.read(c.rows[i][k], k);
+                    REQUIRE(number);
+                    CHECK(number->value == c.values[i][k]);
+                }
+            }
+    }
+    const NumberMarks marks;
+    CHECK(marks.read("12,3 \u00b1 0,4", 0)->standard_uncertainty == 0.4);
+    for (const char* junk : {"1.2.3", "1,2,3.4", "12.3 456", "2024 123", "1,23,4.5"}) {
+        CAPTURE(junk);
+        CHECK_FALSE(marks.read(junk, 0));
+    }
+    CHECK(contains(input_error_of([&] { static_cast<void>(marks.read("1,234", 0)); }),
+                   "\"1,234\" is 1.234 or 1234"));
 }
 
 TEST_CASE("what is wrong in a spreadsheet is said with its sheet and cell") {

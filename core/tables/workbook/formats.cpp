@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -69,6 +71,20 @@ std::string shown_formula(std::string_view formula) {
     return '=' + std::string(formula) + " (a formula, saved without its result)";
 }
 
+/// Marks a text that the spreadsheet shows struck out, so that it is neither a number nor a name.
+std::string struck_out(std::string text) {
+    return text.empty() ? text : std::move(text) + " (struck out)";
+}
+
+/// Appends a raised text, as of a footnote: digits as superscripts, so that "753" with a raised 1 is not
+/// 7531.
+void append_raised(std::string_view raised, std::string& text) {
+    constexpr std::array<std::string_view, 10> superscripts{"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                                            "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+    for (const char c : raised)
+        text += is_digit(c) ? superscripts.at(static_cast<std::size_t>(c - '0')) : std::string{'^', c};
+}
+
 /// Number of repetitions of an element, at most the size of a sheet.
 std::size_t repeats(const pugi::xml_node& node, std::string_view attribute) {
     const std::string text = attribute_of(node, attribute).value_or("1");
@@ -78,27 +94,51 @@ std::size_t repeats(const pugi::xml_node& node, std::string_view attribute) {
     return status == std::errc{} ? std::min(count, Sheet::most_rows) : 1;
 }
 
+/// Names of the styles of an .ods whose text is struck out, and of those whose text is raised.
+struct TextStyles {
+    std::set<std::string, std::less<>> struck{};
+    std::set<std::string, std::less<>> raised{};
+
+    explicit TextStyles(const pugi::xml_node& styles) {
+        for (const pugi::xml_node& style : styles) {
+            const std::string name = attribute_of(style, "name").value_or("");
+            const pugi::xml_node text = child_of(style, "text-properties");
+            if (attribute_of(text, "text-line-through-style").value_or("none") != "none") struck.insert(name);
+            if (attribute_of(text, "text-position").value_or("").starts_with("super")) raised.insert(name);
+        }
+    }
+    [[nodiscard]] bool strikes(const pugi::xml_node& node) const {
+        return struck.contains(attribute_of(node, "style-name").value_or(""));
+    }
+};
+
 /// Appends the text of a paragraph, of spans and links too, but not of comments on the cell.
-void append_text(const pugi::xml_node& node, std::string& text) {
+void append_text(const pugi::xml_node& node, const TextStyles& styles, std::string& text) {
     for (const pugi::xml_node& inner : node) {
         if (inner.type() == pugi::node_pcdata || inner.type() == pugi::node_cdata) text += inner.value();
         const auto name = local_name(inner.name());
         if (name == "s" || name == "tab" || name == "line-break") text += ' ';
-        if (name == "span" || name == "a") append_text(inner, text);
+        if (name != "span" && name != "a") continue;
+        std::string part;
+        append_text(inner, styles, part);
+        if (styles.raised.contains(attribute_of(inner, "style-name").value_or("")))
+            append_raised(part, text);
+        else
+            text += styles.strikes(inner) ? struck_out(part) : part;
     }
 }
 
-std::string text_of_paragraphs(const pugi::xml_node& cell) {
+std::string text_of_paragraphs(const pugi::xml_node& cell, const TextStyles& styles) {
     std::string text;
     for (const pugi::xml_node& node : cell) {
         if (local_name(node.name()) != "p") continue;
         if (!text.empty()) text += ' ';
-        append_text(node, text);
+        append_text(node, styles, text);
     }
     return text;
 }
 
-std::string ods_cell_text(const pugi::xml_node& cell) {
+std::string ods_cell_text(const pugi::xml_node& cell, const TextStyles& styles) {
     // LibreOffice adds a second attribute of that name with the value "error"; attribute_of() returns the
     // first.
     const std::string type = attribute_of(cell, "value-type").value_or("");
@@ -112,13 +152,13 @@ std::string ods_cell_text(const pugi::xml_node& cell) {
         const auto number = whole_decimal(attribute_of(cell, "value").value_or(""));
         if (number) return type == "percentage" ? shown_per_cent(*number) : shown_number(*number);
     }
-    return text_of_paragraphs(cell);
+    return text_of_paragraphs(cell, styles);
 }
 
 /// Fills a sheet from the rows of an .ods, which may be grouped.
 class OdsRows {
   public:
-    explicit OdsRows(Sheet& sheet) : sheet_(sheet) {}
+    OdsRows(Sheet& sheet, const TextStyles& styles) : sheet_(sheet), styles_(styles) {}
 
     void take_rows(const pugi::xml_node& parent, int depth = 0) {
         constexpr int deepest_group = 20;
@@ -140,7 +180,8 @@ class OdsRows {
             const auto name = local_name(cell.name());
             if (name != "table-cell" && name != "covered-table-cell") continue;
             const std::size_t copies = repeats(cell, "number-columns-repeated");
-            const std::string text = ods_cell_text(cell);
+            std::string text = ods_cell_text(cell, styles_);
+            if (styles_.strikes(cell)) text = struck_out(std::move(text));
             for (std::size_t i = 0; !text.empty() && i < copies; ++i) {
                 sheet_.require_column(row_, column + i);
                 cells.emplace_back(column + i, text);
@@ -157,6 +198,7 @@ class OdsRows {
     }
 
     Sheet& sheet_;
+    const TextStyles& styles_;
     std::size_t row_ = 0;
 };
 
@@ -169,11 +211,12 @@ std::optional<std::vector<Sheet>> read_ods(const Archive& archive) {
     const pugi::xml_node body = child_of(document.document_element(), "body");
     const pugi::xml_node tables = child_of(body, "spreadsheet");
     if (!tables) return std::nullopt;
+    const TextStyles styles(child_of(document.document_element(), "automatic-styles"));
     std::vector<Sheet> sheets;
     for (const pugi::xml_node& table : tables) {
         if (local_name(table.name()) != "table") continue;
         Sheet& sheet = sheets.emplace_back(attribute_of(table, "name").value_or(""));
-        OdsRows(sheet).take_rows(table);
+        OdsRows(sheet, styles).take_rows(table);
     }
     return sheets;
 }
@@ -185,6 +228,7 @@ enum class Format { number, per_cent, date };
 struct Shared {
     std::vector<std::string> strings{};
     std::vector<Format> formats{};  ///< by the cell's style
+    std::vector<bool> struck{};     ///< whether it is struck out, by the cell's style
     bool since_1904 = false;        ///< the calendar of old Macintosh files
 };
 
@@ -241,13 +285,26 @@ std::string target_of_type(const std::map<std::string, Relationship>& all, std::
     return {};
 }
 
+/// Whether a font of an .xlsx strikes its text out.
+bool strikes(const pugi::xml_node& font) {
+    const pugi::xml_node strike = child_of(font, "strike");
+    const std::string value = attribute_of(strike, "val").value_or("1");
+    return strike && value != "0" && value != "false";
+}
+
 /// The text of a string item: its own, or that of its runs; no phonetic hints.
 std::string text_of_item(const pugi::xml_node& item) {
     std::string text;
     for (const pugi::xml_node& node : item) {
         const auto name = local_name(node.name());
         if (name == "t") text += node.child_value();
-        if (name == "r") text += child_of(node, "t").child_value();
+        if (name != "r") continue;
+        const pugi::xml_node font = child_of(node, "rPr");
+        const std::string run = child_of(node, "t").child_value();
+        if (attribute_of(child_of(font, "vertAlign"), "val") == "superscript")
+            append_raised(run, text);
+        else
+            text += strikes(font) ? struck_out(run) : run;
     }
     return text;
 }
@@ -283,21 +340,24 @@ Format built_in_format(std::size_t id) {
     return date ? Format::date : Format::number;
 }
 
-std::vector<Format> read_formats(const std::optional<std::string>& content, const std::string& name) {
-    std::vector<Format> formats;
-    if (!content) return formats;
+void read_styles(const std::optional<std::string>& content, const std::string& name, Shared& shared) {
+    if (!content) return;
     const pugi::xml_document document = parse_part(*content, name);
     const pugi::xml_node root = document.document_element();
     std::map<std::string, Format> own;
     for (const pugi::xml_node& node : child_of(root, "numFmts"))
         own[attribute_of(node, "numFmtId").value_or("")] =
             format_of_code(attribute_of(node, "formatCode").value_or(""));
+    std::vector<bool> fonts;
+    for (const pugi::xml_node& font : child_of(root, "fonts")) fonts.push_back(strikes(font));
     for (const pugi::xml_node& node : child_of(root, "cellXfs")) {
         const std::string id = attribute_of(node, "numFmtId").value_or("0");
         const auto found = own.find(id);
-        formats.push_back(found != own.end() ? found->second : built_in_format(whole_number(id).value_or(0)));
+        shared.formats.push_back(found != own.end() ? found->second
+                                                    : built_in_format(whole_number(id).value_or(0)));
+        const auto font = whole_number(attribute_of(node, "fontId").value_or("0")).value_or(0);
+        shared.struck.push_back(font < fonts.size() && fonts[font]);
     }
-    return formats;
 }
 
 std::vector<std::string> read_strings(const std::optional<std::string>& content, const std::string& name) {
@@ -335,7 +395,9 @@ std::string xlsx_cell_text(const pugi::xml_node& cell, const Shared& shared) {
     if (value.empty() && formula && type != "str") return shown_formula(formula.child_value());
     if (type == "s") {
         const auto index = whole_number(value);
-        return index && *index < shared.strings.size() ? shared.strings[*index] : std::string();
+        if (!index || *index >= shared.strings.size())
+            throw InputError("the text of a cell is not in the file", "an undamaged file");
+        return shared.strings[*index];
     }
     if (type == "b") return value == "1" ? "TRUE" : "FALSE";
     if (type == "d") return shown_date(value);
@@ -368,7 +430,10 @@ Sheet read_xlsx_sheet(const std::string& content, const std::string& name, const
         for (const pugi::xml_node& cell : row) {
             if (local_name(cell.name()) != "c") continue;
             const std::size_t column = column_of(attribute_of(cell, "r").value_or("")).value_or(next_column);
-            sheet.put(place, column, xlsx_cell_text(cell, shared));
+            const auto style = whole_number(attribute_of(cell, "s").value_or("0")).value_or(0);
+            std::string text = xlsx_cell_text(cell, shared);
+            if (style < shared.struck.size() && shared.struck[style]) text = struck_out(std::move(text));
+            sheet.put(place, column, text);
             next_column = column + 1;
         }
         next_row = place + 1;
@@ -392,9 +457,9 @@ std::optional<std::vector<Sheet>> read_xlsx(const Archive& archive) {
     const std::string strings = target_of_type(parts, "sharedStrings");
     const std::string styles = target_of_type(parts, "styles");
     const auto calendar = attribute_of(child_of(root, "workbookPr"), "date1904");
-    const Shared shared{.strings = read_strings(part(archive, strings), strings),
-                        .formats = read_formats(part(archive, styles), styles),
-                        .since_1904 = calendar == "1" || calendar == "true"};
+    Shared shared{.strings = read_strings(part(archive, strings), strings),
+                  .since_1904 = calendar == "1" || calendar == "true"};
+    read_styles(part(archive, styles), styles, shared);
     std::vector<Sheet> sheets;
     for (const pugi::xml_node& node : child_of(root, "sheets")) {
         const auto found = parts.find(attribute_of(node, "id").value_or(""));

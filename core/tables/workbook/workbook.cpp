@@ -86,6 +86,8 @@ void Sheet::put(std::size_t row, std::size_t column, std::string_view text) {
                              std::to_string(most_cells) + " cells or fewer, or the table as CSV");
         cells.resize(column + 1);
     }
+    if (!cells[column].empty())
+        throw InputError("the cell is in the file twice", "an undamaged file").at(cell_name(row, column));
     width_ = std::max(width_, cells.size());
     std::string& cell = cells[column];
     cell = text;

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tables/number_marks.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+bool is_mark(char c) {
+    return c == '.' || c == ',';
+}
+
+/// What the marks in a number are.
+enum class Marks {
+    none,
+    decimal_point,  ///< the point separates decimals, the comma, if any, groups digits
+    decimal_comma,
+    point_may_group,  ///< "1.234"
+    comma_may_group,  ///< "1,234"
+};
+
+/// Whether @p mark groups these digits by threes, or as in India all but the last three by twos.
+bool groups(std::string_view digits, char mark) {
+    const auto last = digits.rfind(mark);
+    if (last == std::string_view::npos || digits.size() - last != 4) return false;
+    std::size_t size = 0;  // of the group that is read, from the last but one
+    std::size_t middle = 0;
+    for (std::size_t at = last; at-- > 0;) {
+        if (digits[at] != mark) {
+            ++size;
+            continue;
+        }
+        if ((size != 2 && size != 3) || (middle != 0 && size != middle)) return false;
+        middle = size;
+        size = 0;
+    }
+    return size > 0 && size <= (middle == 2 ? 2 : 3);
+}
+
+Marks marks_of(std::string_view number) {
+    const auto last = number.find_last_of(".,");
+    if (last == std::string_view::npos) return Marks::none;
+    const char mark = number[last];
+    const char other = mark == '.' ? ',' : '.';
+    const Marks decimal = mark == '.' ? Marks::decimal_point : Marks::decimal_comma;
+    if (number.find(other) != std::string_view::npos)
+        return groups(number.substr(0, last), other) ? decimal : Marks::none;
+    if (!groups(number, mark) || number.front() == '0') return decimal;
+    if (std::ranges::count(number, mark) > 1)
+        return mark == '.' ? Marks::decimal_comma : Marks::decimal_point;
+    return mark == '.' ? Marks::point_may_group : Marks::comma_may_group;
+}
+
+std::size_t digits_from(std::string_view text, std::size_t at) {
+    const auto end = std::find_if_not(text.begin() + static_cast<std::ptrdiff_t>(at), text.end(), is_digit);
+    return static_cast<std::size_t>(end - text.begin()) - at;
+}
+
+/// Removes blanks and apostrophes that group digits: "1 234" and "1'234" are 1234.
+std::string without_blanks_in_numbers(std::string_view cell) {
+    std::string text(cell);
+    for (const auto& [mark, plain] :
+         {std::pair{"\u00a0", " "}, std::pair{"\u202f", " "}, std::pair{"\u2009", " "},
+          std::pair{"\u2019", "'"}, std::pair{"\u2212", "-"}})
+        for (auto at = text.find(mark); at != std::string::npos; at = text.find(mark, at))
+            text.replace(at, std::string_view(mark).size(), plain);
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t first = digits_from(text, at);
+        at += std::max<std::size_t>(first, 1);
+        const bool behind_mark = first > 0 && at > first && is_mark(text[at - first - 1]);
+        if (first == 0 || first > 3 || behind_mark || at >= text.size()) continue;
+        const char blank = text[at];
+        if (blank != ' ' && blank != '\'') continue;
+        for (; at < text.size() && text[at] == blank && digits_from(text, at + 1) == 3; at += 3)
+            text.erase(at, 1);
+    }
+    return text;
+}
+
+/// Calls @p visitor(first, count) for every number in a text: digits with marks between or before them.
+template <class Visitor>
+void for_each_number(std::string_view text, const Visitor& visitor) {
+    for (std::size_t at = 0; at < text.size();) {
+        if (!is_digit(text[at])) {
+            ++at;
+            continue;
+        }
+        std::size_t end = at;
+        while (end < text.size() && (is_digit(text[end]) || (is_mark(text[end]) && end + 1 < text.size() &&
+                                                             is_digit(text[end + 1]))))
+            ++end;
+        visitor(at, end - at);
+        at = end;
+    }
+}
+
+}  // namespace
+
+void NumberMarks::see(std::string_view cell, std::size_t column) {
+    if (cell.find_first_of(".,") == std::string_view::npos) return;
+    const std::string text = without_blanks_in_numbers(cell);
+    for_each_number(text, [&](std::size_t first, std::size_t count) {
+        const Marks marks = marks_of(std::string_view(text).substr(first, count));
+        has_decimal_point_ = has_decimal_point_ || marks == Marks::decimal_point;
+        has_decimal_comma_ = has_decimal_comma_ || marks == Marks::decimal_comma;
+        if (marks == Marks::point_may_group) ++columns_[column].point_may_group;
+        if (marks == Marks::comma_may_group) ++columns_[column].comma_may_group;
+        if (marks == Marks::decimal_point || marks == Marks::decimal_comma) ++columns_[column].others;
+    });
+}
+
+bool NumberMarks::is_decimal(char mark, std::string_view number, std::size_t column) const {
+    const bool is_point = mark == '.';
+    const bool stated = is_point ? has_decimal_point_ : has_decimal_comma_;
+    const bool contradicted = is_point ? has_decimal_comma_ : has_decimal_point_;
+    if (stated && !contradicted) return true;
+    if (is_point && !stated && !contradicted) return true;  // the mark of most programs
+    const auto found = columns_.find(column);
+    if (contradicted && !stated && found != columns_.end()) {
+        const auto& [points, commas, others] = found->second;
+        if (others == 0 && (is_point ? points > 1 && commas == 0 : commas > 1 && points == 0)) return false;
+    }
+    const std::string decimal = [&] {
+        std::string text(number);
+        std::ranges::replace(text, mark, '.');
+        return text;
+    }();
+    std::string grouped(number);
+    std::erase(grouped, mark);
+    throw InputError(in_quotes(number) + " is " + decimal + " or " + grouped,
+                     grouped + ", or " + decimal + "0, with one decimal mark in all numbers of the table");
+}
+
+std::optional<PrintedNumber> NumberMarks::read(std::string_view cell, std::size_t column) const {
+    const std::string text = without_blanks_in_numbers(cell);
+    if (text.find_first_of(".,") == std::string::npos) return read_number(text);
+    std::string plain;
+    std::size_t done = 0;
+    for_each_number(text, [&](std::size_t first, std::size_t count) {
+        plain += text.substr(done, first - done);
+        done = first + count;
+        std::string number = text.substr(first, count);
+        const Marks marks = marks_of(number);
+        const bool is_point = marks == Marks::decimal_point ||
+                              (marks == Marks::point_may_group && is_decimal('.', number, column)) ||
+                              (marks == Marks::comma_may_group && !is_decimal(',', number, column));
+        if (marks != Marks::none) {
+            std::erase(number, is_point ? ',' : '.');
+            std::ranges::replace(number, ',', '.');
+        }
+        plain += number;
+    });
+    return read_number(plain + text.substr(done));
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string_view>
+
+#include "core/quantities/quantity.hpp"
+
+namespace ashimpact {
+
+/// Which mark separates the decimals in the numbers of a table and which one groups their digits. "1.234" and
+/// "1,234" alone have two readings; the other numbers of the table decide between them, or nothing does.
+/// Blanks and apostrophes between digits group them: "1 234", "1'234,5".
+class NumberMarks {
+  public:
+    /// Takes the numbers of a cell into account. @param column of the cell, any number
+    void see(std::string_view cell, std::size_t column);
+    /// Reads a cell as read_number(). @throws InputError with both readings where nothing decides
+    [[nodiscard]] std::optional<PrintedNumber> read(std::string_view cell, std::size_t column) const;
+
+  private:
+    /// How often the numbers of a column have these forms.
+    struct Column {
+        std::size_t point_may_group = 0;
+        std::size_t comma_may_group = 0;
+        std::size_t others = 0;  ///< with a mark that separates decimals for certain
+    };
+    [[nodiscard]] bool is_decimal(char mark, std::string_view number, std::size_t column) const;
+
+    std::map<std::size_t, Column> columns_{};
+    bool has_decimal_point_ = false;
+    bool has_decimal_comma_ = false;
+};
+
+}  // namespace ashimpact
