@@ -23,6 +23,7 @@ double scale_of(const Table& table, const std::vector<Entry>& entries, std::vect
         if (heading.role == Role::standard) continue;
         per_cent = per_cent || heading.scale == Scale::per_cent;
         fraction = fraction || heading.scale == Scale::fraction;
+        if (heading.scale == Scale::ppm) return 1e-6;
     }
     double largest = 0;
     for (const Entry& entry : entries) {
@@ -202,9 +203,19 @@ XrdSample standardised(const XrdSample& sample, const Group& group, const Table&
 void warn_of_ignored(const Table& table, Layout layout, std::vector<Finding>& warnings) {
     if (layout == Layout::one_column_a_phase || layout == Layout::one_column_a_sample) return;
     for (const Heading& heading : table.headings)
-        if (heading.role == Role::other && !heading.text.empty())
+        if ((heading.role == Role::other || heading.role == Role::measure) && !heading.text.empty())
             warnings.push_back(
-                {xrd_code, Severity::background, "column " + in_quotes(heading.text) + " is not used"});
+                {xrd_code, Severity::remark, "column " + in_quotes(heading.text) + " is not used"});
+}
+
+/// Fractions of the crystalline part, which add up to 1 whatever rounding or a scale made of them.
+void take_crystalline_part(XrdSample& sample) {
+    double sum = 0;
+    for (const PhaseFraction& phase : sample.analysis.phases) sum += phase.fraction;
+    normalise(sample.analysis.phases, sum);
+    sample.warnings.push_back({xrd_code, Severity::remark,
+                               "the fractions are those of the crystalline part, as the heading states: an "
+                               "amorphous part is not among them"});
 }
 
 bool by_volume(const Table& table) {
@@ -232,6 +243,7 @@ XrdResult read_table(const TextLines& file) {
         XrdSample sample =
             layout == Layout::peaks ? sample_of_peaks(group) : sample_of_fractions(group, scale);
         if (by_volume(table)) sample.analysis.basis = FractionBasis::volume;
+        if (std::ranges::any_of(table.headings, &Heading::of_crystalline)) take_crystalline_part(sample);
         result.samples.push_back(standardised(sample, group, table));
     }
     return result;

@@ -2,6 +2,7 @@
 #include "materials/xrd/table_layout.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/quantities/checks.hpp"
@@ -61,6 +62,33 @@ void split_unit(Heading& heading, std::string_view text) {
         heading.unit = std::string(inside);
         return;
     }
+}
+
+/// Whether the heading of a column beside the phases may be the name of a sample: it has no unit but those of
+/// fractions, and no sign of a quantity.
+bool may_name_sample(const Heading& heading) {
+    if (heading.role == Role::measure) return false;
+    if (heading.role != Role::other) return true;
+    const std::string unit = key_of(heading.unit);
+    const bool known_unit = unit.empty() || holds_per_cent(unit) || heading.scale != Scale::not_stated ||
+                            role_of(unit) == Role::weight || role_of(unit) == Role::volume;
+    constexpr std::array<std::string_view, 13> signs{"%",      "\u221a", "\u00b2", "\u00b3", "^",
+                                                     "\u0394", "\u2206", "\u03c3", "\u00bd", "1/",
+                                                     "\u00b0", "\u00c5", "\u03b8"};
+    return known_unit && std::none_of(signs.begin(), signs.end(), [&](std::string_view sign) {
+               return heading.text.find(sign) != std::string::npos;
+           });
+}
+
+/// Removes "(crystalline)" or "crystalline" behind a quantity. @return whether it was there
+bool take_crystalline(std::string& text) {
+    for (const std::string_view word :
+         {"(crystalline)", "(cryst.)", "(kristallin)", "crystalline", "kristallin"}) {
+        if (text.size() <= word.size() || !lower_case(text).ends_with(word)) continue;
+        text = std::string(trimmed(std::string_view(text).substr(0, text.size() - word.size())));
+        return true;
+    }
+    return false;
 }
 
 constexpr std::string_view heading_help =
@@ -137,13 +165,8 @@ bool is_uncertainty(const Heading& heading) {
 std::optional<PrintedNumber> number_in(const TableRow& row, std::size_t column, const Table& table) {
     const std::string& cell = row.cells[column];
     if (says_no_number(cell)) return std::nullopt;
-    const bool decimal_comma = cell.find('.') == std::string::npos && cell.find(',') != std::string::npos &&
-                               std::count(cell.begin(), cell.end(), ',') <= 2;
-    auto number = read_number(cell, decimal_comma);
-    if (!number)
-        throw InputError("cannot read " + in_quotes(cell),
-                         table.separator == ',' ? "a number with a decimal point" : "a number")
-            .at(at_cell(row.line, column));
+    auto number = at_place(at_cell(row.line, column), [&] { return table.marks.read(cell, column); });
+    if (!number) throw InputError("cannot read " + in_quotes(cell), "a number").at(at_cell(row.line, column));
     const Heading& heading = table.headings[column];
     if (!heading.coverage.problem.empty()) {  // parse_table() has added a warning
         number->standard_uncertainty.reset();
@@ -229,7 +252,12 @@ std::vector<Entry> wide_entries(const Table& table, Role row_role) {
             if (i == label || !is_named) continue;  // a column without a heading is not read
             const bool uncertainty = is_uncertainty_of(table, i, entries);
             const auto number = number_in(row, i, table);
-            if (uncertainty && !entries.empty() && entries.back().line == row.line) {
+            if (uncertainty) {
+                if (entries.empty() || entries.back().line != row.line)
+                    refuse_line(table.heading_line,
+                                "the column " + in_quotes(table.headings[i].written) +
+                                    " holds uncertainties and follows no column of fractions",
+                                "the column of the fractions before it");
                 if (number) entries.back().uncertainty = number->value;
                 continue;
             }
@@ -252,7 +280,9 @@ std::vector<Entry> wide_entries(const Table& table, Role row_role) {
 void refuse_repeated_roles(const Table& table) {
     for (std::size_t i = 0; i < table.headings.size(); ++i) {
         const Role role = table.headings[i].role;
-        if (role == Role::other || role == Role::uncertainty || *table.column(role) == i) continue;
+        if (role == Role::other || role == Role::uncertainty || role == Role::measure ||
+            *table.column(role) == i)
+            continue;
         refuse_line(table.heading_line,
                     "the columns " + in_quotes(table.headings[*table.column(role)].text) + " and " +
                         in_quotes(table.headings[i].text) + " hold the same quantity",
@@ -270,19 +300,24 @@ Heading read_heading(std::string_view text) {
         coverage.rest.resize(coverage.rest.size() - sign.size());
     heading.written = text;
     heading.coverage = coverage;
+    heading.of_crystalline = take_crystalline(coverage.rest);
     split_unit(heading, coverage.rest);
     const std::string key = key_of(heading.text);
     const std::string unit = key_of(heading.unit);
     heading.role = key.empty() ? Role::other : role_of(without_per_cent(key));
-    if (heading.role == Role::weight && unit.starts_with("v")) heading.role = Role::volume;
+    const Role unit_role = unit.empty() ? Role::other : role_of(without_per_cent(unit));
+    if (heading.role == Role::weight && (unit_role == Role::volume || unit_role == Role::measure))
+        heading.role = unit_role;
     // "2 sigma" alone, or behind the name of a phase or sample, is the uncertainty of the column before it.
     if (!coverage.stated.empty() && (heading.text.empty() || heading.role == Role::other))
         heading.role = Role::uncertainty;
     if (holds_per_cent(key) || holds_per_cent(unit)) heading.scale = Scale::per_cent;
+    if (key.ends_with("ppm") || unit.ends_with("ppm")) heading.scale = Scale::ppm;
     if (heading.role == Role::other && heading.text.ends_with('%')) {  // "Quartz wt%": a phase with its unit
         const auto blank = heading.text.find_last_of(' ');
         heading.text.resize(blank == std::string::npos ? heading.text.size() - 1 : blank);
         heading.text = std::string(trimmed(heading.text));
+        if (role_of(key_of(heading.text)) == Role::measure) heading.role = Role::measure;  // "log wt%"
     }
     if (key.ends_with("fraction") && heading.scale == Scale::not_stated) heading.scale = Scale::fraction;
     if (unit == "1" || unit == "gg" || unit == "kgkg" || unit == "m3m3") heading.scale = Scale::fraction;
@@ -298,6 +333,22 @@ bool has_heading(const TextLines& file) {
     return find_heading(lines_with_content(file)).has_value();
 }
 
+namespace {
+
+/// Refuses a title that states volume or mole fractions above a heading that does not. @throws InputError
+void require_unit_of_title(const TextLine& line, const Table& table) {
+    const std::string key = key_of(line.text);
+    const bool by_volume = key.find("vol%") != std::string::npos || key.find("volumen%") != std::string::npos;
+    const bool by_mole = key.find("mol%") != std::string::npos;
+    if (by_mole || (by_volume && !table.has(Role::volume)))
+        refuse_line(line.number,
+                    "the title states fractions by " + std::string(by_mole ? "mole" : "volume") +
+                        ", the heading below it does not",
+                    "\"weight %\" or \"volume %\" in the heading");
+}
+
+}  // namespace
+
 Table parse_table(const TextLines& file) {
     const std::vector<TextLine> lines = lines_with_content(file);
     const auto heading = find_heading(lines);
@@ -309,6 +360,7 @@ Table parse_table(const TextLines& file) {
                 .rows = {},
                 .separator = separator_of(lines[*heading].text)};
     table.headings = headings_of(cut_row(lines[*heading], table.separator));
+    for (std::size_t i = 0; i < *heading; ++i) require_unit_of_title(lines[i], table);
     if (*heading > 0)
         table.warnings.push_back(
             {xrd_code, Severity::background, counted(*heading, "line") + " above the heading not read"});
@@ -317,6 +369,9 @@ Table parse_table(const TextLines& file) {
     for (Finding& each : coverage_findings(xrd_code, coverages)) table.warnings.push_back(std::move(each));
     for (std::size_t i = *heading + 1; i < lines.size(); ++i) {
         table.rows.push_back(checked_row(lines[i], table));
+        for (std::size_t k = 0; k < table.headings.size(); ++k)
+            if (table.headings[k].role != Role::phase && table.headings[k].role != Role::sample)
+                table.marks.see(table.rows.back().cells[k], k);
         if (table.rows.size() * table.headings.size() > most_cells)
             refuse_line(lines[i].number, "the table is too large for an XRD result",
                         std::to_string(most_cells) + " cells or fewer");
@@ -338,7 +393,17 @@ Layout layout_of(const Table& table) {
         refuse_line(line, "there are intensities without reference intensity ratios", "a column rir");
     if (phase && lower_case(table.headings[*table.column(Role::phase)].text) == "name")
         refuse_line(line, "\"name\" may be that of a phase or of a sample", "the heading phase or sample");
-    if (phase && !table.has(Role::sample)) return Layout::one_column_a_sample;
+    if (phase && !table.has(Role::sample)) {
+        const auto other = std::ranges::find_if(table.headings, [](const Heading& heading) {
+            return !heading.text.empty() && !may_name_sample(heading);
+        });
+        if (other != table.headings.end())
+            refuse_line(line,
+                        "the column " + in_quotes(other->written) +
+                            " holds no weight or volume fractions, and is not the name of a sample",
+                        std::string(heading_help));
+        return Layout::one_column_a_sample;
+    }
     if (!phase && table.has(Role::sample)) return Layout::one_column_a_phase;
     refuse_line(line, "no column holds the amounts", std::string(heading_help));
 }

@@ -10,6 +10,7 @@
 
 #include "core/quantities/names.hpp"
 #include "core/quantities/quantity.hpp"
+#include "core/tables/number_marks.hpp"
 #include "core/tables/text_lines.hpp"
 #include "core/tables/vocabulary.hpp"
 
@@ -28,13 +29,14 @@ enum class Role {
     ratio,  ///< reference intensity ratio
     ratio_uncertainty,
     standard,  ///< known weight fraction of an added internal standard
+    measure,   ///< neither a fraction nor the name of a sample: "FWHM", "counts", "Mol-%"
 };
 
 /// What a row of a table of fractions contains.
 enum class RowMeaning { phase, total, crystalline_total };
 
 /// Whether the numbers under a heading are per cent or fractions.
-enum class Scale { not_stated, per_cent, fraction };
+enum class Scale { not_stated, per_cent, fraction, ppm };
 
 /// The parts of a heading: "Weight [wt.%]" is a weight in per cent.
 struct Heading {
@@ -42,8 +44,9 @@ struct Heading {
     std::string unit;  ///< without its brackets; may be empty
     Role role = Role::other;
     Scale scale = Scale::not_stated;
-    std::string written{};      ///< the whole heading as in the file
-    StatedCoverage coverage{};  ///< of the uncertainties under it
+    bool of_crystalline = false;  ///< "wt% (crystalline)": fractions of the crystalline part
+    std::string written{};        ///< the whole heading as in the file
+    StatedCoverage coverage{};    ///< of the uncertainties under it
 };
 
 [[nodiscard]] Heading read_heading(std::string_view text);
@@ -71,6 +74,7 @@ struct Table {
     std::vector<Heading> headings;
     std::vector<TableRow> rows;
     char separator = ',';
+    NumberMarks marks{};  ///< of the numbers in the rows
     std::vector<Finding> warnings{};
 
     /// Index of the first column of a role.
@@ -107,10 +111,10 @@ enum class Layout {
 template <>
 struct ashimpact::Names<ashimpact::xrd::Role> {
     static constexpr std::string_view kind = "column";
-    static constexpr std::array<std::string_view, 11> all{
+    static constexpr std::array<std::string_view, 12> all{
         "other",       "sample",  "phase",     "weight", "volume",
         "uncertainty", "density", "intensity", "ratio",  "ratio_uncertainty",
-        "standard"};
+        "standard",    "measure"};
 };
 
 template <>

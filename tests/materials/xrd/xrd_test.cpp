@@ -244,6 +244,53 @@ TEST_CASE("tables with one column a phase or one column a sample") {
     CHECK(contains(samples.warnings[0].text, "by their size they are fractions"));
 }
 
+TEST_CASE("headings of fractions are read as what they state, and what is no fraction is refused") {
+    const auto of = [](const std::string& heading, const std::string& amounts = "60;40") {
+        const auto half = amounts.find(';');
+        return read_xrd("phase;" + heading + "\nQuartz;" + amounts.substr(0, half) + "\nMullite;" +
+                            amounts.substr(half + 1) + "\n",
+                        "t.csv");
+    };
+    for (const char* heading :
+         {"Volumen-%", "V%", "% v/v", "Vol.-%", "Gehalt [Vol.-%]", "Volumenanteil [%]"}) {
+        CAPTURE(heading);
+        const XrdResult result = of(heading);
+        CHECK(result.samples.front().analysis.basis == FractionBasis::volume);
+        CHECK(digest(result.samples.front()) == "Quartz 6000, Mullite 4000");
+    }
+    for (const char* heading : {"wt%", "Gew.-%", "Massen-%", "Gehalt [wt%]", "w [%]"}) {
+        CAPTURE(heading);
+        CHECK(of(heading).samples.front().analysis.basis == FractionBasis::weight);
+    }
+    CHECK(digest(of("ppm", "600000;400000").samples.front()) == "Quartz 6000, Mullite 4000");
+    const XrdResult crystalline = of("wt% (crystalline)", "59,8;40,1");
+    CHECK(relative_difference(crystalline.samples.front().analysis.phases[0].fraction, 59.8 / 99.9) < 1e-14);
+    CHECK(contains(crystalline.samples.front().warnings.front().text, "the crystalline part"));
+    for (const char* heading : {"Mol-%", "mol%", "at.%", "Gehalt [Mol-%]", "counts", "FWHM", "g", "log wt%",
+                                "d [\u00c5]", "\u0394 wt%", "Stoffmengenanteil"}) {
+        CAPTURE(heading);
+        CHECK(contains(input_error_of([&] { static_cast<void>(of(heading)); }),
+                       "no weight or volume fractions"));
+    }
+    for (const char* heading : {"Rel. Int. [%]", "Fl\u00e4chen-%", "relative intensity"}) {
+        CAPTURE(heading);
+        CHECK(
+            contains(input_error_of([&] { static_cast<void>(of(heading)); }), "reference intensity ratios"));
+    }
+}
+
+TEST_CASE("numbers of an XRD table that may be grouped are refused with both readings") {
+    const auto read = [](const std::string& table) { return read_xrd(table, "t.csv"); };
+    CHECK(contains(
+        input_error_of([&] { static_cast<void>(read("phase;wt%\nQuartz;12,345\nMullite;57,120\n")); }),
+        "\"12,345\" is 12.345 or 12345"));
+    CHECK(digest(read("phase;wt%\nQuartz;12,345\nMullite;57,12\n").samples.front()) ==
+          "Quartz 1235, Mullite 5712");
+    CHECK(contains(input_error_of([&] { static_cast<void>(read("phase,wt%\n#N/A,12\nQuartz,60\n")); }),
+                   "#N/A") == false);
+    CHECK(read("phase,wt%\n#DIV/0!,12\nQuartz,60\n").samples.front().analysis.phases.size() == 2);
+}
+
 TEST_CASE("Table 1 of the paper as a file: by volume, glass by difference from the crystalline total") {
     const XrdResult result = read("volumes.csv");
     REQUIRE(result.samples.size() == 3);
