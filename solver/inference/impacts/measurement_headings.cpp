@@ -7,6 +7,7 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "core/units/units.hpp"
+#include "solver/inference/impacts/measurement.hpp"
 
 namespace ashimpact {
 
@@ -48,6 +49,22 @@ std::optional<Meaning> meaning_of(std::string_view name) {
     return std::nullopt;
 }
 
+/// What is done to the quantity in a heading such as "e²", "√e_n" or "Δe_n"; empty: nothing.
+std::string_view change_in(std::string_view name) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 9> signs{{{"\u00b2", "square"},
+                                                                                  {"\u00b3", "third power"},
+                                                                                  {"^", "power"},
+                                                                                  {"**", "power"},
+                                                                                  {"\u221a", "root"},
+                                                                                  {"\u00bd", "root"},
+                                                                                  {"\u0394", "difference"},
+                                                                                  {"\u2206", "difference"},
+                                                                                  {"\u2202", "difference"}}};
+    for (const auto& [sign, change] : signs)
+        if (name.find(sign) != std::string_view::npos) return change;
+    return {};
+}
+
 struct NameAndUnit {
     std::string_view name;
     std::string_view unit;
@@ -63,6 +80,16 @@ NameAndUnit split(std::string_view cell) {
         if (pair == "[]" || meaning_of(name) || is_uncertainty_word(name))
             return {name, trimmed(cell.substr(open + 1, cell.size() - open - 2))};
     }
+    // "e_n/%" and "v_r/(m/s)": a quantity over its unit.
+    if (const auto slash = cell.find('/');
+        slash != std::string_view::npos && meaning_of(cell.substr(0, slash))) {
+        std::string_view unit = trimmed(cell.substr(slash + 1));
+        if (unit.starts_with('(') && unit.ends_with(')')) unit = unit.substr(1, unit.size() - 2);
+        if (read_unit(ascii_unit(unit))) return {trimmed(cell.substr(0, slash)), unit};
+    }
+    if (const auto in = cell.rfind(" in "); in != std::string_view::npos && meaning_of(cell.substr(0, in)))
+        if (const std::string_view unit = trimmed(cell.substr(in + 4)); read_unit(ascii_unit(unit)))
+            return {trimmed(cell.substr(0, in)), unit};
     return {cell, {}};
 }
 
@@ -134,7 +161,9 @@ bool take_other(MeasurementHeading& heading, std::string_view name, std::size_t 
 
 double factor_of(std::string_view unit, MeasuredQuantity quantity) {
     const bool is_ratio = quantity == MeasuredQuantity::restitution;
-    return unit.empty() ? 1.0 : to_si(1.0, unit, is_ratio ? Dimension::fraction : Dimension::velocity);
+    return unit.empty() || (is_ratio && unit == "-")
+               ? 1.0
+               : to_si(1.0, unit, is_ratio ? Dimension::fraction : Dimension::velocity);
 }
 
 /// Enters a column of values or uncertainties.
@@ -166,6 +195,10 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
             heading.unused.push_back({position, cell});
         return;
     }
+    if (const std::string_view change = change_in(name); !change.empty())
+        throw InputError(
+            "column " + in_quotes(cell) + " holds " + with_article(change) + ", not the quantity",
+            "v_in, v_r or e_n and their standard uncertainties; another name for what is not read");
     heading.coverages.emplace_back(cell, coverage);
     if (meaning->is_uncertainty && !coverage.problem.empty()) return;
     const bool named = meaning_of(name).has_value();
@@ -173,6 +206,7 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
     MeasuredColumn column{{position, named ? std::string(name) : cell},
                           factor_of(unit, meaning->quantity),
                           !unit.empty() || meaning->quantity == MeasuredQuantity::restitution,
+                          meaning->quantity == MeasuredQuantity::restitution,
                           coverage.problem.empty() ? coverage.factor : 0};
     if (unit.empty() && !named && meaning->is_uncertainty && value) {
         column.to_si = value->to_si;
@@ -206,6 +240,11 @@ bool announces_remarks(std::string_view heading) {
     std::string_view text = trimmed(heading);
     while (!text.empty() && std::ispunct(static_cast<unsigned char>(text.back())) != 0) text.remove_suffix(1);
     return words.holds(text);
+}
+
+bool is_summary(std::string_view cell) {
+    static const WordLists words("summary rows");
+    return words.holds(trimmed(cell));
 }
 
 bool names_incident_velocity(const std::vector<std::string>& cells) {

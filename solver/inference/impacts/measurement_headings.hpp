@@ -52,6 +52,7 @@ struct TextColumn {
 struct MeasuredColumn : TextColumn {
     double to_si;  ///< factor
     bool unit_given;
+    bool is_fraction;  ///< cells may be in per cent
     double coverage;  ///< its uncertainties over standard ones; 0: they cannot be read
 };
 
@@ -79,6 +80,9 @@ struct MeasurementHeading {
         return uncertainty[static_cast<std::size_t>(quantity)];
     }
 };
+
+/// Whether a cell names a row that sums up others: "Mittel", "mean", "SD", "Total".
+[[nodiscard]] bool is_summary(std::string_view cell);
 
 /// Whether a line may be the heading: one of its cells names the incident velocity.
 [[nodiscard]] bool names_incident_velocity(const std::vector<std::string>& cells);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "core/quantities/quantity.hpp"
+#include "core/tables/number_marks.hpp"
 #include "core/tables/text_lines.hpp"
 #include "core/tables/workbook/workbook.hpp"
 #include "core/text/error.hpp"
@@ -24,8 +26,20 @@ struct Entry {
 /// Reads cells of one table.
 class TableCells {
   public:
-    TableCells(const MeasurementHeading& heading, bool decimal_comma)
-        : heading_(heading), decimal_comma_(decimal_comma) {}
+    /// @param lines of the table below its heading
+    TableCells(const MeasurementHeading& heading, std::span<const TextLine> lines, char separator)
+        : heading_(heading) {
+        std::vector<std::size_t> columns;
+        for (const auto* all : {&heading.value, &heading.uncertainty})
+            for (const auto& column : *all)
+                if (column) columns.push_back(column->position);
+        if (heading.correlation) columns.push_back(*heading.correlation);
+        for (const TextLine& line : lines) {
+            const TableRow row = cut_row(line, separator);
+            for (const std::size_t column : columns)
+                if (column < row.cells.size()) marks_.see(row.cells[column], column);
+        }
+    }
 
     [[nodiscard]] Entry entry(const TableRow& row, MeasuredQuantity quantity) const {
         const MeasuredColumn& column = *heading_.of(quantity);
@@ -49,7 +63,7 @@ class TableCells {
     }
 
     [[nodiscard]] double number(const TableRow& row, std::size_t position, const std::string& name) const {
-        const auto number = read_number(row.cells[position], decimal_comma_);
+        const auto number = number_in(row, position);
         if (!number) fail({position, name}, row, "is not a number", "a finite number");
         return number->value;
     }
@@ -63,10 +77,13 @@ class TableCells {
             .at(at_cell(row.line, column.position));
     }
 
+    [[nodiscard]] std::optional<PrintedNumber> number_in(const TableRow& row, std::size_t column) const {
+        return at_place(at_cell(row.line, column), [&] { return marks_.read(row.cells[column], column); });
+    }
     [[nodiscard]] Entry read(const TableRow& row, const MeasuredColumn& column) const {
-        const auto number = read_number(row.cells[column.position], decimal_comma_);
+        const auto number = number_in(row, column.position);
         if (!number) fail(column, row, "is not a number", "a finite number; 0 for a capture");
-        if (number->per_cent && column.to_si != 1.0 && column.to_si != 0.01)
+        if (number->per_cent && !column.is_fraction)
             fail(column, row, "is in per cent", "the unit of the heading");
         const double factor = number->per_cent ? 0.01 : column.to_si;
         Entry entry{number->value * factor, std::nullopt};
@@ -76,7 +93,7 @@ class TableCells {
     }
 
     const MeasurementHeading& heading_;
-    bool decimal_comma_;
+    NumberMarks marks_{};
 };
 
 void require_cells(const MeasurementHeading& heading, TableRow& row) {
@@ -310,6 +327,19 @@ std::size_t heading_place(const std::vector<TextLine>& lines) {
     return 0;
 }
 
+/// Refuses a title with another unit of velocity above columns without one. @throws InputError
+void require_unit_of_title(const TextLine& title, const MeasurementHeading& heading) {
+    const bool all_given = std::ranges::all_of(
+        heading.value,
+        [](const std::optional<MeasuredColumn>& column) { return !column || column->unit_given; });
+    if (all_given) return;
+    for (const std::string_view unit : {"mm/s", "cm/s", "um/s", "\u00b5m/s", "km/h", "ft/s"})
+        if (title.text.find(unit) != std::string_view::npos)
+            throw InputError("the title states " + std::string(unit) + ", the heading no unit, which is m/s",
+                             "the unit in the heading, \"v_in [" + std::string(unit) + "]\"")
+                .at(at_line(title.number));
+}
+
 MeasurementSet read_table(const TextLines& file, std::string_view name) {
     const auto lines = lines_with_content(file);
     if (lines.empty()) throw InputError("the file holds no table", "a heading and one line an impact");
@@ -318,7 +348,8 @@ MeasurementSet read_table(const TextLines& file, std::string_view name) {
     const MeasurementHeading heading = at_place(at_line(lines[place].number), [&] {
         return read_measurement_heading(cut_row(lines[place], separator).cells);
     });
-    const TableCells cells(heading, separator != ',');
+    for (std::size_t i = 0; i < place; ++i) require_unit_of_title(lines[i], heading);
+    const TableCells cells(heading, std::span(lines).subspan(place + 1), separator);
     MeasurementSet set{.source = std::string(name), .points = {}, .warnings = warnings_of(heading)};
     if (place > 0)
         set.warnings.push_back(
@@ -328,6 +359,15 @@ MeasurementSet read_table(const TextLines& file, std::string_view name) {
         TableRow row = cut_row(lines[i], separator);
         at_place(at_line(row.line), [&] {
             require_cells(heading, row);
+            const auto summary = std::ranges::find_if(heading.unused, [&](const TextColumn& column) {
+                return is_summary(row.cells[column.position]);
+            });
+            if (summary != heading.unused.end()) {
+                set.warnings.push_back({impacts_code, Severity::remark,
+                                        "line " + std::to_string(row.line) + " is no impact and left out: " +
+                                            in_quotes(row.cells[summary->position])});
+                return;
+            }
             const OutcomeWord remark = remarked_outcome(heading, row);
             if (auto point = measurement_of(heading, cells, row, remark)) {
                 if (remark_counts(heading, row, remark, *point)) unread.take_remarked(row);

@@ -235,11 +235,11 @@ async function slips(browser) {
     await page.getByText('Read: 4 rebounds, 1 that stayed').waitFor();  // before there is a diameter
     await dropAndTell([table('ash.csv', 'Phase,wt%\nQuartz,60\nMullite,40\n')], 'nothing says how much of the sample is amorphous');
     assert.ok(await isGuarded(), 'what was dropped is not lost without a question');
-    for (const [name, text] of [['three.csv', 'v1;v2\n1;0,5\n2;0,6\n'], ['four.csv', impacts], ['five.zip', 'PK\u0003\u0004']]) {
+    for (const [name, text] of [['three.csv', 'c1;c2\n1;0,5\n2;0,6\n'], ['four.csv', impacts], ['five.zip', 'PK\u0003\u0004']]) {
         await dropAndTell([table(name, text)], name.endsWith('zip') ? `${name}: cannot be unpacked` : `${name} is neither`);
         assert.ok(await page.getByText('XRD result: ash.csv').isVisible(), `${name} displaces nothing`);
     }
-    await dropAndTell([table('three.csv', 'v1;v2\n1;0,5\n')], 'three.csv is neither');
+    await dropAndTell([table('three.csv', 'c1;c2\n1;0,5\n')], 'three.csv is neither');
     await page.getByRole('button', { name: 'Take three.csv as the measured impacts' }).click();
     await page.getByText('Measured impacts: three.csv').waitFor();
     await undo('take three.csv');

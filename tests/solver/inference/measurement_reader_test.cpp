@@ -190,6 +190,42 @@ TEST_CASE("the usual headings of impacts are known, in English, German and Frenc
 
 using namespace ashimpact::test;
 
+TEST_CASE("a heading of a square, a root or a difference is not the quantity") {
+    for (const char* heading : {"e\u00b2", "COR^2", "\u221ae_n", "\u0394e_n", "v_r\u00b2", "v_r**2"}) {
+        CAPTURE(heading);
+        const std::string table = std::string("v_in [m/s];") + heading + "\n2;0,5\n";
+        CHECK_THROWS_AS(static_cast<void>(read_measurements(table, "t.csv")), InputError);
+    }
+    CHECK(contains(
+        input_error_of([] { static_cast<void>(read_measurements("v_in;\u221ae_n\n2;0,5\n", "t.csv")); }),
+        "column \"\u221ae_n\" holds a root, not the quantity"));
+    const MeasurementSet set = read_measurements("v_in;v_r;u\u00b2(v_in)\n2;0,5;0,1\n", "t.csv");
+    CHECK_FALSE(set.has_noise());
+    CHECK(contains(warnings_of(set), "\"u\u00b2(v_in)\" is not used"));
+}
+
+TEST_CASE("a quantity over its unit, and velocities before and after") {
+    const MeasurementSet ratio = read_measurements("v vor/(mm/s);e_n/%\n2000;50,5\n", "t.csv");
+    CHECK(ratio.points.front().velocity == 2.0);
+    CHECK(ratio.points.front().rebound == doctest::Approx(1.01));
+    CHECK(read_measurements("v1 [m/s];v2 [m/s]\n2;0,5\n", "t.csv").points.front().rebound == 0.5);
+    CHECK(read_measurements("v vor [m/s];v nach [m/s]\n2;0,5\n", "t.csv").points.front().rebound == 0.5);
+    for (const char* cell : {"57 %", "57%"}) {
+        const std::string table = std::string("v_in [m/s];v_r [m/s]\n2;") + cell + "\n";
+        CHECK(contains(input_error_of([&] { static_cast<void>(read_measurements(table, "t.csv")); }),
+                       "is in per cent"));
+    }
+}
+
+TEST_CASE("velocities that may be grouped are refused, unless another number of the table decides") {
+    const auto first = [](const std::string& rows) {
+        return read_measurements("v_in [mm/s];v_r [mm/s]\n" + rows, "t.csv").points.front().velocity;
+    };
+    CHECK_THROWS_AS(static_cast<void>(first("1,234;567\n2,345;600\n")), InputError);
+    CHECK(first("1.234;567,5\n2.345;600\n") == 1.234);
+    CHECK(first("1,234;0,567\n") == doctest::Approx(1.234e-3));
+}
+
 TEST_CASE("a contact model is the solver's impact: its restitution and contact time at the model's damping") {
     for (const Law law : fitted_laws) {
         const ContactModel model = ash_model(law);
