@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <tuple>
+#include <utility>
+#include <vector>
+
 #include "pipeline/run/curves/model_curve.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/damping/damping.hpp"
@@ -63,9 +68,13 @@ std::vector<History> histories_of(const Case& data, const LawChoice& choice, con
     }
     const DampingSeries* series = in.dampings.find(choice.law);
     if (series != nullptr && !series->velocity.empty()) {
-        const std::size_t middle = series->velocity.size() / 2;
-        impact.damping.coefficient = series->damping[middle];
-        impact.velocity = series->velocity[middle];
+        // The impact of median velocity, whatever the order of the file.
+        std::vector<std::pair<double, double>> impacts;
+        for (std::size_t i = 0; i < series->velocity.size(); ++i)
+            impacts.emplace_back(series->velocity[i], series->damping[i]);
+        const auto middle = impacts.begin() + std::ssize(impacts) / 2;
+        std::nth_element(impacts.begin(), middle, impacts.end());
+        std::tie(impact.velocity, impact.damping.coefficient) = *middle;
         histories.push_back(history_of(HistoryPart::rising, impact, data.histories.points));
     }
     return histories;
