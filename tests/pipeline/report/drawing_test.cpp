@@ -153,6 +153,9 @@ TEST_CASE("CSV quotes what would break it") {
     const NumberTable table{.columns = {"a", "b [m/s]"},
                             .rows = {{std::string("x, \"y\""), 0.1}, {std::string("z"), NAN}}};
     CHECK(csv_of(table) == "a,b [m/s]\n\"x, \"\"y\"\"\",0.1\nz,\n");
+    for (const char* name : {"=1+1", "+1", "-1", "@a"})
+        CHECK(csv_of({.columns = {"a"}, .rows = {{Cell(std::string(name))}, {Cell(-0.5)}}}) ==
+              "a\n'" + std::string(name) + "\n-0.5\n");
 }
 
 }  // namespace ashimpact::report

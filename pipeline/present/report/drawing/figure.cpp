@@ -105,7 +105,10 @@ std::string cell_text(const Cell& cell) {
     return std::get<std::string>(cell);
 }
 
-std::string csv_cell(const std::string& text) {
+/// A cell of a CSV file. A name such as "=1+1" gets an apostrophe in front, or spreadsheets would compute it.
+std::string csv_cell(const Cell& cell) {
+    std::string text = cell_text(cell);
+    if (std::holds_alternative<std::string>(cell) && text.find_first_of("=+-@\t\r") == 0) text.insert(0, "'");
     if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
     std::string quoted = "\"";
     for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -247,7 +250,7 @@ bool is_own_svg(std::string_view svg) {
 std::string csv_of(const NumberTable& table) {
     std::string text;
     const auto add = [&](const auto& row) {
-        for (const auto& cell : row) text += csv_cell(cell_text(cell)) + ",";
+        for (const auto& cell : row) text += csv_cell(cell) + ",";
         text.back() = '\n';
     };
     add(table.columns);
