@@ -141,10 +141,15 @@ ExportSubject subject_of(const CommandOptions& options) {
                            .follow_velocity = options.has("--follow-velocity")});
 }
 
-/// Refuses to write over files that no export left there.
-void require_free(const std::filesystem::path& folder, const ExportFolder& files) {
+/// Refuses to write over files that no export left there, and among those for another code.
+void require_free(const std::filesystem::path& folder, const ExportFolder& files, std::string_view code) {
     require_writable_folder(folder);
-    if (std::filesystem::exists(folder / mark_of_export)) return;
+    if (const auto mark = folder / mark_of_export; std::filesystem::exists(mark)) {
+        const Json earlier = Json::parse(read_file(mark), nullptr, false);
+        if (earlier.is_object() && earlier.value("code", code) == code) return;
+        throw InputError("is of an export for another code", "an empty folder; -o")
+            .at(FileName{mark.string()});
+    }
     for (const ExportFile& file : files)
         if (std::filesystem::exists(folder / file.name))
             throw InputError("is there already, and not from an export", "an empty folder; -o")
@@ -159,7 +164,7 @@ void run_export_command(const CommandOptions& options, const TableImage& image, 
     read_ranges(options, subject);
     const ExportFolder files = code.folder(subject, image);
     const std::filesystem::path folder(options["--output"]);
-    require_free(folder, files);
+    require_free(folder, files, code.name);
     std::vector<FileContent> contents;
     contents.reserve(files.size());
     for (const ExportFile& file : files) contents.push_back({folder / file.name, file.content});

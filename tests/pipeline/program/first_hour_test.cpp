@@ -379,4 +379,11 @@ TEST_CASE("no output of the other commands is wider than 80 columns" * doctest::
         sandbox,
         "export table --law dmt --damping '0.005 kg/s' --contact-modulus '90 GPa' "
         "--work-of-adhesion '0.3 J/m2' --density '2300 kg/m3' --diameter '88 um' --velocity '2 m/s' -o t");
+    // Files of two codes do not mix in a folder.
+    const std::string before = sandbox.read("t/expected.json");
+    check_refused(sandbox,
+                  std::string("export lammps --law dmt --damping '0.005 kg/s' --velocity '2 m/s' -o t") +
+                      particle_and_wall,
+                  "t/expected.json: is of an export for another code");
+    CHECK(sandbox.read("t/expected.json") == before);
 }
