@@ -16,6 +16,7 @@
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/text/layout.hpp"
+#include "pipeline/run/stage.hpp"
 
 namespace ashimpact {
 
