@@ -151,9 +151,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
 }
 
 std::string remedy_for_commas(std::string_view text) {
-    const auto digit_at = [&](std::size_t at) {
-        return at < text.size() && is_digit(text[at]);
-    };
+    const auto digit_at = [&](std::size_t at) { return at < text.size() && is_digit(text[at]); };
     std::string with_point;
     std::string without_groups;
     for (std::size_t at = 0; at < text.size();) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "materials/composition.hpp"
+
 #include <array>
 #include <cmath>
 #include <random>
@@ -7,7 +9,6 @@
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
-#include "materials/composition.hpp"
 #include "materials/mixture_rules.hpp"
 #include "tests/materials/catalogue.hpp"
 #include "tests/support/checks.hpp"

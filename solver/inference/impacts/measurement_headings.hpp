@@ -53,7 +53,7 @@ struct MeasuredColumn : TextColumn {
     double to_si;  ///< factor
     bool unit_given;
     bool is_fraction;  ///< cells may be in per cent
-    double coverage;  ///< its uncertainties over standard ones; 0: they cannot be read
+    double coverage;   ///< its uncertainties over standard ones; 0: they cannot be read
 };
 
 /// The columns of a heading.
