@@ -66,6 +66,8 @@ std::size_t digits_from(std::string_view text, std::size_t at) {
 /// Removes blanks and apostrophes that group digits: "1 234" and "1'234" are 1234.
 std::string without_blanks_in_numbers(std::string_view cell) {
     std::string text(cell);
+    const bool is_plain = std::ranges::all_of(text, [](char c) { return c > ' ' && c < 0x7f && c != '\''; });
+    if (is_plain) return text;
     for (const auto& [mark, plain] :
          {std::pair{"\u00a0", " "}, std::pair{"\u202f", " "}, std::pair{"\u2009", " "},
           std::pair{"\u2019", "'"}, std::pair{"\u2212", "-"}})
