@@ -78,7 +78,11 @@ class TableCells {
     }
 
     [[nodiscard]] std::optional<PrintedNumber> number_in(const TableRow& row, std::size_t column) const {
-        return at_place(at_cell(row.line, column), [&] { return marks_.read(row.cells[column], column); });
+        try {
+            return marks_.read(row.cells[column], column);
+        } catch (const InputError& error) {
+            throw error.at(at_cell(row.line, column));
+        }
     }
     [[nodiscard]] Entry read(const TableRow& row, const MeasuredColumn& column) const {
         const auto number = number_in(row, column.position);
@@ -340,6 +344,19 @@ void require_unit_of_title(const TextLine& title, const MeasurementHeading& head
                 .at(at_line(title.number));
 }
 
+/// The word that makes a row a summary of others, "Mittel", in a column that holds no quantity; empty if
+/// there is none. Words as short as "n" or "SD" count @p in_footer alone, in the first column.
+std::string summary_in(const MeasurementHeading& heading, const TableRow& row, bool in_footer) {
+    constexpr std::size_t longest_short_word = 3;
+    for (const TextColumn& column : heading.unused) {
+        if (column.position >= row.cells.size()) continue;
+        const std::string& cell = row.cells[column.position];
+        const bool counts = cell.size() > longest_short_word || (in_footer && column.position == 0);
+        if (counts && !cell.empty() && !is_digit(cell.front()) && is_summary(cell)) return cell;
+    }
+    return {};
+}
+
 MeasurementSet read_table(const TextLines& file, std::string_view name) {
     const auto lines = lines_with_content(file);
     if (lines.empty()) throw InputError("the file holds no table", "a heading and one line an impact");
@@ -355,17 +372,18 @@ MeasurementSet read_table(const TextLines& file, std::string_view name) {
         set.warnings.push_back(
             {impacts_code, Severity::background, counted(place, "line") + " above the heading not read"});
     Unread unread(heading);
+    std::size_t footer = lines.size();
+    while (footer > place + 1 && !summary_in(heading, cut_row(lines[footer - 1], separator), true).empty())
+        --footer;
+    if (footer == place + 1) footer = lines.size();  // such words are then the names of all rows
     for (std::size_t i = place + 1; i < lines.size(); ++i) {
         TableRow row = cut_row(lines[i], separator);
         at_place(at_line(row.line), [&] {
             require_cells(heading, row);
-            const auto summary = std::ranges::find_if(heading.unused, [&](const TextColumn& column) {
-                return is_summary(row.cells[column.position]);
-            });
-            if (summary != heading.unused.end()) {
+            if (const std::string summary = summary_in(heading, row, i >= footer); !summary.empty()) {
                 set.warnings.push_back({impacts_code, Severity::remark,
-                                        "line " + std::to_string(row.line) + " is no impact and left out: " +
-                                            in_quotes(row.cells[summary->position])});
+                                        "line " + std::to_string(row.line) +
+                                            " is no impact and left out: " + in_quotes(summary)});
                 return;
             }
             const OutcomeWord remark = remarked_outcome(heading, row);

@@ -217,6 +217,19 @@ TEST_CASE("a quantity over its unit, and velocities before and after") {
     }
 }
 
+TEST_CASE("rows that sum up others are left out with a remark, and no row of a single impact is") {
+    const auto of = [](const std::string& rows) {
+        return read_measurements("Nr.;v_in [m/s];v_r [m/s];side\n" + rows, "t.csv");
+    };
+    const MeasurementSet set = of("1;1,5;0,5;n\n2;2,5;0,9;s\nMittel;2,0;0,7;\ns;0,7;0,3;\n");
+    CHECK(set.points.size() == 2);
+    CHECK(contains(warnings_of(set), "line 4 is no impact and left out: \"Mittel\""));
+    CHECK(contains(warnings_of(set), "line 5 is no impact and left out: \"s\""));
+    CHECK(of("1;1,5;0,5;n\n2;2,5;0,9;n\n").points.size() == 2);
+    CHECK(of("n;1,5;0,5;1\ns;2,5;0,9;2\n").points.size() == 2);
+    CHECK(of("s;1,5;0,5;1\n2;2,5;0,9;2\n").points.size() == 2);
+}
+
 TEST_CASE("velocities that may be grouped are refused, unless another number of the table decides") {
     const auto first = [](const std::string& rows) {
         return read_measurements("v_in [mm/s];v_r [mm/s]\n" + rows, "t.csv").points.front().velocity;
