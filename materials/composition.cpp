@@ -139,7 +139,7 @@ class Closing {
 
     void close(const AmorphousNotStated&) const {
         if (!amorphous_listed_)
-            throw InputError("nothing says how much of the sample is amorphous", how_to_state_);
+            throw InputError("the amorphous fraction of the sample is not stated", how_to_state_);
         require_sum(1, "as the amorphous part is listed");
     }
 

@@ -56,7 +56,7 @@ struct MomentumBalance {
     [[nodiscard]] double mean_force_ratio() const { return rebound.mean_force / approach.mean_force; }
 };
 
-/// What the balance says of (40), (44) and (45), in words with the numbers of both sides.
+/// Both sides of (40), (44) and (45), as text.
 [[nodiscard]] std::string verdict_of(const MomentumBalance& balance);
 
 /// The balance of an impact that rebounds: forces integrated over the solver's own dense output by

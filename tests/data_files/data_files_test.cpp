@@ -172,7 +172,7 @@ TEST_CASE("every file that states the version states that of the program") {
     CHECK((newest == "Unreleased" || newest == version));
 }
 
-TEST_CASE("the revision is a commit, or says that it is unknown") {
+TEST_CASE("the revision is a commit or the word unknown") {
     std::string_view revision = ashimpact::program_revision();
     CAPTURE(revision);
     if (revision == "unknown") return;

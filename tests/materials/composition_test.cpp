@@ -88,7 +88,7 @@ TEST_CASE("weight to volume to weight comes back to 1e-14") {
 
 TEST_CASE("the amorphous part is never assumed") {
     const std::string line = refused({.phases = crystalline});
-    CHECK(contains(line, "nothing says how much of the sample is amorphous"));
+    CHECK(contains(line, "the amorphous fraction of the sample is not stated"));
     CHECK(contains(line,
                    "allowed: the amorphous weight fraction, the crystalline total, an internal standard"));
 }

@@ -382,7 +382,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("Brach-Dunn attracts two to three times as much as JKR, as the text says of the figure") {
+TEST_CASE("Brach-Dunn attracts two to three times as much as JKR, as stated below the figure") {
     const auto ratio = [](double overlap) {
         const auto attraction = [&](Law law) {
             return StaticCurve::normalised(law).at_overlap(overlap).attractive_force;

@@ -168,7 +168,7 @@ async function asPeopleWrite(browser) {
     await paste('Velocity, row 1', 'v_ein [m/s]\tv_aus [m/s]\n0,9\thaftet\n1,4\t0,2\n2,1\t0,5\n2,6\t0,8\n3,3\t1,2', 'Measured impacts: impacts-pasted-1.csv');
     assert.equal(await wrongTold(page), '');
     await paste('Phase, row 1', 'Phase\tGew.-%\nMullit\t31,4\nQuarz\t58,6\nHämatit\t10,0', 'XRD result: ash-pasted-1.csv');
-    assert.match(await page.locator('.field:has-text("Amorphous (glass)") .wrong').textContent(), /nothing says how much/, 'glass is asked for');
+    assert.match(await page.locator('.field:has-text("Amorphous (glass)") .wrong').textContent(), /amorphous fraction of the sample is not stated/, 'glass is asked for');
     await field('Amorphous (glass)').selectOption('fraction');
     await field('Amorphous fraction').fill('40');
     await settled(page);
@@ -233,7 +233,7 @@ async function slips(browser) {
     await dropAndTell([table('one.csv', `v_in,v_r\n${impacts}`), table('two.csv', `v_in,v_r\n${impacts}`)], 'two.csv is taken as the measured impacts of sample 1, in place of one.csv');
     assert.equal(await unit.inputValue(), 'mm', 'the unit of an empty field stays');
     await page.getByText('Read: 4 rebounds, 1 that stayed').waitFor();  // before there is a diameter
-    await dropAndTell([table('ash.csv', 'Phase,wt%\nQuartz,60\nMullite,40\n')], 'nothing says how much of the sample is amorphous');
+    await dropAndTell([table('ash.csv', 'Phase,wt%\nQuartz,60\nMullite,40\n')], 'the amorphous fraction of the sample is not stated');
     assert.ok(await isGuarded(), 'what was dropped is not lost without a question');
     for (const [name, text] of [['three.csv', 'c1;c2\n1;0,5\n2;0,6\n'], ['four.csv', impacts], ['five.zip', 'PK\u0003\u0004']]) {
         await dropAndTell([table(name, text)], name.endsWith('zip') ? `${name}: cannot be unpacked` : `${name} is neither`);

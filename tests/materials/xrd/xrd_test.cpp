@@ -87,7 +87,7 @@ TEST_CASE("a complete BGMN list of six phases") {
     CHECK(relative_difference(*sample.analysis.phases[1].density, 3166) < 1e-14);
     CHECK(std::holds_alternative<AmorphousNotStated>(sample.analysis.amorphous));
     CHECK(contains(input_error_of([&] { return compose(sample.analysis, shipped_catalogue()); }),
-                   "nothing says how much"));
+                   "amorphous fraction of the sample is not stated"));
 }
 
 TEST_CASE("goals of a BGMN list that could not be computed are reported, with a block or without") {

@@ -138,7 +138,7 @@ TEST_CASE("a limit on the size of files is an error of the write and leaves noth
     for (const auto& file : sandbox.everything()) CHECK_MESSAGE(file.first == "out", file.first);
 }
 
-TEST_CASE("without ashimpact-sweep beside it the program says what is missing") {
+TEST_CASE("without ashimpact-sweep beside it the error names what is missing") {
     const Sandbox sandbox;
     std::filesystem::copy_file(ASHIMPACT_PROGRAM, sandbox.path("alone"));
     const Sandbox outputs;

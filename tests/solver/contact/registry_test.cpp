@@ -205,7 +205,7 @@ TEST_CASE("a damping out of range is named in the unit of its law") {
           "damping is -3 Pa s; allowed: a non-negative viscosity [Pa s]");
 }
 
-TEST_CASE("values of parameters are found by name; a default stands for one that is not given") {
+TEST_CASE("values of parameters are found by name; a missing one has its default") {
     ParameterValues<double> values{{"cohesion_energy_density", 3.0}};
     CHECK(values.has(cohesion_energy_density));
     CHECK(values[cohesion_energy_density] == 3.0);
