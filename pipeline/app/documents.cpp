@@ -29,6 +29,8 @@
 #include "pipeline/present/report/sweep/sweep_page.hpp"
 #include "pipeline/present/text/layout.hpp"
 #include "pipeline/present/text/result_text.hpp"
+#include "solver/contact/law.hpp"
+#include "solver/damping/damping.hpp"
 
 namespace ashimpact {
 
@@ -162,6 +164,36 @@ void run_phases_command(const CommandOptions& options, std::ostream& out) {
         << "Phases of your own: `modulus --phases FILE`, or \"phases\" in a case.\n";
 }
 
+void run_laws_command(const CommandOptions& options, std::ostream& out) {
+    TextList contacts;
+    TextList dampings;
+    Json json{{"laws", Json::array()}, {"damping_laws", Json::array()}};
+    for (std::size_t i = 0; i < Law::count(); ++i) {
+        const Law law = Law::at(i);
+        contacts.add(std::string(law.name()), std::string(law.summary()));
+        Json parameters = Json::array();
+        for (const LawParameter& parameter : law.parameters()) parameters.push_back(parameter.name);
+        json["laws"].push_back({{"name", law.name()},
+                                {"summary", law.summary()},
+                                {"uses_work_of_adhesion", law.uses_work_of_adhesion()},
+                                {"parameters", parameters},
+                                {"default_detachment", name_of(law.default_detachment())},
+                                {"page", law.page()}});
+    }
+    for (const DampingLaw law : all_values<DampingLaw>) {
+        dampings.add(std::string(name_of(law)), std::string(summary_of(law)));
+        json["damping_laws"].push_back(
+            {{"name", name_of(law)}, {"summary", summary_of(law)}, {"unit", unit_of(law)}});
+    }
+    if (options.has("--json"))
+        out << write_json(json);
+    else
+        out << "Contact laws (--law):\n"
+            << contacts.text() << "\nDamping laws (--damping-law):\n"
+            << dampings.text() << "\nEach contact law has a page, such as " << Law::at(0).page()
+            << "; their options: " << program_word() << " help impact\n";
+}
+
 /// A run from its folder.
 report::RunData loaded(const std::filesystem::path& folder, const std::string& label) {
     if (!std::filesystem::is_directory(folder))
@@ -290,6 +322,9 @@ void add_document_commands(const CommandLine& line) {
     Command phases = line.add("phases", "The phase catalogue, or one phase with its sources",
                               "ashimpact phases mullite", run_phases_command);
     phases.add("name", "NAME", "of a phase, under any of its names; without it, all phases");
+
+    line.add("laws", "The contact and damping laws, one line each", "ashimpact laws", run_laws_command)
+        .add_json_flag();
 
     Command schema = line.add("schema", "The JSON Schema of a case or an artifact", "ashimpact schema case",
                               run_schema_command);

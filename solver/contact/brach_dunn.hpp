@@ -12,6 +12,8 @@ namespace ashimpact {
 template <class Real>
 struct BrachDunn : Hertz<Real> {
     static constexpr std::string_view name = "brach-dunn";
+    static constexpr std::string_view summary =
+        "attraction along the rim of the contact: a fit, not a theory";
     static constexpr bool uses_work_of_adhesion = true;
 
     [[nodiscard]] static Trust trust(double /*tabor*/, bool /*yields*/) { return Trust::empirical; }

@@ -13,6 +13,8 @@ namespace ashimpact {
 template <class Real>
 struct Dmt : Hertz<Real> {
     static constexpr std::string_view name = "dmt";
+    static constexpr std::string_view summary =
+        "hard, small particles; the attraction acts around the contact";
     static constexpr bool uses_work_of_adhesion = true;
     static constexpr AdhesionRegime limit = AdhesionRegime::dmt;
 

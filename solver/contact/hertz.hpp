@@ -19,6 +19,7 @@ namespace ashimpact {
 template <class Real>
 struct Hertz {
     static constexpr std::string_view name = "hertz";
+    static constexpr std::string_view summary = "elastic, without adhesion";
     static constexpr Detachment default_detachment = Detachment::zero_overlap;
     static constexpr bool uses_work_of_adhesion = false;
 

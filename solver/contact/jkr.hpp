@@ -20,6 +20,8 @@ namespace ashimpact {
 template <class Real>
 struct Jkr {
     static constexpr std::string_view name = "jkr";
+    static constexpr std::string_view summary =
+        "soft, large particles; the attraction acts within the contact";
     static constexpr Detachment default_detachment = Detachment::pull_off;
     static constexpr bool uses_work_of_adhesion = true;
     static constexpr AdhesionRegime limit = AdhesionRegime::jkr;

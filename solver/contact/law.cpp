@@ -37,6 +37,10 @@ std::string_view Law::name() const {
     });
 }
 
+std::string_view Law::summary() const {
+    return visit<std::string_view>([]<template <class> class L>() { return L<double>::summary; });
+}
+
 std::string Law::page() const {
     return "docs/laws/" + std::string(name()) + ".md";
 }

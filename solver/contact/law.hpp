@@ -79,6 +79,8 @@ class Law {
 
     [[nodiscard]] constexpr std::size_t index() const { return index_; }
     [[nodiscard]] std::string_view name() const;
+    /// What the law describes, in some words.
+    [[nodiscard]] std::string_view summary() const;
     /// Page of the documentation, "docs/laws/dmt.md".
     [[nodiscard]] std::string page() const;
     [[nodiscard]] Detachment default_detachment() const;

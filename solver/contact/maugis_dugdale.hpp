@@ -48,6 +48,7 @@ inline constexpr LawParameter cohesion_range{
 template <class Real>
 struct MaugisDugdale {
     static constexpr std::string_view name = "maugis-dugdale";
+    static constexpr std::string_view summary = "between dmt and jkr, for hard and soft particles alike";
     static constexpr Detachment default_detachment = Detachment::pull_off;
     static constexpr bool uses_work_of_adhesion = true;
     static constexpr bool has_cohesive_zone = true;

@@ -25,6 +25,7 @@ namespace ashimpact {
 template <class Real>
 struct ThorntonNing : Jkr<Real> {
     static constexpr std::string_view name = "thornton-ning";
+    static constexpr std::string_view summary = "jkr, and plastic deformation above a yield pressure";
     static constexpr bool is_plastic = true;
 
     [[nodiscard]] static Trust trust(double tabor, bool yields) {

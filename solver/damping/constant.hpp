@@ -11,6 +11,7 @@ namespace ashimpact {
 /// Constant damping, eta = C: the paper's model (Dong et al. 2013, Eq. 2).
 struct ConstantDamping {
     static constexpr DampingLaw law = DampingLaw::constant;
+    static constexpr std::string_view summary = "the same throughout the contact, as in the paper";
     static constexpr Dimension dimension = Dimension::damping;
     static constexpr double overdamped_squared = std::numeric_limits<double>::infinity();
     static constexpr double error_weight = 1.0;  ///< see docs/adding-a-law.md

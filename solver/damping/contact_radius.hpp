@@ -13,6 +13,7 @@ namespace ashimpact {
 /// Brilliantov et al. 1996).
 struct ContactRadiusDamping {
     static constexpr DampingLaw law = DampingLaw::contact_radius;
+    static constexpr std::string_view summary = "grows with the contact radius: viscoelastic spheres";
     static constexpr Dimension dimension = Dimension::viscosity;
     static constexpr double overdamped_squared = std::numeric_limits<double>::infinity();
     static constexpr double error_weight = 1.0;

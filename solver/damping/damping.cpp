@@ -7,6 +7,10 @@
 
 namespace ashimpact {
 
+std::string_view summary_of(DampingLaw law) {
+    return RegisteredDampings::visit<std::string_view>(law, []<class D>() { return D::summary; });
+}
+
 Dimension dimension_of(DampingLaw law) {
     return RegisteredDampings::visit<Dimension>(law, []<class D>() { return D::dimension; });
 }

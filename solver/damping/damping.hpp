@@ -44,6 +44,8 @@ struct Damping {
     double coefficient = 0.0;
 };
 
+/// What the law describes, in some words.
+[[nodiscard]] std::string_view summary_of(DampingLaw law);
 /// What the coefficient measures.
 [[nodiscard]] Dimension dimension_of(DampingLaw law);
 /// SI unit of the coefficient.

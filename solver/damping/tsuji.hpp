@@ -13,6 +13,7 @@ namespace ashimpact {
 /// independent of velocity. With adhesion a^2/R* takes the place of delta.
 struct TsujiDamping {
     static constexpr DampingLaw law = DampingLaw::tsuji;
+    static constexpr std::string_view summary = "makes the restitution of hertz the same at every velocity";
     static constexpr Dimension dimension = Dimension::fraction;
     static constexpr double overdamped_squared = 5.0;  ///< a Hertz contact has e = 0 from C = sqrt(5) on
     static constexpr double error_weight = 3.0;
