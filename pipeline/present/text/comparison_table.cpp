@@ -25,39 +25,53 @@ std::string wrapped_line(const std::string& text, std::size_t width, std::size_t
     return wrapped(text, width, hanging) + "\n";
 }
 
-/// The velocity to report, or the bound that the impacts give instead: "> 2.31".
-std::string reported_cell(const ReportedVelocity& reported) {
+/// "Particles of 88 um stick below 1.93 m/s (1.89 to 1.96), by brach-dunn."
+std::string sticking_sentence(const SampleComparison& sample) {
+    const ReportedVelocity& reported = *sample.reported;
+    const std::string size = sample.diameter ? readable(*sample.diameter, "m") : "";
+    std::string text = size == sample.name ? "Particles" : sample.name + ": particles";
+    if (!size.empty()) text += " of " + size;
     const Answer answer = answer_of(reported);
-    if (answer.kind == Answer::Kind::none) return "-";
-    const char* bound = answer.kind == Answer::Kind::above   ? "> "
-                        : answer.kind == Answer::Kind::below ? "< "
-                                                             : "";
-    return bound + velocity_text(answer.velocity);
+    const std::string velocity = velocity_text(answer.velocity) + " m/s";
+    switch (answer.kind) {
+        case Answer::Kind::none:
+            return text + " have no critical velocity.";
+        case Answer::Kind::above:
+            return text + " stick below " + velocity + " at least.";
+        case Answer::Kind::below:
+            return text + " rebound above " + velocity + " at least.";
+        case Answer::Kind::velocity:
+            break;
+    }
+    const std::string bounds = bounds_text(reported.interval);
+    return text + " stick below " + velocity + (bounds.empty() ? "" : " (" + bounds + ")") +
+           (reported.law ? ", by " + std::string(reported.law->name()) : "") + ".";
 }
 
-/// The measured velocity with the interval that is compared: "1.92 (1.91 to 1.93)".
-std::string measured_cell(const SampleComparison& sample) {
-    if (!sample.measured) return "-";
+/// The measured velocity with the interval that is compared: " Measured: 1.92 m/s (1.91 to 1.93)."
+std::string measured_sentence(const SampleComparison& sample) {
+    if (!sample.measured) return {};
     const std::string bounds = bounds_text(sample.measured_interval);
-    return velocity_text(sample.measured->value()) + (bounds.empty() ? "" : " (" + bounds + ")");
+    return " Measured: " + velocity_text(sample.measured->value()) + " m/s" +
+           (bounds.empty() ? "" : " (" + bounds + ")") + ".";
 }
 
-/// Which velocity to report of each sample, and why. Older artifacts do not have it.
+/// What sticks of each sample, and why the velocity is that one. Older artifacts do not have it.
 std::string reported_text(const ComparisonResult& result, std::size_t width) {
-    TextTable table({"sample", "v_c [m/s]", "95 % interval", "by law", "measured (95 %)"});
+    std::string sentences;
     std::string reasons;
+    bool any_interval = false;
     for (const SampleComparison& sample : result.samples) {
         if (!sample.reported) return {};
         const std::string law(sample.reported->law ? sample.reported->law->name() : "");
-        table.add({sample.name, reported_cell(*sample.reported),
-                   or_dash(bounds_text(sample.reported->interval)), or_dash(law), measured_cell(sample)});
-        reasons += wrapped_line(
-            fmt::format("{}{}: {}.", sample.name, law.empty() ? "" : " by " + law, sample.reported->reason),
-            width);
+        any_interval = any_interval || (sample.reported->velocity && sample.reported->interval);
+        sentences += wrapped_line(sticking_sentence(sample), width);
+        reasons += wrapped_line(fmt::format("{}{}: {}.{}", sample.name, law.empty() ? "" : " by " + law,
+                                            sample.reported->reason, measured_sentence(sample)),
+                                width);
     }
-    table.drop_empty_columns();
-    return "Report this critical velocity; a slower particle sticks.\n\n" + table.text(0, width) +
-           "\nWhy:\n" + reasons + "\n";
+    if (any_interval) sentences += "In brackets: the interval that holds the velocity with 95 %.\n";
+    return sentences + "\nWhy:\n" + reasons + "\n";
 }
 
 /// What was assumed, and what no uncertainty was stated of.

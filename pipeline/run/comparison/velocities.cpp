@@ -110,26 +110,31 @@ bool is_contradicted(const LawCriticalVelocity& velocity) {
 }
 
 std::string tabor_reason(double tabor) {
-    const std::string parameter = "Tabor parameter " + readable_number(tabor, 3);
-    if (tabor < dmt_limit) return parameter + ": hard contact, DMT holds";
-    if (tabor > jkr_limit) return parameter + ": soft contact, JKR holds";
-    return fmt::format("{}: between DMT (below {}) and JKR (above {}), nearer to {}", parameter, dmt_limit,
-                       jkr_limit, nearer_to_jkr(tabor) ? "JKR" : "DMT");
+    const std::string parameter = "(Tabor parameter " + readable_number(tabor, 3);
+    if (tabor < dmt_limit)
+        return fmt::format("the contact is hard {}, below {}), where dmt holds", parameter, dmt_limit);
+    if (tabor > jkr_limit)
+        return fmt::format("the contact is soft {}, above {}), where jkr holds", parameter, jkr_limit);
+    return fmt::format(
+        "the contact is between hard (dmt, Tabor parameter below {}) and soft (jkr, above {}) at {}, closer to "
+        "{}; maugis-dugdale holds at all of them",
+        dmt_limit, jkr_limit, readable_number(tabor, 3), nearer_to_jkr(tabor) ? "soft" : "hard");
 }
 
 std::string reason_of(Trust trust, double tabor) {
     switch (trust) {
         case Trust::describes_yield:
-            return "the contact yields";
+            return "the contact deforms plastically, which this law includes";
         case Trust::every_tabor:
-            return "holds for every Tabor parameter, here " + readable_number(tabor, 3);
+            return fmt::format("it holds for hard and soft contacts alike (Tabor parameter {})",
+                               readable_number(tabor, 3));
         case Trust::no_adhesion:
-            return "there is no adhesion";
+            return "no adhesion is given, and it has none";
         case Trust::empirical:
         case Trust::empirical_parameters:
-            return "its adhesion is empirical";
+            return "its adhesion is a fit, not a theory";
         case Trust::leaves_adhesion_out:
-            return "leaves adhesion out";
+            return "it leaves adhesion out";
         default:
             return tabor_reason(tabor);
     }
