@@ -215,6 +215,11 @@ void fields(Io& io, Is<DampingCurveFit> auto& fit) {
     if constexpr (Io::reads) read_polynomial(io.node(), fit);
 }
 
+void fields(auto& io, Is<EstimatedDamping> auto& curve) {
+    io("velocity", curve.velocity, Dimension::velocity);
+    io("damping", curve.damping, Dimension::damping);
+}
+
 template <class Io>
 void fields(Io& io, Is<DampingEstimate> auto& estimate) {
     io.derived("method", VelocityMethod::estimate);
@@ -225,9 +230,14 @@ void fields(Io& io, Is<DampingEstimate> auto& estimate) {
     io.lenient("noise_known", estimate.noise_known);
     scatter_field(io, estimate);
     io.lenient("particle_scatter", estimate.particle_scatter);
-    if constexpr (Io::reads)
+    io.unless_empty("curve", estimate.curve);
+    if constexpr (Io::reads) {
         if (!(estimate.critical_damping.value > 0))
             io.node().at("critical_damping").fail("the critical damping is not positive", "> 0 kg/s");
+        if (const auto& curve = estimate.curve;
+            curve && (curve->velocity.size() < 2 || curve->velocity.size() != curve->damping.size()))
+            io.node().at("curve").fail("is no curve", "two velocities or more, with a damping each");
+    }
 }
 
 void fields(auto& io, Is<FitComparison> auto& comparison) {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "pipeline/run/curves/model_curve.hpp"
-#include "solver/batch/batch.hpp"
 #include "solver/numeric/interpolation.hpp"
 
 namespace ashimpact::curves {
@@ -25,19 +24,6 @@ struct ContactValues {
 
     Values mass, radius, modulus, adhesion, yield;
 };
-
-ImpactBatchResult impacts(const SearchedContact& searched, const Values& damping, const Values& velocity) {
-    const BatchOptions options{.threads = 1, .turning_point = false};
-    const ContactValues contact(searched.pair);
-    return solve_impacts({.law = searched.choice.law,
-                          .detachment = searched.choice.detachment,
-                          .damping_law = searched.damping_law,
-                          .contact = {contact.mass, contact.radius, contact.modulus, contact.adhesion,
-                                      contact.yield, single_columns(searched.pair.parameters)},
-                          .damping = damping,
-                          .velocity = velocity},
-                         options);
-}
 
 /// Contact times of the last two impacts of a search, over ln v: their line gives the one found.
 struct ContactTimes {
@@ -129,6 +115,19 @@ class VelocitySearch {
 
 }  // namespace
 
+ImpactBatchResult impacts_at(const SearchedContact& searched, const Values& damping, const Values& velocity) {
+    const BatchOptions options{.threads = 1, .turning_point = false};
+    const ContactValues contact(searched.pair);
+    return solve_impacts({.law = searched.choice.law,
+                          .detachment = searched.choice.detachment,
+                          .damping_law = searched.damping_law,
+                          .contact = {contact.mass, contact.radius, contact.modulus, contact.adhesion,
+                                      contact.yield, single_columns(searched.pair.parameters)},
+                          .damping = damping,
+                          .velocity = velocity},
+                         options);
+}
+
 FoundImpacts impacts_with(const Values& e, const SearchedContact& contact, const Values& damping,
                           const Values& guess, double enough) {
     const Eigen::Index count = e.size();
@@ -147,7 +146,7 @@ FoundImpacts impacts_with(const Values& e, const SearchedContact& contact, const
         Values place(static_cast<Eigen::Index>(open.size()));
         for (Eigen::Index k = 0; k < place.size(); ++k)
             place[k] = search(open[static_cast<std::size_t>(k)]).place();
-        const ImpactBatchResult found = impacts(contact, damping(open), place.exp());
+        const ImpactBatchResult found = impacts_at(contact, damping(open), place.exp());
         for (Eigen::Index k = 0; k < place.size(); ++k) {
             const auto i = open[static_cast<std::size_t>(k)];
             search(i).observe(found.restitution[k]);

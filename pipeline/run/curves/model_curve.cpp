@@ -50,11 +50,11 @@ struct Losses {
     double plastic;
 };
 
-Losses losses_of(const CurveProblem& problem, double damping, double velocity) {
-    const Impact impact{problem.choice.law,
-                        problem.choice.detachment,
-                        {problem.damping_law, damping},
-                        problem.contact,
+Losses losses_of(const SearchedContact& contact, double damping, double velocity) {
+    const Impact impact{contact.choice.law,
+                        contact.choice.detachment,
+                        {contact.damping_law, damping},
+                        contact.pair,
                         velocity};
     const EnergyLedger energy = solve_impact(impact, Precision::standard).energy;
     return {energy.potential - energy.at_touch + energy.jumps, energy.plastic};
@@ -68,14 +68,14 @@ double share_of(double loss, double whole) {
 
 /// Fills in the shares of the incident energy. Without yielding the adhesive loss is that of the static law,
 /// the same for all impacts.
-void add_shares(const CurveProblem& problem, ModelCurve& curve) {
+void add_shares(const SearchedContact& contact, ModelCurve& curve) {
     if (curve.empty()) return;
-    const bool yields = std::isfinite(problem.contact.yield_pressure);
+    const bool yields = std::isfinite(contact.pair.yield_pressure);
     const CurveImpact& fastest = curve.back();
-    const Losses of_all = losses_of(problem, fastest.damping, fastest.velocity);
+    const Losses of_all = losses_of(contact, fastest.damping, fastest.velocity);
     for (CurveImpact& impact : curve) {
-        const Losses losses = yields ? losses_of(problem, impact.damping, impact.velocity) : of_all;
-        const double whole = 0.5 * problem.contact.mass * impact.velocity * impact.velocity;
+        const Losses losses = yields ? losses_of(contact, impact.damping, impact.velocity) : of_all;
+        const double whole = 0.5 * contact.pair.mass * impact.velocity * impact.velocity;
         impact.adhesion = share_of(losses.adhesion, whole);
         impact.plastic = share_of(losses.plastic, whole);
         impact.dissipated = 1 - impact.restitution * impact.restitution - impact.adhesion - impact.plastic;
@@ -195,17 +195,10 @@ Eigen::MatrixXd covariance_of(const CurveSources& in) {
     return Eigen::MatrixXd::Zero(count, count);
 }
 
-/// Where the curve begins: v_c of the extrapolated fit, else of the law [m/s].
-std::optional<double> start_of(const CurveSources& in) {
-    if (in.fit != nullptr && in.fit->extrapolated) return in.fit->extrapolated->critical_velocity.value;
-    if (in.velocity == nullptr || !in.velocity->velocity) return std::nullopt;
-    return in.velocity->velocity->value;
-}
-
 /// Impacts near the rising model curve: where it begins, and the points up to the greatest restitution.
 std::vector<CurveKnot> knots_of(const CurveSources& in) {
     std::vector<CurveKnot> knots;
-    if (const auto start = start_of(in); start && *start > 0) knots.push_back({0, *start});
+    if (const double start = in.velocity->velocity->value; start > 0) knots.push_back({0, start});
     const std::vector<double>& e = in.damping->restitution;
     const std::vector<double>& v = in.damping->velocity;
     if (e.empty()) return knots;
@@ -215,9 +208,42 @@ std::vector<CurveKnot> knots_of(const CurveSources& in) {
     return knots;
 }
 
+/// The impacts along the estimate's curve of damping; none if it is of another v_c, as after an edit.
+ModelCurve estimated_curve(const Case& data, const CurveSources& in) {
+    constexpr double same = 1e-3;
+    const auto& known = in.fit->estimate->curve;
+    if (!known || !(std::abs(known->velocity.front() / in.velocity->velocity->value - 1) < same)) return {};
+    const auto from_second = [](const std::vector<double>& values) {  // the first one is at capture
+        return Values(Eigen::Map<const Values>(values.data() + 1, std::ssize(values) - 1));
+    };
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    const SearchedContact contact{in.choice, data.damping_law, *in.contact};
+    const Values damping = from_second(known->damping);
+    const Values velocity = from_second(known->velocity);
+    ModelCurve curve;
+    try {
+        const ImpactBatchResult found = impacts_at(contact, damping, velocity);
+        for (Eigen::Index i = 0; i < velocity.size(); ++i)
+            if (found.restitution[i] > 0)
+                curve.push_back({.velocity = velocity[i],
+                                 .lower = unknown,
+                                 .upper = unknown,
+                                 .restitution = found.restitution[i],
+                                 .damping = damping[i],
+                                 .contact_time = found.contact_time[i]});
+        add_shares(contact, curve);
+    } catch (const InputError&) {  // a damping or velocity that has no impact: no curve
+        curve.clear();
+    } catch (const ConvergenceError&) {
+        curve.clear();
+    }
+    return curve;
+}
+
 ModelCurve curve_of(const Case& data, const CurveSources& in) {
     const bool known = in.velocity != nullptr && in.velocity->velocity;
     if (in.damping == nullptr || in.fit == nullptr || !known) return {};
+    if (in.fit->estimate) return estimated_curve(data, in);
     return model_curve({.choice = in.choice,
                         .damping_law = data.damping_law,
                         .contact = *in.contact,
@@ -315,7 +341,7 @@ ModelCurve model_curve(const CurveProblem& problem) {
                                  .restitution = e[i],
                                  .damping = eta[i],
                                  .contact_time = contact_time[i]});
-        add_shares(problem, curve);
+        add_shares(contact_of(problem), curve);
     } catch (const InputError&) {  // a damping or velocity that has no impact: no curve
         curve.clear();
     } catch (const ConvergenceError&) {
@@ -342,7 +368,10 @@ void add_curves(const Case& data, const ContactResult& contacts, const DampingSt
         return is_cohesive(inputs[i].choice.law, *inputs[i].contact);
     });
     auto curves = in_parallel(order, [&](std::size_t i) -> LawCurve {
-        return {start_of(inputs[i]), curve_of(data, inputs[i]), drawn_histories(data, inputs[i])};
+        const LawCriticalVelocity* velocity = inputs[i].velocity;
+        const bool finite = velocity != nullptr && velocity->velocity;
+        return {finite ? std::optional(velocity->velocity->value) : std::nullopt, curve_of(data, inputs[i]),
+                drawn_histories(data, inputs[i])};
     });
     std::vector<LawCurve> sorted(curves.size());
     for (std::size_t k = 0; k < order.size(); ++k) sorted[order[k]] = std::move(curves[k]);

@@ -10,6 +10,7 @@
 #include "pipeline/run/results/critical_velocity.hpp"
 #include "pipeline/run/results/damping.hpp"
 #include "pipeline/run/results/histories.hpp"
+#include "solver/batch/batch.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/damping/damping_polynomial.hpp"
 
@@ -39,6 +40,10 @@ struct SearchedContact {
     ContactPair pair;
 };
 
+/// Impacts of these dampings at these velocities.
+[[nodiscard]] ImpactBatchResult impacts_at(const SearchedContact& contact, const Eigen::ArrayXd& damping,
+                                           const Eigen::ArrayXd& velocity);
+
 /// Impacts with given restitutions. NaN where none was found.
 struct FoundImpacts {
     Eigen::ArrayXd velocity;      ///< [m/s]
@@ -59,8 +64,9 @@ struct FoundImpacts {
 /// restitution need not rise with velocity, and where the curve cannot be solved.
 [[nodiscard]] ModelCurve model_curve(const CurveProblem& problem);
 
-/// Adds what the figures draw of each law beside its histories: the model's curve e(v_in), the impact at v_c
-/// and one of the falling branch. A law without a fit has no curve; what does not converge is left out.
+/// Adds what the figures draw of each law beside its histories: the model's curve e(v_in), with the damping
+/// of the estimate if there is one and else of the fit, the impact at v_c and one of the falling branch. A
+/// law without a fit has no curve; what does not converge is left out.
 /// @param result with the histories of every sample of the case
 void add_curves(const Case& data, const ContactResult& contacts, const DampingStageResult& dampings,
                 const FitResult& fits, const CriticalVelocityResult& velocities, HistoriesResult& result);

@@ -90,13 +90,14 @@ struct Names<FitMethod> {
 
 /// What all measured impacts support, captures included, whatever the form of eta(e).
 struct DampingEstimate {
-    Interval critical_damping{};   ///< [kg/s]
-    Interval critical_velocity{};  ///< for the contact as given [m/s]
-    std::size_t rebounds = 0;      ///< used
-    std::size_t captures = 0;      ///< used
-    bool noise_known = false;      ///< whether the measurements state it
-    double scatter = 0;            ///< factor on the stated noise [1], or the noise itself [m/s]
-    double particle_scatter = 0;   ///< standard deviation of ln eta between particles [1]
+    Interval critical_damping{};              ///< [kg/s]
+    Interval critical_velocity{};             ///< for the contact as given [m/s]
+    std::size_t rebounds = 0;                 ///< used
+    std::size_t captures = 0;                 ///< used
+    bool noise_known = false;                 ///< whether the measurements state it
+    double scatter = 0;                       ///< factor on the stated noise [1], or the noise itself [m/s]
+    double particle_scatter = 0;              ///< standard deviation of ln eta between particles [1]
+    std::optional<EstimatedDamping> curve{};  ///< none: an older artifact, or no impact faster than v_c
 };
 
 [[nodiscard]] DampingEstimate summary_of(const CriticalVelocityEstimate& estimate);

@@ -65,7 +65,7 @@ struct History {
     std::vector<TrajectoryPoint> trajectory{};
 };
 
-/// An impact on the model's curve e(v_in): its damping is eta(e) of the fit.
+/// An impact on the model's curve e(v_in): its damping is that of the estimate, else eta(e) of the fit.
 struct CurveImpact {
     double velocity = 0;          ///< v_in [m/s]
     double lower = 0, upper = 0;  ///< 95 % band of the velocity at this restitution; NaN: not known [m/s]
@@ -80,7 +80,7 @@ using ModelCurve = std::vector<CurveImpact>;
 
 /// What the figures draw of one law beside its histories.
 struct LawCurve {
-    std::optional<double> start{};     ///< v_c of the fit, where the curve begins at e = 0 [m/s]
+    std::optional<double> start{};     ///< v_c, where the curve begins at e = 0 [m/s]
     ModelCurve impacts{};              ///< from just above e = 0 on; empty if there is no curve
     std::vector<History> histories{};  ///< at v_c, for as long as the others last, and of the falling branch
 };

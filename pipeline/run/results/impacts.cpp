@@ -129,13 +129,15 @@ DampingCurveFit with_indices(DampingCurveFit fit, const std::vector<std::size_t>
 }
 
 DampingEstimate summary_of(const CriticalVelocityEstimate& estimate) {
+    const EstimatedDamping& damping = estimate.curve.damping;
     return {.critical_damping = estimate.curve.critical_damping,
             .critical_velocity = estimate.curve.critical_velocity,
             .rebounds = estimate.rebounds,
             .captures = estimate.captures,
             .noise_known = estimate.noise_known,
             .scatter = estimate.curve.scatter.noise,
-            .particle_scatter = estimate.curve.scatter.damping};
+            .particle_scatter = estimate.curve.scatter.damping,
+            .curve = damping.velocity.empty() ? std::nullopt : std::optional(damping)};
 }
 
 }  // namespace ashimpact

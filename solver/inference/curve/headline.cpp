@@ -194,8 +194,28 @@ Draws sampled(const CurvePosterior& posterior, const std::vector<Mode>& modes) {
         "the scatter of particle sizes (--size-scatter, in a case \"size_scatter\" under \"fit\")");
 }
 
-/// v_c and the curve from the draws of a posterior.
-CurveEstimate curve_estimate(const CurveTable& table, const CurvePosterior& posterior, const Draws& draws) {
+/// The damping along the mean of the curves drawn, begun at the estimated v_c.
+/// @param fastest impact [m/s]
+EstimatedDamping mean_damping(const CurveTable& table, const CurvePosterior& posterior, const Draws& draws,
+                              double critical_velocity, double fastest) {
+    constexpr int points = 28;
+    EstimatedDamping damping;
+    Vector parameters = draws.moments().mean;
+    const double critical = parameters[CurvePosterior::critical] = std::log(critical_velocity);
+    const SmoothDamping curve = posterior.curve(parameters);
+    const double range = std::log(fastest) - critical;
+    for (int i = 0; i <= points && range > 0; ++i) {
+        const double share = static_cast<double>(i) / points;
+        const double x = critical + share * share * range;  // e begins with a root of ln v
+        damping.velocity.push_back(i == 0 ? critical_velocity : std::exp(x));
+        damping.damping.push_back(std::exp(table.log_capture_damping(x) - curve.at_log_velocity(x).distance));
+    }
+    return damping;
+}
+
+/// v_c and the curve from the draws of a posterior. @param fastest impact [m/s]
+CurveEstimate curve_estimate(const CurveTable& table, const CurvePosterior& posterior, const Draws& draws,
+                             double fastest) {
     const MarginalSample velocity =
         draws.marginal(CurvePosterior::critical, [](double logarithm) { return std::exp(logarithm); });
     const double tail = 0.5 * (1.0 - confidence);
@@ -208,6 +228,7 @@ CurveEstimate curve_estimate(const CurveTable& table, const CurvePosterior& post
             .critical_damping = {damping(v), slope * estimate.standard_uncertainty, damping(*estimate.lower),
                                  damping(*estimate.upper)},
             .parameters = draws.likeliest(),
+            .damping = mean_damping(table, posterior, draws, v, fastest),
             .effective = draws.effective(),
             .scatter = posterior.scatter_of(draws.likeliest())};
 }
@@ -290,7 +311,7 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
     if (size_scatter) prior.scatter = std::max(1e-6, 2.0 * *size_scatter);
     const CurvePosterior posterior(table, impacts, prior);
     const Draws draws = sampled(posterior, modes_of(posterior, starts_of(impacts)));
-    CriticalVelocityEstimate estimate{.curve = curve_estimate(table, posterior, draws),
+    CriticalVelocityEstimate estimate{.curve = curve_estimate(table, posterior, draws, fastest->velocity),
                                       .rebounds = set.rebounds(),
                                       .captures = set.captures(),
                                       .noise_known = set.has_noise()};

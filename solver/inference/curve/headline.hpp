@@ -11,11 +11,18 @@
 
 namespace ashimpact {
 
+/// A curve of damping over velocity, from v_c, where the damping just captures, to the fastest impact.
+struct EstimatedDamping {
+    std::vector<double> velocity;  ///< [m/s]
+    std::vector<double> damping;   ///< [kg/s]
+};
+
 /// v_c and the curve of damping, estimated from all impacts without assuming a form of eta.
 struct CurveEstimate {
     Interval critical_velocity;         ///< mean and 95 % interval [m/s]
     Interval critical_damping;          ///< eta_capture at those [kg/s]
     CurvePosterior::Vector parameters;  ///< of the likeliest curve
+    EstimatedDamping damping;           ///< of the mean curve; empty if no impact is faster than v_c
     double effective;                   ///< effective number of independent draws from the posterior
     Scatter scatter;
 };

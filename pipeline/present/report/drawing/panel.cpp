@@ -153,15 +153,24 @@ std::string regions_of(const XyPanel& panel, const Frame& frame, const Box& plot
 
 std::string rules_of(const XyPanel& panel, const Frame& frame, const Box& plot) {
     std::string svg;
+    double label_y = plot.top + 12;
     for (const Rule& rule : panel.rules) {
         const double x = frame.across(rule.x);
-        svg += fmt::format("<g class=\"{}\"><path class=\"rule\" d=\"M{} {}V{}\"/></g>", classes(rule.look),
-                           pixels(x), pixels(plot.top), pixels(plot.top + plot.height));
+        svg += fmt::format("<g class=\"{}\">", classes(rule.look));
+        if (rule.interval) {
+            const double from = frame.across(rule.interval->from);
+            svg += fmt::format("<rect class=\"band\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>",
+                               pixels(from), pixels(plot.top), pixels(frame.across(rule.interval->to) - from),
+                               pixels(plot.height));
+        }
+        svg += fmt::format("<path class=\"rule\" d=\"M{} {}V{}\"/></g>", pixels(x), pixels(plot.top),
+                           pixels(plot.top + plot.height));
         if (rule.label.empty()) continue;
         const double width = text_width(rule.label, tick_size);
         const bool left = x + width + 6 > plot.left + plot.width;
         svg += fmt::format("<text class=\"tick soft{}\" x=\"{}\" y=\"{}\">{}</text>", left ? " end" : "",
-                           pixels(left ? x - 4 : x + 4), pixels(plot.top + 12), subscripted(rule.label));
+                           pixels(left ? x - 4 : x + 4), pixels(label_y), subscripted(rule.label));
+        label_y += 14;
     }
     return svg;
 }
@@ -182,7 +191,10 @@ Range extent(const XyPanel& panel, double Point::*of, double Mark::*at, double M
 
 Range x_extent(const XyPanel& panel) {
     Range range = extent(panel, &Point::x, &Mark::x, &Mark::x_error);
-    for (const Rule& rule : panel.rules) range = {std::min(range.from, rule.x), std::max(range.to, rule.x)};
+    for (const Rule& rule : panel.rules) {
+        const Range ends = rule.interval.value_or(Range{rule.x, rule.x});
+        range = {std::min(range.from, ends.from), std::max(range.to, ends.to)};
+    }
     return range;
 }
 
@@ -230,9 +242,10 @@ std::string item_of(const RowItem& item, const Scale& scale, double unit, double
             svg += bar(item, at(item.from), at(item.to), middle);
             break;
         case RowItem::Kind::interval:
-            svg += fmt::format("<path class=\"bar\" d=\"M{} {}H{}M{} {}v8M{} {}v8\"/>", pixels(at(item.from)),
-                               pixels(middle), pixels(at(item.to)), pixels(at(item.from)), pixels(middle - 4),
-                               pixels(at(item.to)), pixels(middle - 4));
+            svg +=
+                fmt::format("<path class=\"bar\" d=\"M{} {}H{}M{} {}v12M{} {}v12\"/>", pixels(at(item.from)),
+                            pixels(middle), pixels(at(item.to)), pixels(at(item.from)), pixels(middle - 6),
+                            pixels(at(item.to)), pixels(middle - 6));
             break;
         case RowItem::Kind::mark:
             svg += fmt::format("<use class=\"mark\" href=\"#{}\" x=\"{}\" y=\"{}\"/>",

@@ -59,11 +59,12 @@ struct Region {
     std::string label{};
 };
 
-/// A vertical line.
+/// A vertical line, with a band of that interval behind it.
 struct Rule {
     double x;
     std::string label{};
     Look look{};
+    std::optional<Range> interval{};
 };
 
 /// Curves and points over two axes.

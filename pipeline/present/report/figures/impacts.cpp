@@ -55,8 +55,8 @@ std::string extrapolation_sentence(const RunData& run) {
         for (const LawData& law : sample.laws)
             if (law.extrapolated())
                 return " The fit to measured impacts is made to the rebounds alone and extrapolated to e_n = "
-                       "0: where a curve ends there is the extrapolated v_c of the table, not the answer, "
-                       "which is estimated from rebounds and captures together.";
+                       "0: it gives the extrapolated v_c of the table, not the answer, which is estimated "
+                       "from rebounds and captures together.";
     return {};
 }
 
@@ -128,6 +128,13 @@ XyPanel restitution_panel(const SampleData& sample, NumberTable& table) {
                                   std::string(name_of(law.measured->origin)), mark.x, mark.y, "", ""});
     }
     for (Series& each : points) panel.series.push_back(std::move(each));
+    if (const auto& reported = sample.comparison->reported; reported && reported->velocity) {
+        Rule& rule =
+            panel.rules.emplace_back(Rule{reported->velocity->value, "v_c reported",
+                                          reported->law ? Look::of(reported->law->index()) : Look::plain(0)});
+        if (const auto& ends = reported->interval; ends && ends->lower && ends->upper)
+            rule.interval = {*ends->lower, *ends->upper};
+    }
     if (const auto& measured = sample.velocity->measured; measured && measured->value)
         panel.rules.push_back({*measured->value, "v_c measured", Look::plain(0)});
     return panel;
@@ -358,18 +365,21 @@ Series size_series(const SizeCurve& size, const LawData& law, const Look& look) 
 }  // namespace
 
 Figure restitution_figure(const RunData& run) {
-    Figure figure{.id = "restitution",
-                  .title = "Restitution against incident velocity",
-                  .counterpart = "Figure 5",
-                  .caption =
-                      "Below the critical velocity a particle is captured (e_n = 0); just above it e_n rises "
-                      "steeply. Lines are the model of each law with the damping η(e_n) of its fit, drawn "
-                      "down to the fit's critical velocity and up to the greatest restitution of its data; a "
-                      "band in a law's colour is what the uncertainty of that fit leaves open (95 %), the "
-                      "contact taken as known. The grey strip that begins at zero: captured by every law." +
-                      extrapolation_sentence(run) + origin_sentence(run),
-                  .numbers = {.columns = {"sample", "law", "origin", "v_in [m/s]", "e_n",
-                                          "v_in, lower end [m/s]", "v_in, upper end [m/s]"}}};
+    Figure figure{
+        .id = "restitution",
+        .title = "Restitution against incident velocity",
+        .counterpart = "Figure 5",
+        .caption =
+            "Below the critical velocity a particle is captured (e_n = 0); just above it e_n rises "
+            "steeply. Lines are the model of each law, from its critical velocity on: with the "
+            "damping of the estimate where impacts were measured, else with that of the fit η(e_n), "
+            "up to the greatest restitution of its data, in a band of what the uncertainty of that "
+            "fit leaves open (95 %), the contact taken as known. Dashed: the reported v_c in its 95 % "
+            "interval, in the colour of its law. The grey strip that begins at zero: captured by "
+            "every law." +
+            origin_sentence(run),
+        .numbers = {.columns = {"sample", "law", "origin", "v_in [m/s]", "e_n", "v_in, lower end [m/s]",
+                                "v_in, upper end [m/s]"}}};
     for (const SampleData& sample : run.samples())
         figure.panels.emplace_back(restitution_panel(sample, figure.numbers));
     share_axes(figure.panels, false, true);
@@ -403,7 +413,7 @@ Figure damping_figure(const RunData& run) {
     figure.caption += any_boundary ? " Dashed verticals: where the falling part ends and the flat and the "
                                      "rising part begin, by the first law that has them."
                                    : " These data hold the falling part alone.";
-    figure.caption += extrapolation_sentence(run) + origin_sentence(run);
+    figure.caption += origin_sentence(run);
     share_axes(figure.panels, false, true);
     return figure;
 }
