@@ -345,13 +345,23 @@ std::string horizontal_axis(const Axis& axis, const Scale& scale, const Box& plo
     std::string svg;
     std::string grid;
     const double bottom = plot.top + plot.height;
-    double free_from = -1e9;
-    for (const Tick& tick : scale.ticks(std::max(4, static_cast<int>(plot.width / 40)))) {
+    std::vector<Tick> ticks = scale.ticks(std::max(4, static_cast<int>(plot.width / 40)));
+    // Of labels that would touch, that of a whole decade stays, else the left one.
+    if (scale.spacing == Spacing::logarithmic)
+        std::ranges::stable_partition(ticks, [](const Tick& tick) {
+            const double decade = std::log10(tick.value);
+            return std::abs(decade - std::round(decade)) < rounding;
+        });
+    std::vector<Range> taken;
+    for (const Tick& tick : ticks) {
         const double x = scale(tick.value);
         grid += fmt::format("M{} {}V{}", pixels(x), pixels(plot.top), pixels(bottom));
         const double half = text_width(tick.label, tick_size) / 2;
-        if (x - half < free_from) continue;  // would touch the label before it
-        free_from = x + half + 4;
+        if (std::ranges::any_of(taken, [&](const Range& label) {
+                return x - half < label.to + 4 && x + half > label.from - 4;
+            }))
+            continue;
+        taken.push_back({x - half, x + half});
         svg += fmt::format("<text class=\"tick mid soft\" x=\"{}\" y=\"{}\">{}</text>",
                            pixels(std::min(x, plot.left + plot.width + 8 - half)), pixels(bottom + 14),
                            tick.label);
