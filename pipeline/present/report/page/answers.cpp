@@ -179,7 +179,7 @@ std::string extrapolation_notes(const RunData& run) {
     return with_subscripts(
         std::string("<p class=\"where\">Dynamic v_c: the answer, estimated from rebounds and captures "
                     "together. Extrapolated v_c: where the polynomial η(e_n), fitted to the rebounds alone, "
-                    "meets e_n = 0; the curves in the figures end there. The two may lie far apart.") +
+                    "meets e_n = 0. The two may lie far apart.") +
         (instead ? " *: extrapolated, as the impacts gave no estimate with this law." : "") + "</p>\n");
 }
 
@@ -294,7 +294,8 @@ std::string comparison_html(const RunData& run) {
                                         row[i].empty() ? no_value : row[i]);
             html += "</tr>\n";
         }
-    html = html_scroll(region_label("Critical velocities", run), html + "</tbody></table>") + "\n";
+    html = html_scroll(region_label("Critical velocities", run), html + "</tbody></table>", "scroll wide") +
+           "\n";
     html += extrapolation_notes(run);
     for (const SampleData& sample : run.samples())
         for (const LawData& law : sample.laws)
