@@ -178,9 +178,32 @@ TEST_CASE("the summary shows what a verdict compares, and marks a velocity that 
     const std::string text =
         comparison_text(ComparisonResult{.samples = {sample}, .conclusion = "Done."}, 80);
     CHECK_MESSAGE(text.find("0.832 (0.558 to 1.10)") != std::string::npos, text);
+    CHECK_MESSAGE(
+        text.starts_with("fine: particles stick below 0.700 m/s (0.652 to 0.725), by jkr.\nIn brackets: "),
+        text);
+    CHECK_MESSAGE(text.find("fine by jkr: why. Measured: ") != std::string::npos, text);
     CHECK_MESSAGE(text.find("* 0.684") != std::string::npos, text);
     CHECK_MESSAGE(text.find("* 0.700") == std::string::npos, text);
     CHECK_MESSAGE(text.find("*: extrapolated from the rebounds") != std::string::npos, text);
+}
+
+TEST_CASE("the summary begins with what sticks, or with what is known of it") {
+    const Bounds bounds{0.5, 0.6};
+    const std::pair<ReportedVelocity, const char*> cases[]{
+        {{Law::of<Dmt>(), VelocityEstimate{.value = 0.55}, bounds},
+         "stick below 0.550 m/s (0.500 to 0.600), by dmt."},
+        {{{}, VelocityEstimate{.value = 0.55}, {}}, "stick below 0.550 m/s."},
+        {{{}, {}, Bounds{0.5, {}}}, "stick below 0.500 m/s at least."},
+        {{{}, {}, Bounds{{}, 0.6}}, "rebound above 0.600 m/s at least."},
+        {{}, ": no critical velocity."}};
+    for (const auto& [reported, end] : cases)
+        for (const char* name : {"88 um", "fine"}) {
+            const SampleComparison sample{.name = name, .reported = reported, .diameter = 88e-6};
+            const std::string text = comparison_text(ComparisonResult{.samples = {sample}}, 120);
+            const bool named = std::string(name) == "fine";
+            const std::string begin = named ? "fine: particles of 88 um" : "Particles of 88 um";
+            CHECK_MESSAGE(text.starts_with(begin + (*end == ':' ? "" : " ") + end + "\n"), text);
+        }
 }
 
 TEST_CASE("a list that is empty in one entry only is shown as none, whole too") {

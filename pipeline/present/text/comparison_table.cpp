@@ -35,7 +35,7 @@ std::string sticking_sentence(const SampleComparison& sample) {
     const std::string velocity = velocity_text(answer.velocity) + " m/s";
     switch (answer.kind) {
         case Answer::Kind::none:
-            return text + " have no critical velocity.";
+            return text + ": no critical velocity.";
         case Answer::Kind::above:
             return text + " stick below " + velocity + " at least.";
         case Answer::Kind::below:

@@ -70,6 +70,20 @@ TEST_CASE("ticks are round numbers within the axis, few enough to be read") {
     CHECK(number_label(2e10) == "2\u00b710\u00b9\u2070");
 }
 
+TEST_CASE("whole decades keep their labels where labels of a logarithmic axis would touch") {
+    const Axis axis{.label = "v", .spacing = Spacing::logarithmic};
+    for (const double width : {250.0, 500.0, 740.0, 900.0})
+        for (const Range& range : {Range{0.0115, 1.64}, Range{0.05, 3}, Range{0.3, 12}, Range{0.7, 1.6}}) {
+            CAPTURE(width);
+            CAPTURE(range.from);
+            const Box plot{0, 0, width, 100};
+            const std::string svg = horizontal_axis(axis, scale_of(axis, range, {0, width}), plot);
+            for (const double decade : {0.1, 1.0, 10.0})
+                if (decade > range.from && decade < range.to)
+                    CHECK(svg.find(">" + number_label(decade) + "<") != std::string::npos);
+        }
+}
+
 TEST_CASE("a range of one value is drawn a tenth of it to both sides, in the logarithm by a factor") {
     const auto ends = [](Spacing spacing, double value) {
         const Range range = drawable({value, value}, spacing);
