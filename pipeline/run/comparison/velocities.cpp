@@ -110,15 +110,18 @@ bool is_contradicted(const LawCriticalVelocity& velocity) {
 }
 
 std::string tabor_reason(double tabor) {
-    const std::string parameter = "(Tabor parameter " + readable_number(tabor, 3);
+    const std::string parameter = readable_number(tabor, 3);
     if (tabor < dmt_limit)
-        return fmt::format("the contact is hard {}, below {}), where dmt holds", parameter, dmt_limit);
+        return fmt::format("the contact is hard, as dmt takes it (Tabor parameter {}, below {})", parameter,
+                           dmt_limit);
     if (tabor > jkr_limit)
-        return fmt::format("the contact is soft {}, above {}), where jkr holds", parameter, jkr_limit);
+        return fmt::format("the contact is soft, as jkr takes it (Tabor parameter {}, above {})", parameter,
+                           jkr_limit);
     return fmt::format(
-        "the contact is between hard (dmt, Tabor parameter below {}) and soft (jkr, above {}) at {}, closer to "
-        "{}; maugis-dugdale holds at all of them",
-        dmt_limit, jkr_limit, readable_number(tabor, 3), nearer_to_jkr(tabor) ? "soft" : "hard");
+        "the contact is neither hard as dmt takes it (Tabor parameter below {}) nor soft as jkr does (above "
+        "{}): "
+        "{} is closer to {}; maugis-dugdale holds for all",
+        dmt_limit, jkr_limit, parameter, nearer_to_jkr(tabor) ? "soft" : "hard");
 }
 
 std::string reason_of(Trust trust, double tabor) {

@@ -198,7 +198,7 @@ Draws sampled(const CurvePosterior& posterior, const std::vector<Mode>& modes) {
 /// @param fastest impact [m/s]
 EstimatedDamping mean_damping(const CurveTable& table, const CurvePosterior& posterior, const Draws& draws,
                               double critical_velocity, double fastest) {
-    constexpr int points = 28;
+    constexpr int points = 40;
     EstimatedDamping damping;
     Vector parameters = draws.moments().mean;
     const double critical = parameters[CurvePosterior::critical] = std::log(critical_velocity);
