@@ -119,8 +119,7 @@ std::string tabor_reason(double tabor) {
                            jkr_limit);
     return fmt::format(
         "the contact is neither hard as dmt takes it (Tabor parameter below {}) nor soft as jkr does (above "
-        "{}): "
-        "{} is closer to {}; maugis-dugdale holds for all",
+        "{}): {} is closer to {}; maugis-dugdale holds for all",
         dmt_limit, jkr_limit, parameter, nearer_to_jkr(tabor) ? "soft" : "hard");
 }
 

@@ -130,13 +130,13 @@ XyPanel restitution_panel(const SampleData& sample, NumberTable& table) {
     for (Series& each : points) panel.series.push_back(std::move(each));
     if (const auto& reported = sample.comparison->reported; reported && reported->velocity) {
         Rule& rule =
-            panel.rules.emplace_back(Rule{reported->velocity->value, "v_c reported",
+            panel.rules.emplace_back(Rule{reported->velocity->value, "v_c",
                                           reported->law ? Look::of(reported->law->index()) : Look::plain(0)});
         if (const auto& ends = reported->interval; ends && ends->lower && ends->upper)
             rule.interval = {*ends->lower, *ends->upper};
     }
     if (const auto& measured = sample.velocity->measured; measured && measured->value)
-        panel.rules.push_back({*measured->value, "v_c measured", Look::plain(0)});
+        panel.rules.push_back({*measured->value, "measured", Look::plain(0)});
     return panel;
 }
 
