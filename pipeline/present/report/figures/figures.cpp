@@ -28,27 +28,6 @@ constexpr std::array<std::pair<std::string_view, double>, 11> prefixes{{{"T", 1e
 
 constexpr std::array<std::string_view, 5> prefixed{"Pa", "m", "s", "N", "J"};
 
-RowItem bar(double from, double to, const Look& look, std::string name, std::string legend = {}) {
-    return {.kind = RowItem::Kind::bar,
-            .from = from,
-            .to = to,
-            .look = look,
-            .name = std::move(name),
-            .legend = std::move(legend)};
-}
-
-RowItem interval(double from, double to, const Look& look, std::string name) {
-    RowItem item = bar(from, to, look, std::move(name));
-    item.kind = RowItem::Kind::interval;
-    return item;
-}
-
-RowItem mark(double at, const Look& look, std::string name, std::string legend) {
-    RowItem item = bar(at, at, look, std::move(name), std::move(legend));
-    item.kind = RowItem::Kind::mark;
-    return item;
-}
-
 /// Position of a phase among all of the run, so that it looks the same in every sample.
 std::size_t position(std::vector<std::string>& names, const std::string& name) {
     const auto found = std::find(names.begin(), names.end(), name);
@@ -63,8 +42,8 @@ Row fractions_row(const SampleModulus& modulus, double PhaseShare::*fraction, co
     double from = 0;
     for (const PhaseShare& phase : modulus.phases) {
         const double share = phase.*fraction;
-        row.items.push_back(bar(from, from + share, Look::of(position(names, phase.name)),
-                                fmt::format("{}: {:.4g} %", phase.name, 100 * share), phase.name));
+        row.items.push_back({RowItem::Kind::bar, from, from + share, Look::of(position(names, phase.name)),
+                             fmt::format("{}: {:.4g} %", phase.name, 100 * share), phase.name});
         from += share;
     }
     return row;
@@ -83,6 +62,7 @@ RowPanel fractions_panel(const RunData& run) {
 }
 
 RowPanel modulus_panel(const RunData& run) {
+    using enum RowItem::Kind;
     RowPanel panel{.title = "Young's modulus and its bounds",
                    .x = {.label = "E", .unit = "GPa", .scale = 1e9}};
     for (const SampleData& sample : run.samples()) {
@@ -92,17 +72,17 @@ RowPanel modulus_panel(const RunData& run) {
         if (const auto& known = sample.modulus->bounds) {
             const double from = known->lower.value;
             const double to = known->upper.value;
-            bounds.items = {bar(from, to, Look::plain(3),
-                                fmt::format("bounds {:.4g} to {:.4g} GPa", from / 1e9, to / 1e9), "bounds")};
+            bounds.items = {{bar, from, to, Look::plain(3),
+                             fmt::format("bounds {:.4g} to {:.4g} GPa", from / 1e9, to / 1e9), "bounds"}};
         }
         panel.rows.push_back(std::move(bounds));
         Row own{.label = "E"};
         if (const double u = modulus.standard_uncertainty.value_or(0); u > 0)
-            own.items.push_back(interval(modulus.value - u, modulus.value + u, Look::plain(0),
-                                         fmt::format("± {:.3g} GPa (standard uncertainty)", u / 1e9)));
-        own.items.push_back(mark(modulus.value, Look::plain(0),
-                                 fmt::format("E = {:.4g} GPa", modulus.value / 1e9),
-                                 "E by the rule of the case, ± u"));
+            own.items.push_back({interval, modulus.value - u, modulus.value + u, Look::plain(0),
+                                 fmt::format("± {:.3g} GPa (standard uncertainty)", u / 1e9)});
+        own.items.push_back({mark, modulus.value, modulus.value, Look::plain(0),
+                             fmt::format("E = {:.4g} GPa", modulus.value / 1e9),
+                             "E by the rule of the case, ± u"});
         panel.rows.push_back(std::move(own));
     }
     return panel;
@@ -131,14 +111,15 @@ NumberTable numbers(const RunData& run) {
 }
 
 RowItem velocity_mark(double value, const Look& look, const std::string& name, const std::string& legend) {
-    return mark(value, look, fmt::format("{}: {:.4g} m/s", name, value), legend);
+    return {RowItem::Kind::mark, value, value, look, fmt::format("{}: {:.4g} m/s", name, value), legend};
 }
 
 /// The interval of a value; an open end is drawn a factor 1.5 away.
 RowItem velocity_interval(double value, const Bounds& bounds, const Look& look, const std::string& name) {
     const double from = bounds.lower && *bounds.lower > 0 ? *bounds.lower : value / 1.5;
     const double to = bounds.upper.value_or(value * 1.5);
-    return interval(from, to, look, fmt::format("{}: 95 % from {:.3g} to {:.3g} m/s", name, from, to));
+    return {RowItem::Kind::interval, from, to, look,
+            fmt::format("{}: 95 % from {:.3g} to {:.3g} m/s", name, from, to)};
 }
 
 /// A velocity with its interval where there is one, in the row and in the table.
@@ -303,14 +284,15 @@ std::string RunData::damping_unit() const {
 
 Row sobol_row(const std::string& label, const std::string& name, const Look& look, double first, double total,
               const std::optional<double>& total_error) {
+    using enum RowItem::Kind;
     Row row{.label = label,
-            .items = {bar(0, total, look, fmt::format("{}: total {:.3g} %", name, 100 * total))}};
+            .items = {{bar, 0, total, look, fmt::format("{}: total {:.3g} %", name, 100 * total)}}};
     if (total_error)
-        row.items.push_back(interval(total - *total_error, total + *total_error, look,
-                                     fmt::format("{}: ± {:.2g} %", name, 100 * *total_error)));
-    row.items.push_back(mark(first, Look::plain(3),
-                             fmt::format("{}: first order {:.3g} %", name, 100 * first),
-                             "first order; bar: total"));
+        row.items.push_back({interval, total - *total_error, total + *total_error, look,
+                             fmt::format("{}: ± {:.2g} %", name, 100 * *total_error)});
+    row.items.push_back({mark, first, first, Look::plain(3),
+                         fmt::format("{}: first order {:.3g} %", name, 100 * first),
+                         "first order; bar: total"});
     return row;
 }
 
