@@ -177,7 +177,7 @@ TEST_CASE("the summary shows what a verdict compares, and marks a velocity that 
                                      .check = agrees});
     const std::string text =
         comparison_text(ComparisonResult{.samples = {sample}, .conclusion = "Done."}, 80);
-    CHECK_MESSAGE(text.find("0.832 (0.558 to 1.10)") != std::string::npos, text);
+    CHECK_MESSAGE(text.find("0.832 m/s (0.558 to 1.10)") != std::string::npos, text);
     CHECK_MESSAGE(
         text.starts_with("fine: particles stick below 0.700 m/s (0.652 to 0.725), by jkr.\nIn brackets: "),
         text);
