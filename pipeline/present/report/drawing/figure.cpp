@@ -181,11 +181,10 @@ std::vector<double> logarithmic_ticks(Range range, int most) {
     constexpr std::array all{1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0};
     constexpr std::array some{1.0, 2.0, 5.0};
     constexpr std::array one{1.0};
-    // Within about a decade even steps, where there is room for finer ones than the digits of the decade.
-    const auto count_of_digits = decade_ticks(range, all).size();
-    if (auto even = linear_ticks(range, most);
-        static_cast<int>(count_of_digits) <= most && even.size() > count_of_digits)
-        return even;
+    // Within a decade even steps, where there is room for finer ones than its digits.
+    if (const auto count = decade_ticks(range, all).size();
+        range.to < 10 * range.from && static_cast<int>(count) <= most)
+        if (auto even = linear_ticks(range, most); even.size() > count) return even;
     for (const std::span<const double> digits :
          {std::span<const double>(all), std::span<const double>(some), std::span<const double>(one)}) {
         auto values = decade_ticks(range, digits);
