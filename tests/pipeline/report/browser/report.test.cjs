@@ -105,7 +105,7 @@ const look = async (browser, file, name, width, scheme) => {
   await page.goto(url);
   const scrolled = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
   check(scrolled <= 0, `${where}: scrolls sideways by ${scrolled} px`);
-  const hidden = await page.evaluate(() => [...document.querySelectorAll('.wide')].map((table) => table.scrollWidth - table.clientWidth));
+  const hidden = await page.evaluate(() => [...document.querySelectorAll('.scroll.wide')].map((table) => table.scrollWidth - table.clientWidth));
   check(width < 1440 || hidden.every((each) => each <= 0), `${where}: the table of velocities is cut by ${hidden} px`);
   const out = await page.evaluate(outside);
   check(out.length === 0, `${where}: outside of its frame: ${out.slice(0, 5).join('; ')} (${out.length})`);
