@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "core/quantities/checks.hpp"
 #include "core/text/error.hpp"
@@ -152,19 +153,32 @@ Parameter parameter_of(const char* name) {
     return parameter_named(name == nullptr ? "(null)" : name);
 }
 
-void take_constants(ashimpact_model& model, const ashimpact_parameter* parameters, std::size_t count) {
+/// Checks that a name is new among those given, as is what may stand in its place. @throws InputError
+template <class IsGiven>
+void require_new(Parameter parameter, const IsGiven& is_given) {
+    const std::string name(name_of(parameter));
+    const Parameter other = alternative_to(parameter);
+    if (is_given(parameter)) throw InputError(name + " is given twice");
+    if (is_given(other))
+        throw InputError(name + " is given beside " + std::string(name_of(other)), "one of them");
+}
+
+void add_note(std::string& notes, const std::string& note) {
+    notes += (notes.empty() || note.empty() ? "" : "; ") + note;
+}
+
+/// @return a note on constants that change nothing
+std::string take_constants(ashimpact_model& model, const ashimpact_parameter* parameters, std::size_t count) {
     if (count > 0 && parameters == nullptr)
         throw InputError("parameters is NULL", "an array of count of them");
+    std::string notes;
     for (std::size_t i = 0; i < count; ++i) {
         const Parameter parameter = parameter_of(parameters[i].name);
-        const std::string name(name_of(parameter));
-        if (model[parameter]) throw InputError(name + " is given twice");
-        if (model[alternative_to(parameter)]) {
-            throw InputError(name + " is given beside " + std::string(name_of(alternative_to(parameter))),
-                             "one of them");
-        }
+        require_new(parameter, [&](Parameter each) { return model[each].has_value(); });
+        add_note(notes, note_on(model.choice.law, parameter));
         model.constants[place_of(parameter)] = parameters[i].value;
     }
+    return notes;
 }
 
 /// The contact of a model's constants without parameters of its law; missing ones get admissible numbers.
@@ -205,10 +219,7 @@ void check_constants(const ashimpact_model& model) {
     if (const auto diameter = model[Parameter::diameter])
         require_positive("diameter", *diameter, Dimension::length);
     for (const LawParameter& parameter : law_parameters()) {
-        const Parameter named = parameter_named(parameter.name);
-        if (!model[named]) continue;
-        require_taken(law, named);
-        require_allowed(parameter, *model[named]);
+        if (const auto value = model[parameter_named(parameter.name)]) require_allowed(parameter, *value);
     }
     ContactPair pair = contact_of(model);
     pair.parameters = typical_parameters(law);
@@ -220,13 +231,14 @@ void check_constants(const ashimpact_model& model) {
 }
 
 /// Makes a model from what ashimpact_open() takes, null pointers included.
+/// @param notes gets a note on constants that change nothing
 /// @throws InputError for a name that is unknown, a constant that is not admissible, missing or given twice
 ashimpact_model make_model(const char* law, const char* detachment, const char* damping_law,
-                           const ashimpact_parameter* parameters, std::size_t count) {
+                           const ashimpact_parameter* parameters, std::size_t count, std::string& notes) {
     ashimpact_model model{.choice = choice_named(law, detachment, damping_law)};
     if (const auto reason = refusal(model.choice.law, model.choice.detachment))
         throw InputError(*reason, admissible_detachments(model.choice.law));
-    take_constants(model, parameters, count);
+    notes = take_constants(model, parameters, count);
     check_constants(model);
     model.spheres = sphere_impacts(model);
     return model;
@@ -242,17 +254,22 @@ ashimpact_status report(ashimpact_status status, std::string_view message, ashim
 
 /// A call of its own, so that the compiler moves none of its operations before the change of floating point.
 template <class Work>
-[[gnu::noinline]] void do_apart(const Work& work) {
-    work();
+[[gnu::noinline]] auto do_apart(const Work& work) {
+    return work();
 }
 
-/// Does a call's work in floating point of its own, and turns what it throws into a status and a message.
+/// Does a call's work in floating point of its own, and turns what it throws into a status and a message;
+/// what it returns is a note.
 template <class Work>
 ashimpact_status guarded(ashimpact_error* error, const Work& work) noexcept {
     const OwnFloatingPoint own;
     try {
-        do_apart(work);
-        return report(ASHIMPACT_OK, {}, error);
+        if constexpr (std::is_void_v<std::invoke_result_t<Work>>) {
+            do_apart(work);
+            return report(ASHIMPACT_OK, {}, error);
+        } else {
+            return report(ASHIMPACT_OK, do_apart(work), error);
+        }
     } catch (const InputError& refused) {
         return report(ASHIMPACT_INPUT_ERROR, refused.what(), error);
     } catch (const ConvergenceError& failed) {
@@ -282,17 +299,30 @@ Call call_of(const ashimpact_model* model, std::size_t count, const double* diam
     return call;
 }
 
-Call call_of(const ashimpact_model* model, std::size_t count, const ashimpact_column* columns,
-             std::size_t column_count) {
+/// A call with columns, and a note on those that change nothing with the law.
+struct NotedCall {
+    Call call;
+    std::string notes{};
+};
+
+/// @param unused by this function @throws InputError for a column that is one of them, unknown or doubled
+NotedCall call_of(const ashimpact_model* model, std::size_t count, const ashimpact_column* columns,
+                  std::size_t column_count, std::initializer_list<Parameter> unused) {
     require(model, "model");
     if (column_count > 0) require(columns, "columns");
-    Call call{model->choice, model->parameters(), count};
+    NotedCall made{.call = {model->choice, model->parameters(), count}};
+    Parameters given;
     for (std::size_t i = 0; i < column_count; ++i) {
         const Parameter parameter = parameter_of(columns[i].name);
         if (count > 0) require(columns[i].values, "values of column " + std::string(columns[i].name));
-        call.parameters.set(parameter, {columns[i].values, columns[i].stride});
+        if (std::ranges::find(unused, parameter) != unused.end())
+            throw InputError("this function uses no column " + std::string(columns[i].name));
+        require_new(parameter, [&](Parameter each) { return given.has(each); });
+        add_note(made.notes, note_on(model->choice.law, parameter));
+        given.set(parameter, {columns[i].values, columns[i].stride});
+        made.call.parameters.set(parameter, given[parameter]);
     }
-    return call;
+    return made;
 }
 
 struct NamedOutput {
@@ -316,6 +346,7 @@ void take_outputs(const ashimpact_output* outputs, std::size_t count,
             throw InputError("unknown output " + in_quotes(wanted), names);
         }
         require(outputs[i].values, "values of output " + std::string(wanted));
+        if (*found->values != nullptr) throw InputError("output " + std::string(wanted) + " is given twice");
         *found->values = outputs[i].values;
     }
 }
@@ -332,7 +363,9 @@ ashimpact_status ashimpact_open(const char* law, const char* detachment, const c
     return guarded(error, [&] {
         require(model, "model");
         *model = nullptr;
-        *model = new ashimpact_model(make_model(law, detachment, damping_law, parameters, count));
+        std::string notes;
+        *model = new ashimpact_model(make_model(law, detachment, damping_law, parameters, count, notes));
+        return notes;
     });
 }
 
@@ -391,7 +424,7 @@ ashimpact_status ashimpact_solve_impacts(const ashimpact_model* model, size_t co
                                          const ashimpact_output* outputs, size_t output_count,
                                          ashimpact_error* error) {
     return guarded(error, [&] {
-        const Call call = call_of(model, count, columns, column_count);
+        const auto [call, notes] = call_of(model, count, columns, column_count, {Parameter::restitution});
         BatchOutputs out;
         take_outputs(outputs, output_count,
                      {{"restitution", &out.restitution},
@@ -399,6 +432,7 @@ ashimpact_status ashimpact_solve_impacts(const ashimpact_model* model, size_t co
                       {"approach_time", &out.approach_time},
                       {"maximum_overlap", &out.maximum_overlap}});
         solve_impacts(call, out);
+        return notes;
     });
 }
 
@@ -407,10 +441,12 @@ ashimpact_status ashimpact_solve_critical_velocities(const ashimpact_model* mode
                                                      const ashimpact_output* outputs, size_t output_count,
                                                      ashimpact_error* error) {
     return guarded(error, [&] {
-        const Call call = call_of(model, count, columns, column_count);
+        const auto [call, notes] =
+            call_of(model, count, columns, column_count, {Parameter::velocity, Parameter::restitution});
         double* out = nullptr;
         take_outputs(outputs, output_count, {{"critical_velocity", &out}});
         solve_critical_velocities(call, out);
+        return notes;
     });
 }
 
@@ -419,10 +455,11 @@ ashimpact_status ashimpact_solve_dampings(const ashimpact_model* model, size_t c
                                           const ashimpact_output* outputs, size_t output_count,
                                           ashimpact_error* error) {
     return guarded(error, [&] {
-        const Call call = call_of(model, count, columns, column_count);
+        const auto [call, notes] = call_of(model, count, columns, column_count, {Parameter::damping});
         DampingOutputs out;
         take_outputs(outputs, output_count,
                      {{"damping", &out.damping}, {"greatest_restitution", &out.greatest_restitution}});
         solve_dampings(call, out);
+        return notes;
     });
 }

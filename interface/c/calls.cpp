@@ -189,11 +189,13 @@ Parameter alternative_to(Parameter parameter) {
     return parameter;
 }
 
-void require_taken(Law law, Parameter parameter) {
-    const std::string_view name = name_of(parameter);
-    const auto own = std::ranges::find(law_parameters(), name, &LawParameter::name);
-    if (own != law_parameters().end() && !law.takes(*own))
-        throw InputError("law " + std::string(law.name()) + " takes no " + std::string(name));
+std::string note_on(Law law, Parameter parameter) {
+    const std::string name(name_of(parameter));
+    const auto reason = idle_reason(law, name);
+    if (!reason) return {};
+    if (parameter > Parameter::restitution)
+        throw InputError("law " + std::string(law.name()) + " takes no " + name);
+    return name + ": " + *reason;
 }
 
 void Parameters::set(Parameter parameter, Strided source) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <numbers>
+#include <string>
 #include <string_view>
 
 #include "solver/batch/batch.hpp"
@@ -38,8 +39,9 @@ inline constexpr std::size_t most_parameters = 24;
 [[nodiscard]] Parameter parameter_named(std::string_view name);
 /// What may be set instead: mass for density, diameter for effective_radius, vice versa; others: themselves.
 [[nodiscard]] Parameter alternative_to(Parameter parameter);
-/// @throws InputError if the parameter belongs to other laws than @p law
-void require_taken(Law law, Parameter parameter);
+/// A line on a parameter that changes nothing with the law, empty if it counts.
+/// @throws InputError if it belongs to other laws
+[[nodiscard]] std::string note_on(Law law, Parameter parameter);
 
 /// Mass of a sphere [kg] from density [kg/m3] and diameter [m]. All interfaces use it, so that their results
 /// agree bit by bit: the order of the factors matters.

@@ -41,7 +41,8 @@ typedef enum {
     ASHIMPACT_NOT_CONVERGED = 3 /* a computation did not converge */
 } ashimpact_status;
 
-/* Where a function writes what went wrong: one line, with what is allowed. NULL is allowed in its place. */
+/* Where a function writes what went wrong: one line, with what is allowed. NULL is allowed in its place. After
+ * ASHIMPACT_OK it is empty, or names parameters and columns that change nothing with the law. */
 typedef struct {
     char message[512];
 } ashimpact_error;
@@ -62,14 +63,14 @@ typedef struct {
 
 /* Numbers that change from one impact to the next: value i is values[i * stride], so that a stride of 0 means
  * one number for all. Names are those of the parameters, and diameter [m], velocity [m/s] (of approach, > 0)
- * and restitution [1]. A column replaces the model's parameter of that name. */
+ * and restitution [1], each once. A column replaces the model's parameter of that name. */
 typedef struct {
     const char* name;
     const double* values;
     size_t stride;
 } ashimpact_column;
 
-/* An array for a result, by its name; the function that fills it lists those it knows. */
+/* An array for a result, by its name, each once; the function that fills it lists those it knows. */
 typedef struct {
     const char* name;
     double* values;

@@ -37,6 +37,16 @@ std::vector<LawParameter> parameters_of(Law law, DampingLaw damping_law) {
     return found;
 }
 
+std::optional<std::string> idle_reason(Law law, std::string_view name) {
+    const auto own = std::ranges::find(law_parameters(), name, &LawParameter::name);
+    const bool counts = name == "yield_pressure"     ? law.is_plastic()
+                        : name == "work_of_adhesion" ? law.uses_work_of_adhesion()
+                                                     : own == law_parameters().end() || law.takes(*own);
+    if (counts) return std::nullopt;
+    return std::string(law.name()) + (name == "yield_pressure" ? " never yields" : " does not use it") +
+           ", so it changes nothing";
+}
+
 std::string ParameterFault::problem() const {
     std::vector<std::string> all;
     for (const LawParameter& parameter : parameters) all.emplace_back(parameter.name);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "solver/contact/law.hpp"
@@ -25,6 +26,9 @@ struct ParameterFault {
 
 /// The parameters that a contact law and a damping law take together.
 [[nodiscard]] std::vector<LawParameter> parameters_of(Law law, DampingLaw damping_law);
+
+/// Why "work_of_adhesion", "yield_pressure" or a parameter changes nothing with a law; none if it counts.
+[[nodiscard]] std::optional<std::string> idle_reason(Law law, std::string_view name);
 
 /// The first parameter or choice of the laws that is not given as it must be; none if all are.
 [[nodiscard]] std::optional<ParameterFault> parameter_fault(

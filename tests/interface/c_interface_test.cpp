@@ -242,16 +242,52 @@ TEST_CASE("C interface: what is wrong, in one line with what is allowed") {
     double e = 0.0;
     CHECK(ashimpact_restitution(handle.get(), 1e-6, NAN, &e, &error) == ASHIMPACT_INPUT_ERROR);
     CHECK(std::string(error.message).find("velocity") == 0);
-    const ashimpact_column only_velocity[] = {{"velocity", s.velocity.data(), 1}};
-    const ashimpact_output output[] = {{"restitution", &e}};
-    CHECK(ashimpact_solve_impacts(handle.get(), 1, only_velocity, 1, output, 1, &error) ==
-          ASHIMPACT_INPUT_ERROR);
-    CHECK(std::string(error.message).find("diameter is missing") == 0);
-    const ashimpact_output unknown[] = {{"overlap", &e}};
-    CHECK(ashimpact_solve_impacts(handle.get(), 1, only_velocity, 1, unknown, 1, &error) ==
-          ASHIMPACT_INPUT_ERROR);
-    CHECK(std::string(error.message).find("maximum_overlap") != std::string::npos);
+    const ashimpact_column velocity{"velocity", s.velocity.data(), 1};
+    const ashimpact_output restitution_output{"restitution", &e};
+    const ashimpact_column diameter{"diameter", s.diameter.data(), 1};
+    struct RefusedCall {
+        std::vector<ashimpact_column> columns;
+        std::vector<ashimpact_output> outputs;
+        const char* said;
+    };
+    for (const RefusedCall& c : std::vector<RefusedCall>{
+             {{velocity}, {restitution_output}, "diameter is missing"},
+             {{velocity}, {{"overlap", &e}}, "maximum_overlap"},
+             {{diameter, velocity, velocity}, {restitution_output}, "velocity is given twice"},
+             {{diameter, velocity, {"effective_radius", s.diameter.data(), 1}}, {}, "beside diameter"},
+             {{diameter, velocity, {"restitution", &e, 0}}, {}, "uses no column restitution"},
+             {{diameter, velocity, {"tabor", &e, 0}}, {}, "law dmt takes no tabor"},
+             {{diameter, velocity},
+              {restitution_output, restitution_output},
+              "restitution is given twice"}}) {
+        CHECK(ashimpact_solve_impacts(handle.get(), 1, c.columns.data(), c.columns.size(), c.outputs.data(),
+                                      c.outputs.size(), &error) == ASHIMPACT_INPUT_ERROR);
+        CHECK(std::string(error.message).find(c.said) != std::string::npos);
+    }
     CHECK(ashimpact_restitutions(handle.get(), 0, nullptr, nullptr, nullptr, &error) == ASHIMPACT_OK);
+    CHECK(std::string(error.message).empty());
+}
+
+TEST_CASE("C interface: a note names what changes nothing with the law") {
+    ashimpact_error error;
+    ashimpact_model* model = nullptr;
+    REQUIRE(ashimpact_open("hertz", nullptr, nullptr, constants.data(), constants.size(), &model, &error) ==
+            ASHIMPACT_OK);
+    CHECK(std::string(error.message) ==
+          "work_of_adhesion: hertz does not use it, so it changes nothing; "
+          "yield_pressure: hertz never yields, so it changes nothing");
+    const double numbers[] = {44e-6, 2.0};
+    double e = 0.0;
+    const ashimpact_column columns[] = {
+        {"diameter", numbers, 0}, {"velocity", numbers + 1, 0}, {"yield_pressure", numbers, 0}};
+    const ashimpact_output output{"restitution", &e};
+    for (const std::size_t count : {2U, 3U}) {
+        CHECK(ashimpact_solve_impacts(model, 1, columns, count, &output, 1, &error) == ASHIMPACT_OK);
+        CHECK(std::string(error.message).starts_with("yield_pressure") == (count == 3));
+    }
+    ashimpact_close(model);
+    const Handle handle("dmt", nullptr, nullptr, 4);
+    CHECK(ashimpact_solve_impacts(handle.get(), 1, columns, 2, &output, 1, &error) == ASHIMPACT_OK);
     CHECK(std::string(error.message).empty());
 }
 

@@ -49,7 +49,11 @@ class Model {
                              parameters.begin(), parameters.size(), &made, &error),
               error);
         model_.reset(made);
+        note_ = error.message;
     }
+
+    /// Names the parameters that change nothing with the law; empty if all of them count.
+    [[nodiscard]] const std::string& note() const { return note_; }
 
     /// Restitution e_n of a sphere on a flat wall; 0 for a capture [1].
     /// @param diameter [m] @param velocity of approach, > 0 [m/s]
@@ -140,6 +144,7 @@ class Model {
     }
 
     std::unique_ptr<ashimpact_model, Close> model_{};
+    std::string note_{};
 };
 
 }  // namespace v1

@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import decimal
 import functools
 import inspect
+import numbers
 import textwrap
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, TypeVar, Union, cast
@@ -125,14 +127,32 @@ def takes_law_parameters(function: Function) -> Function:
     return cast(Function, checked)
 
 
-def _flat_arrays(arguments: Mapping[str, NumbersLike]) -> tuple[dict[str, Numbers], tuple[int, ...]]:
+def real_numbers(name: str, value: Any) -> Numbers:
+    """An argument as float64. Refuses what is no real number in SI: masked values, dates, truth values, text, units."""
+    fault = "has a unit of its own" if hasattr(value, "unit") or hasattr(value, "units") else None
+    try:
+        array = np.asanyarray(value)
+        if np.ma.is_masked(array):
+            fault = "has masked values"
+        array = np.asarray(array)
+        kinds = (numbers.Real, decimal.Decimal)
+        wrong = [each for each in array.flat if not isinstance(each, kinds) or isinstance(each, bool)] if array.dtype == object else []
+        if wrong or array.dtype.kind not in "iufO":
+            fault = fault or "holds " + (type(wrong[0]) if wrong else array.dtype.type).__name__
+        if fault is None:
+            return array.astype(np.float64)
+    except (TypeError, ValueError, OverflowError) as error:
+        fault = f"is no number: {error}"
+    raise _core.InputError(f"{name} {fault}; allowed: numbers in SI units")
+
+
+def flat_arrays(arguments: Mapping[str, NumbersLike]) -> tuple[dict[str, Numbers], tuple[int, ...]]:
     """Flat arrays of one number, or of all numbers in their order, and the shape that the arguments broadcast to."""
-    arrays = {}
-    for name, value in arguments.items():
-        try:
-            arrays[name] = np.asarray(value, dtype=np.float64)
-        except (TypeError, ValueError) as error:
-            raise _core.InputError(f"{name} is no number: {error}; allowed: numbers in SI units") from None
+    arrays = {name: real_numbers(name, value) for name, value in arguments.items()}
+    rows = [(name, value.index) for name, value in arguments.items() if hasattr(value, "index") and hasattr(value, "to_numpy")]
+    for name, index in rows[1:]:
+        if not index.equals(rows[0][1]):
+            raise _core.InputError(f"{rows[0][0]} and {name} have different indices; allowed: one index, or arrays (to_numpy())")
     try:
         shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
     except ValueError:
@@ -178,15 +198,18 @@ def _call(arguments: dict[str, Any], *numbers: str) -> tuple[_core.Call, tuple[i
     needed = ("contact_modulus", "work_of_adhesion", *numbers)
     own = [name for name in _core.law_parameters() if name in given]
     spheres = [name for name in ("density", "mass", "partner_radius", "partner_density", "partner_mass") if name in given]
-    arrays, shape = _flat_arrays({name: arguments[name] for name in ("radius", *needed, *spheres, *own)})
+    arrays, shape = flat_arrays({name: arguments[name] for name in ("radius", *needed, *spheres, *own)})
     radius, mass = arrays["radius"], _mass(arrays)
     if "partner_radius" in arrays:
         mass = _joint("mass", mass, _mass(arrays, "partner_"))
         radius = _joint("radius", radius, arrays["partner_radius"])
     columns = {"mass": mass, "effective_radius": radius, **{name: arrays[name] for name in (*needed, *own)}}
     count = int(np.prod(shape, dtype=np.int64))
-    choice = (arguments["law"], arguments["detachment"], arguments["damping_law"])
-    return _core.Call(*choice, columns, count, arguments["threads"]), shape
+    detachment, threads = arguments["detachment"], arguments["threads"]
+    if not isinstance(threads, numbers.Integral) or isinstance(threads, bool) or not 0 <= threads < 2**16:
+        raise _core.InputError(f"threads is {threads!r}; allowed: a whole number, 0 for one a core")
+    choice = (str(arguments["law"]), None if detachment is None else str(detachment), str(arguments["damping_law"]))
+    return _core.Call(*choice, columns, count, int(threads)), shape
 
 
 @takes_law_parameters
@@ -234,10 +257,10 @@ def impacts(
         InputError: naming the first impact it concerns.
         ConvergenceError: where an impact could not be solved.
     """
-    if method not in ("integration", "table"):
+    if str(method) not in ("integration", "table"):
         raise _core.InputError(f"unknown method '{method}'; allowed: integration, table")
     call, shape = _call({**locals(), **parameters}, "velocity", "damping")
-    restitution, contact_time, approach_time, maximum_overlap = call.impacts(method == "integration")
+    restitution, contact_time, approach_time, maximum_overlap = call.impacts(str(method) == "integration")
     restitution = restitution.reshape(shape)
     return Impacts(
         restitution=restitution,

@@ -15,13 +15,13 @@ import subprocess
 import tempfile
 import warnings
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from ashimpact import _core
-from ashimpact._batch import takes_law_parameters
+from ashimpact._batch import flat_arrays, takes_law_parameters
 
 if TYPE_CHECKING:
     import pandas
@@ -58,12 +58,12 @@ def _messages(text: str) -> list[str]:
     return messages
 
 
-def _call(command: str, *arguments: str) -> str:
-    """Standard output of a command; its messages become warnings, its errors exceptions."""
+def _call(command: str, *arguments: str, hidden: str = "") -> str:
+    """Standard output of a command; its messages, without a hidden place, become warnings, its errors exceptions."""
     finished = subprocess.run(
         [_program(), command, *arguments], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
     )
-    messages = _messages(finished.stderr)
+    messages = [message.replace(hidden, "") for message in _messages(finished.stderr)]
     if finished.returncode == 0:
         for message in messages:
             warnings.warn(message.removeprefix("warning: "), UserWarning, stacklevel=3)
@@ -76,23 +76,32 @@ def _call(command: str, *arguments: str) -> str:
     raise RuntimeError(message)
 
 
-def _options(given: Mapping[str, Any]) -> list[str]:
-    """Options of the command line from arguments; those that are None are left out."""
+def _options(function: Callable[..., Any], given: Mapping[str, Any]) -> list[str]:
+    """Options of the command line from arguments of a function; those that are None are left out.
+
+    A truth value is refused where the function takes none, and anything else where it takes one.
+    """
+    stated = function.__annotations__
     words: list[str] = []
     for name, value in given.items():
-        option = "--" + name.replace("_", "-")
-        if value is None or value is False:
+        kind = stated.get(name, stated.get("parameters", ""))
+        if value is None:
             continue
-        if value is True:
+        is_flag = isinstance(value, (bool, np.bool_))
+        if kind and is_flag != (kind == "bool"):
+            allowed = (("bool", "True or False"), ("int", "a whole number"), ("float", "a number"), ("", "a text"))
+            raise _core.InputError(f"{name} is {value!r}; allowed: {next(word for part, word in allowed if part in kind)}")
+        option = "--" + name.replace("_", "-")
+        if not is_flag:
+            words.append(f"{option}={float(value)!r}" if isinstance(value, (float, np.floating)) else f"{option}={value}")
+        elif value:
             words.append(option)
-        else:
-            words += [option, repr(float(value)) if isinstance(value, (float, np.floating)) else str(value)]
     return words
 
 
 def _path(value: PathLike) -> str:
     """A path that the command line cannot take for an option."""
-    path = os.fspath(value)
+    path = os.fsdecode(value)
     return os.path.join(".", path) if path.startswith("-") else path
 
 
@@ -136,7 +145,7 @@ def modulus(
     del options["file"]
     if phases is not None:
         options["phases"] = _path(phases)
-    document: Document = json.loads(_call("modulus", _path(file), *_options(options), "--json"))
+    document: Document = json.loads(_call("modulus", _path(file), *_options(modulus, options), "--json"))
     return document
 
 
@@ -165,10 +174,10 @@ def run(
         ConvergenceError: where a computation did not converge.
     """
     with tempfile.TemporaryDirectory() as scratch:
-        target = Path(scratch) / "run" if folder is None else Path(os.fspath(folder))
+        target = Path(scratch) / "run" if folder is None else Path(os.fsdecode(folder))
         words = [] if case is None else [_path(case)]
         options = {"only": only, "allow_outside": allow_outside, "no_report": folder is None, "from": start}
-        _call("run", *words, "-o", _path(target), *_options(options))
+        _call("run", *words, "-o", _path(target), *_options(run, options))
         return {path.stem: _read(path) for path in sorted(target.glob("*.json"))}
 
 
@@ -189,8 +198,8 @@ def calibrate(
     """
     words = [] if case is None else [_path(case)]
     for name in [free] if isinstance(free, str) else free:
-        words += ["--free", name]
-    words += _options({"compare": compare, "allow_outside": allow_outside})
+        words.append(f"--free={name}")
+    words += _options(calibrate, {"compare": compare, "allow_outside": allow_outside})
     document: Document = json.loads(_call("calibrate", *words, "--json"))
     return document
 
@@ -222,7 +231,7 @@ def sweep(
         else:
             spec_file = _path(spec)
         result = os.path.join(scratch, "sweep.json") if output is None else _path(output)
-        _call("sweep", spec_file, "-o", result, *_options({"threads": threads, "restart": restart}))
+        _call("sweep", spec_file, "-o", result, *_options(sweep, {"threads": threads, "restart": restart}))
         return _read(result)
 
 
@@ -276,39 +285,40 @@ def analyse_impacts(
     options = {**locals(), **parameters}
     for name in ("impacts", "velocity", "rebound_velocity", "restitution", "parameters"):
         del options[name]
+    columns = {"velocity": velocity, "rebound_velocity": rebound_velocity, "restitution": restitution}
+    given = {name: values for name, values in columns.items() if values is not None}
+    if impacts is not None and given:
+        raise _core.InputError(f"impacts, {', '.join(given)}: both are given; allowed: impacts, or velocity with its rebounds")
+    words = _options(analyse_impacts, options)
     with tempfile.TemporaryDirectory() as scratch:
-        if isinstance(impacts, (str, os.PathLike)):
+        file, hidden = os.path.join(scratch, "impacts.csv"), f"{scratch}{os.sep}impacts.csv: "
+        if isinstance(impacts, (str, bytes, os.PathLike)):
             file = _path(impacts)
         else:
-            file = os.path.join(scratch, "impacts.csv")
-            text = _table_of(impacts, velocity, rebound_velocity, restitution)
+            text = _table_of(impacts, given)
             with open(file, "w", encoding="utf-8") as out:
                 out.write(text)
-        document: Document = json.loads(_call("damping", *_options(options), "--impacts", file, "--json"))
+        document: Document = json.loads(_call("damping", *words, "--impacts", file, "--json", hidden=hidden))
         return document
 
 
-def _table_of(
-    impacts: Any,
-    velocity: Optional[npt.ArrayLike],
-    rebound_velocity: Optional[npt.ArrayLike],
-    restitution: Optional[npt.ArrayLike],
-) -> str:
+def _table_of(impacts: Any, given: Mapping[str, npt.ArrayLike]) -> str:
     """Measured impacts as a table for the program."""
     if impacts is not None:
         if not hasattr(impacts, "columns") or not hasattr(impacts, "itertuples"):
             raise _core.InputError(
                 f"impacts is a {type(impacts).__name__}; allowed: a file name, a pandas table, or velocity"
             )
-        return _csv_text([str(name) for name in impacts.columns], list(impacts.itertuples(index=False)))
-    if velocity is None or (rebound_velocity is None) == (restitution is None):
+        cells = impacts.astype(object).where(impacts.notna(), "")
+        return _csv_text([str(name) for name in impacts.columns], list(cells.itertuples(index=False)))
+    headings = {"velocity": "v_in [m/s]", "rebound_velocity": "v_r [m/s]", "restitution": "e_n [1]"}
+    if "velocity" not in given or len(given) != 2:
         raise _core.InputError(
-            "no impacts are given; allowed: a file, a pandas table, or velocity with rebound_velocity or restitution"
+            f"{', '.join(given) or 'nothing'} is given; allowed: a file, a pandas table, or velocity with rebound_velocity or restitution"
         )
-    second = rebound_velocity if rebound_velocity is not None else restitution
-    heading = "v_r [m/s]" if rebound_velocity is not None else "e_n [1]"
-    pair = np.broadcast_arrays(np.asarray(velocity, dtype=np.float64), np.asarray(second, dtype=np.float64))
-    return _csv_text(["v_in [m/s]", heading], [list(row) for row in zip(*(column.ravel() for column in pair))])
+    arrays, shape = flat_arrays(given)
+    rows = zip(*(np.broadcast_to(array, int(np.prod(shape))) for array in arrays.values()))
+    return _csv_text([headings[name] for name in given], [list(row) for row in rows])
 
 
 def _csv_text(headings: Sequence[str], rows: Sequence[Sequence[Any]]) -> str:
@@ -317,7 +327,7 @@ def _csv_text(headings: Sequence[str], rows: Sequence[Sequence[Any]]) -> str:
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(headings)
     for row in rows:
-        writer.writerow([repr(float(cell)) if isinstance(cell, (int, float)) else cell for cell in row])
+        writer.writerow([repr(float(cell)) if isinstance(cell, (int, float)) and not isinstance(cell, bool) else cell for cell in row])
     return text.getvalue()
 
 

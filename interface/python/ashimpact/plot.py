@@ -125,10 +125,11 @@ def restitution_curve(
 ) -> "Axes":
     """Restitution against velocity of one contact, with v_c marked; arguments are those of impacts()."""
     axes = _axes(axes)
-    speeds = np.sort(np.asarray(velocity, dtype=np.float64))
+    speeds = np.atleast_1d(_batch.real_numbers("velocity", velocity))
     result = _batch.impacts(velocity=speeds, **contact)
+    order = np.argsort(speeds)
     style = _style(contact["law"])
-    axes.plot(speeds, result.restitution, label=label or contact["law"], **style)
+    axes.plot(speeds[order], result.restitution[order], label=label or contact["law"], **style)
     threads_free = {key: value for key, value in contact.items() if key != "method"}
     critical = float(_batch.critical_velocities(**threads_free).critical_velocity)
     if 0.0 < critical < np.inf:
@@ -240,8 +241,9 @@ def sizes(
 ) -> "Axes":
     """Critical velocity against diameter of one contact; arguments are those of critical_velocities()."""
     axes = _axes(axes)
-    radii = np.sort(np.asarray(radius, dtype=np.float64))
+    radii = np.atleast_1d(_batch.real_numbers("radius", radius))
     critical = _batch.critical_velocities(radius=radii, **contact).critical_velocity
     shown = np.where((critical > 0.0) & np.isfinite(critical), critical, np.nan)
-    axes.plot(2e6 * radii, shown, label=label or contact["law"], **_style(contact["law"]))
+    order = np.argsort(radii)
+    axes.plot(2e6 * radii[order], shown[order], label=label or contact["law"], **_style(contact["law"]))
     return _finished(axes, xlabel="diameter [µm]", ylabel="critical velocity [m/s]", xscale="log", yscale="log")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The C++ part of the Python module: calls on numpy's arrays, and the tables of laws.
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <string>
@@ -23,6 +24,7 @@ namespace ashimpact {
 namespace {
 
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+constexpr py::ssize_t users_frame = 4;                     ///< from Call's, of warnings
 constexpr std::size_t chunk_size = std::size_t{1} << 15U;  ///< problems between two looks at signals
 
 /// Runs Python's signal handlers ten times a second, so that an interrupt ends a long call.
@@ -54,8 +56,12 @@ class PythonCall {
                 .after_chunk = [this] { signals_.look(); }} {
         for (const auto& [name, values] : numbers) {
             const Parameter parameter = parameter_named(name.cast<std::string>());
-            require_taken(call_.choice.law, parameter);
             const Array& array = arrays_.emplace_back(values.cast<Array>());
+            const std::string note = note_on(call_.choice.law, parameter);
+            const bool is_zero = std::all_of(array.data(), array.data() + array.size(),
+                                             [](double value) { return value == 0; });
+            if (!note.empty() && !is_zero && PyErr_WarnEx(PyExc_UserWarning, note.c_str(), users_frame) != 0)
+                throw py::error_already_set();
             call_.parameters.set(parameter, {array.data(), array.size() == 1 ? std::size_t{0} : 1});
         }
     }

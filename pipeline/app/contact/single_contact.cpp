@@ -77,12 +77,17 @@ double read_roughness(const CommandOptions& options, double effective_radius) {
     return at_place("--roughness", [&] { return roughness_reduction(effective_radius, {.rms = rms}); });
 }
 
+/// Whether an option is given although it changes nothing with the law, which is warned of.
+bool is_idle(const CommandOptions& options, const std::string& option, Law law, std::string_view name) {
+    const auto reason = options.has(option) ? idle_reason(law, name) : std::nullopt;
+    if (reason) spdlog::warn("warning: {}: {}", option, *reason);
+    return reason.has_value();
+}
+
 double read_work_of_adhesion(const CommandOptions& options, Law law) {
     constexpr auto option = "--work-of-adhesion";
-    const bool used = law.uses_work_of_adhesion();
-    if (!used && options.has(option))
-        spdlog::warn("warning: {}: {} does not use it, so it changes nothing", option, law.name());
-    if (!used && !options.has(option)) return 0;
+    static_cast<void>(is_idle(options, option, law, "work_of_adhesion"));
+    if (!law.uses_work_of_adhesion() && !options.has(option)) return 0;
     const double value = options.number(option, Dimension::energy_per_area);
     return at_place(option, [&] {
         require_not_negative("work of adhesion", value, Dimension::energy_per_area);
@@ -92,8 +97,7 @@ double read_work_of_adhesion(const CommandOptions& options, Law law) {
 
 double read_yield_pressure(const CommandOptions& options, Law law) {
     if (law.is_plastic()) return options.positive("--yield-pressure", Dimension::pressure);
-    if (options.has("--yield-pressure"))
-        spdlog::warn("warning: --yield-pressure: {} never yields, so it changes nothing", law.name());
+    static_cast<void>(is_idle(options, "--yield-pressure", law, "yield_pressure"));
     return std::numeric_limits<double>::infinity();
 }
 
@@ -112,11 +116,7 @@ ParameterValues<double> read_parameters(const CommandOptions& options, Law law) 
     ParameterValues<double> values;
     for (const LawParameter& parameter : law_parameters()) {
         const std::string option = option_of(parameter);
-        if (!options.has(option)) continue;
-        if (!law.takes(parameter)) {
-            spdlog::warn("warning: {}: {} does not use it, so it changes nothing", option, law.name());
-            continue;
-        }
+        if (!options.has(option) || is_idle(options, option, law, parameter.name)) continue;
         const double value = options.number(option, parameter.dimension);
         at_place(option, [&] { require_allowed(parameter, value); });
         values.set(parameter.name, value);

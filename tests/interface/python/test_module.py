@@ -226,15 +226,70 @@ class Impacts(unittest.TestCase):
             (dict(velocity=np.ones(3), radius=np.ones(2)), "broadcast"),
             (dict(contact_modulus="60 GPa"), "SI"),
             (dict(velocity=np.array([1.0] * 50_000 + [-2.0])), "impact 50000: velocity is -2"),
+            (dict(law=["jkr"]), "hertz, dmt"),
+            (dict(law=None), "hertz, dmt"),
+            (dict(damping_law=["tsuji"]), "constant, contact-radius, tsuji"),
+            (dict(detachment=["pull-off"]), "zero-overlap"),
+            (dict(method=["table"]), "integration, table"),
+            (dict(threads=True), "threads is True"),
+            (dict(threads=1.5), "threads is 1.5"),
+            (dict(threads=-1), "threads is -1"),
+            (dict(velocity=np.ma.array([1.0, 2.0], mask=[False, True])), "velocity has masked values"),
+            (dict(velocity=np.ma.masked), "velocity has masked values"),
+            (dict(velocity=np.array(["2026-01-01"], dtype="datetime64[D]")), "velocity holds datetime64"),
+            (dict(velocity=np.array([3], dtype="timedelta64[s]")), "velocity holds timedelta64"),
+            (dict(velocity=True), "velocity holds bool"),
+            (dict(velocity=np.array([1.0 + 2.0j])), "velocity holds complex128"),
+            (dict(velocity=["1", "2"]), "velocity holds str"),
+            (dict(velocity=np.array([1.0, "2"], dtype=object)), "velocity holds str"),
+            (dict(velocity=np.array([1.0, True], dtype=object)), "velocity holds bool"),
+            (dict(velocity=np.array([1.0, None])), "velocity holds NoneType"),
+            (dict(velocity=[1.0, np.nan]), "impact 1: velocity is nan"),
+            (dict(velocity=(each for each in (1.0, 2.0))), "velocity holds generator"),
+            (dict(velocity={"value": 1.0}), "velocity holds dict"),
+            (dict(velocity=[[1.0], [1.0, 2.0]]), "velocity is no number"),
+            (dict(velocity=10**400), "velocity is no number"),
+            (dict(work_of_adhesion=None), "work_of_adhesion holds NoneType"),
         )
         for change, expected in cases:
-            with self.assertRaises(ValueError) as caught:
+            with self.subTest(change=change), self.assertRaises(ValueError) as caught:
                 ashimpact.impacts(**dict(ASH, radius=22e-6, velocity=1.0) | change)
             self.assertIsInstance(caught.exception, ashimpact.InputError)
             self.assertIn(expected, str(caught.exception))
             self.assertNotIn("\n", str(caught.exception))
         with self.assertRaises(TypeError):
             ashimpact.impacts("jkr", 22e-6)  # keywords only
+
+    def test_numbers_of_any_kind(self):
+        import decimal
+        import pandas
+
+        expected = ashimpact.impacts(**dict(ASH, radius=22e-6, velocity=[1.0, 2.0])).restitution
+        read_only = np.array([1.0, 2.0])
+        read_only.flags.writeable = False
+        series = pandas.Series([1.0, 2.0], index=[7, 3])
+        for velocity in (
+            (1, 2), np.array([2.0, 1.0])[::-1], np.array([1.0, 9.0, 2.0])[::2], np.array([1, 2], dtype=">f8"), np.array([1, 2], dtype="f2"),
+            np.array([1, 2], dtype=np.longdouble), np.array([1, 2], dtype="u1"), read_only, series, series.astype(object),
+            series.astype("Float64"), np.ma.array([1.0, 2.0]), [decimal.Decimal(1), 2], np.asfortranarray([[1.0, 2.0]])[0],
+        ):
+            with self.subTest(velocity=velocity):
+                np.testing.assert_array_equal(ashimpact.impacts(**dict(ASH, radius=22e-6, velocity=velocity)).restitution, expected)
+        with self.assertRaisesRegex(ashimpact.InputError, "radius and velocity have different indices"):
+            ashimpact.impacts(**dict(ASH, radius=pandas.Series([1e-6, 2e-6]), velocity=series))
+
+    def test_what_changes_nothing_is_warned_of(self):
+        base = dict(radius=22e-6, density=2160.0, contact_modulus=60e9)
+        for given, expected in (
+            (dict(law="hertz", work_of_adhesion=0.3), "work_of_adhesion: hertz does not use it, so it changes nothing"),
+            (dict(law="jkr", work_of_adhesion=0.3, yield_pressure=1e9), "yield_pressure: jkr never yields, so it changes nothing"),
+        ):
+            with self.assertWarnsRegex(UserWarning, expected) as caught:
+                ashimpact.critical_velocities(**base, **given)
+            self.assertEqual(caught.filename, __file__)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            ashimpact.critical_velocities(law="hertz", **base)
 
 
 class LongCalls(unittest.TestCase):
@@ -320,6 +375,42 @@ class Documents(unittest.TestCase):
                 )
             self.assertEqual(analysed["impacts"], again["impacts"])
             self.assertEqual(analysed["extrapolated"], again["extrapolated"])
+
+    def test_options_are_what_they_are_meant_to_be(self):
+        import pandas
+
+        columns = dict(velocity=[1.0, 2.0, 3.0], restitution=[0.0, 0.2, 0.3])
+        contact = dict(law="dmt", radius=44e-6, density=2600.0, contact_modulus=90e9, work_of_adhesion=0.3)
+        table = pandas.DataFrame({"v_in [m/s]": [1.0, 2.0], "e_n": [False, True]})
+        for given, expected in (
+            (dict(columns, impacts="impacts.csv"), "impacts, velocity, restitution: both are given"),
+            (dict(columns, impacts=table), "impacts, velocity, restitution: both are given"),
+            (dict(columns, rebound_velocity=[0.0, 0.4, 0.9]), "velocity, rebound_velocity, restitution is given"),
+            (dict(velocity=[1.0]), "velocity is given"),
+            (dict(), "nothing is given"),
+            (dict(impacts=table), '"False" in column "e_n" is not a number'),
+            (dict(columns, velocity=np.ma.array([1.0, 2.0, 3.0], mask=[0, 1, 0])), "velocity has masked values"),
+            (dict(columns, velocity=[1.0, 2.0]), "shapes do not fit"),
+            (dict(columns, order=True), "order is True; allowed: a whole number"),
+            (dict(columns, order=2.5), "--order"),
+            (dict(columns, robust=2), "robust is 2; allowed: True or False"),
+            (dict(columns, frame_rate=False), "frame_rate is False; allowed: a number"),
+            (dict(columns, tabor=True), "tabor is True; allowed: a number"),
+            (dict(columns, law=["dmt"]), "hertz, dmt"),
+            (dict(columns, sheet="--json"), "--sheet"),
+        ):
+            with self.subTest(given=given), self.assertRaises(ashimpact.InputError) as caught:
+                ashimpact.analyse_impacts(**contact | given)
+            self.assertIn(expected, str(caught.exception))
+            self.assertNotIn("tmp", str(caught.exception))
+        for call, expected in (
+            (lambda: ashimpact.modulus("ash.csv", porosity=True), "porosity is True"),
+            (lambda: ashimpact.run(allow_outside=1), "allow_outside is 1"),
+            (lambda: ashimpact.calibrate(compare="yes"), "compare is 'yes'"),
+            (lambda: ashimpact.sweep({}, threads=True), "threads is True"),
+        ):
+            with self.assertRaisesRegex(ashimpact.InputError, expected):
+                call()
 
     def test_a_sweep_from_a_dict(self):
         spec = {
