@@ -12,7 +12,8 @@ function weightRows() {
     const fractions = valueAt('/samples/#/composition/weight_fractions');
     return Object.entries(isObject(fractions) ? fractions : {}).filter(([name]) => !name.startsWith('//')).map(([name, fraction]) => {
         const { number, unit } = shownQuantity(fraction, 'fraction');
-        return [name, unit === '%' || number === '' ? number : isNumber(number) ? String(Number((Number(number) * 100).toPrecision(12))) : number];
+        if (unit === '1' && isNumber(number)) return [name, String(Number((Number(number) * 100).toPrecision(12)))];
+        return [name, unit === '%' || number === '' ? number : `${number} ${unit === '1' ? 'of 1' : unit}`];
     });
 }
 
@@ -22,9 +23,16 @@ function likelyAmorphous() {
     return `${left > 0 && left < 100 ? readable(left) : 50} %`;
 }
 
+// A fraction that is not typed anew stays as the case has it. The program refuses a second row of a phase.
 function typedWeights(rows) {
     const fractions = {};
-    for (const [name, fraction] of rows) if (name !== '' || fraction !== '') fractions[name] = fraction === '' ? '' : `${fraction} %`;
+    const shown = Object.fromEntries(weightRows());
+    const stated = valueAt('/samples/#/composition/weight_fractions');
+    for (const [name, fraction] of rows.filter((row) => row.some((text) => text !== ''))) {
+        const typed = fraction === '' ? '' : `${fraction} %`;
+        if (Object.hasOwn(fractions, name)) fractions[name] = `${typed} (a second row of ${name})`;
+        else fractions[name] = shown[name] === fraction ? stated[name] : typed;
+    }
     setAt('/samples/#/composition/weight_fractions', fractions);
     changed();
 }
@@ -64,7 +72,7 @@ function weightTable() {
     const path = '/samples/#/composition/weight_fractions';
     const file = valueAt('/samples/#/composition/xrd');
     const table = typingGrid({
-        caption: 'Weight fractions', columns: [{ title: 'Phase', name: 'name', list: 'app-phases' }, { title: 'Weight [%]' }],
+        caption: 'Weight fractions', columns: [{ title: 'Phase', heading: () => 'Phase', name: 'name', list: 'app-phases' }, { title: 'Weight [%]', heading: () => 'Weight [%]' }],
         rows: weightRows(), typed: typedWeights, takeTable: (text) => takePasted(text, 'xrd'),
         places: (rows) => rows.map(([name]) => [name, name].map((key) => `${path}/${pointerPart(key)}`)),
     });

@@ -31,7 +31,7 @@ function quantityField(label, path, kind, hint) {
     };
     const takeUnit = () => {
         const { number, unit } = typed();
-        if (!select.isConnected || number === withPoint(input.value.trim())) return;
+        if (!select.isConnected || number === input.value.trim()) return;
         if (![...select.options].some((option) => option.value === unit)) select.append(make('option', { value: unit }, unit));
         select.value = unit;
         input.value = number;

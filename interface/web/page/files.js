@@ -1,6 +1,7 @@
 // Files that come in by drop or choice. What a file is, its place or its content tells.
 const mostBytes = 200e6;
 const mostInArchive = 20;
+const mostUnpacked = 50e6;  // bytes of an archive
 
 function tell(text, bad, choices = []) {
     byId('app-told').textContent = text;
@@ -33,7 +34,7 @@ async function takeCase(name, bytes, others) {
         return { text: answer.status === 0 ? `${name}: is no case that this page can show` : answer.error.message, bad: true };
     }
     openCase(`open ${name}`, document, files);
-    return { text: `${name} is open.` };
+    return answer.status === 0 ? { text: `${name} is open.` } : { text: `${name} is open. In the file: ${answer.error.message}`, bad: true };
 }
 
 const kindNames = { xrd: 'the XRD result', impacts: 'the measured impacts' };
@@ -95,15 +96,17 @@ async function readFiles(list) {
 // The files of a .zip beside its case, or all of them where it has none; any other file is itself.
 async function unpackedFiles(name, bytes, notes) {
     if (!/\.zip$/i.test(name)) return [[name, bytes]];
-    let held = [];
+    let [held, fault] = [[], 'cannot be unpacked here'];
     try {
         held = (await unzipped(bytes)).filter(([path]) => !/(^|\/)(\.|__MACOSX)/.test(path));
-    } catch { /* told below */ }
+    } catch (error) {
+        if (error.message === 'too large') fault = `is more than ${mostUnpacked / 1e6} MB when unpacked`;
+    }
     const cases = held.map(([path]) => path).filter((path) => /(^|\/)case\.json$/.test(path)).sort((a, b) => a.length - b.length);
     const folder = cases.length ? cases[0].slice(0, -'case.json'.length) : null;
     const chosen = folder === null ? held : held.filter(([path]) => path.startsWith(folder) && !path.slice(folder.length).includes('/'));
     if (chosen.length > 0 && chosen.length <= mostInArchive) return chosen.map(([path, content]) => [path.split('/').at(-1), content]);
-    notes.push({ text: `${name}: ${chosen.length ? `holds ${chosen.length} files` : 'cannot be unpacked here'}; unpack it, and drop the files themselves.`, bad: true });
+    notes.push({ text: `${name}: ${chosen.length ? `holds ${chosen.length} files` : fault}; unpack it, and drop the files themselves.`, bad: true });
     return [];
 }
 

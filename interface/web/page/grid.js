@@ -1,16 +1,17 @@
 // Whether the first line of a pasted table has no number, and the second one has.
 function hasHeading(text) {
-    const [first, second] = text.trim().split(/\r?\n/, 2).map((line) => line.split(/[\t;]/).some((cell) => isNumber(withPoint(cell))));
+    const [first, second] = text.trim().split(/\r?\n/, 2).map((line) => line.split(/[\t;]/).some((cell) => /^[\s\d.,'+-]*\d[\s\d.,'e+-]*$/i.test(cell)));
     return first === false && second === true;
 }
 
-// A table to type into. columns: {title, name (class), suggestions}; rows: lists of texts. Calls typed(rows) on every change.
-// A paste of several cells, as from a spreadsheet, fills the cells from there on; one that begins with a heading goes to
-// takeTable(text), as a file would. places(rows) gives the path in the case of each cell, by which a message finds it.
+// A table to type into. columns: {title, heading (in a file), name (class), list}; rows: lists of texts. Calls typed(rows) on
+// every change. A paste of several cells, as from a spreadsheet, fills the cells from there on. One that begins with a heading
+// or has commas, which only the program can read, goes to takeTable(text), as a file would. places(rows) gives the path in the
+// case of each cell, by which a message finds it.
 function typingGrid({ caption, columns, rows, typed, places, takeTable, heads = [] }) {
     const body = make('tbody');
     const cells = () => [...body.rows].map((row) => [...row.querySelectorAll('input')]);
-    const texts = () => cells().map((row) => row.map((input) => withPoint(input.value.trim())));
+    const texts = () => cells().map((row) => row.map((input) => input.value.trim()));
     const tell = () => {
         const last = texts().at(-1);
         if (!last || last.some((text) => text !== '')) addRow([]);
@@ -37,8 +38,9 @@ function typingGrid({ caption, columns, rows, typed, places, takeTable, heads = 
         const text = event.clipboardData?.getData('text') ?? '';
         if (!/[\t\n;]/.test(text.trim())) return;
         event.preventDefault();
-        if (hasHeading(text)) {
-            takeTable(text);
+        const heading = hasHeading(text) ? '' : `${columns.map((column) => column.heading()).join(text.includes('\t') ? '\t' : ';')}\n`;
+        if (!heading || text.includes(',')) {
+            takeTable(heading + text);
             return;
         }
         const all = cells();

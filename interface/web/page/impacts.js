@@ -63,7 +63,7 @@ function impactTable() {
     const alike = unit === otherUnit;
     const other = second === 'restitution' ? 'Restitution e' : 'Rebound velocity';
     return typingGrid({
-        caption: 'Measured impacts', columns: [{ title: 'Velocity' }, { title: other }], rows, typed, places, takeTable: (text) => takePasted(text, 'impacts'),
+        caption: 'Measured impacts', columns: [{ title: 'Velocity', heading: () => `v_in [${chosen.unit}]` }, { title: other, heading: () => (second === 'restitution' ? 'e_n' : `v_r [${chosen.otherUnit}]`) }], rows, typed, places, takeTable: (text) => takePasted(text, 'impacts'),
         heads: [unitChoice('velocity', chosen.unit, 'Unit of the velocities', takeUnit(alike ? ['unit', 'otherUnit'] : ['unit'])),
             second === 'restitution' || alike ? null : unitChoice('velocity', chosen.otherUnit, 'Unit of the rebound velocities', takeUnit(['otherUnit']))],
     });

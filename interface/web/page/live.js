@@ -40,7 +40,7 @@ function tellError(error) {
 // What a message advises that only the command line has, in words of this page; numbers without the noise of rounding.
 const inThePage = (message) => message.replace(/a phase that `ashimpact phases` lists.*$/,
     'a name that the field “Phase” lists: change it in the file, or press “Type the phases instead”. For a phase of your own download case.json, add it there with its modulus under "phases" (docs/case.md), and drop that file here')
-    .replace(/\d+\.\d{7,}/g, (number) => readable(Number(number), 6));
+    .replace(' without quotes', '').replace(/\d+\.\d{7,}/g, (number) => readable(Number(number), 6));
 
 // At its field a message needs no place within the case; one within a file stays.
 function wordsAtField(error) {

@@ -24,7 +24,7 @@ function curvePlot(wide, title, mostX, mostY, curves, points, markers) {
     svg.append(draw('rect', { class: 'frame', x: left, y: top, width: width - left - right, height: height - top - bottom }));
     for (const [x, y] of points) if (x <= mostX && y <= mostY) svg.append(draw('circle', { class: 'point', cx: atX(x), cy: atY(y), r: 4 }));
     for (const curve of curves)
-        svg.append(draw('path', { class: curve.class, d: curve.x.map((x, i) => `${i ? 'L' : 'M'}${atX(x).toFixed(1)} ${atY(Math.min(curve.y[i], mostY)).toFixed(1)}`).join('') }));
+        svg.append(draw('path', { class: curve.class, d: curve.x.map((x, i) => `${i ? 'L' : 'M'}${atX(x).toFixed(2)} ${atY(Math.min(curve.y[i], mostY)).toFixed(2)}`).join('') }));
     for (const marker of markers) if (marker.x <= mostX) svg.append(draw('path', { class: marker.class, d: `M${atX(marker.x)} ${height - bottom}v-26` }));
     svg.append(draw('text', { x: (left + width - right) / 2, y: height - 6, 'text-anchor': 'middle' }, 'incident velocity [m/s]'));
     svg.append(draw('text', { x: 14, y: (top + height - bottom) / 2, 'text-anchor': 'middle', transform: `rotate(-90 14 ${(top + height - bottom) / 2})` }, 'restitution'));

@@ -11,23 +11,15 @@ const units = {
 };
 const inSi = { length: 'm', density: 'kg/m3', pressure: 'Pa', adhesion: 'J/m2', velocity: 'm/s', fraction: '1', ratio: '1', rate: '1' };
 
-// A typed number with a decimal comma has a point in the case.
-const withPoint = (text) => (/^\s*[+-]?\d*,\d+(e[+-]?\d+)?\s*$/i.test(text) ? text.replace(',', '.') : text);
+// A number as JSON has it. Everything else is a text in the case, for the program to read or to refuse.
+const isNumber = (text) => /^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i.test(text) && Number.isFinite(Number(text));
 
-const isNumber = (text) => text.trim() !== '' && Number.isFinite(Number(text));
-
-// The unit as the list of its kind spells it, if it is in there: "um" for "µm", "kg/m3" for "kg/m³" or "kg/m^3".
-function spelledUnit(unit, kind) {
-    const plain = unit.trim().replace(/[\u00b5\u03bc]/g, 'u').replace(/\^?(\d)/g, '$1').replaceAll('\u00b2', '2').replaceAll('\u00b3', '3').replaceAll(' ', '');
-    return units[kind].includes(plain) ? plain : unit.trim();
-}
-
-// {number, unit} of a text such as "44,5 µm"; `otherwise` is the unit of a text that names none. What does not begin with
-// a number is taken for one, so that the unit beside it stays.
+// {number, unit} of a text such as "44.5 µm", both as typed; `otherwise` is the unit of a text that names none. What does not
+// begin with a number is taken for one, so that the unit beside it stays.
 function partsOf(text, kind, otherwise) {
     const own = units[kind].find((unit) => unit !== '1' && text.endsWith(` ${unit}`));
     const [, number, unit] = /^([\s\d.,eE+\-()\u00b1]*)([^]*)$/.exec(text);
-    if (/\d/.test(number)) return { number: withPoint(number.trim()), unit: unit.trim() === '' ? otherwise : spelledUnit(unit, kind) };
+    if (/\d/.test(number)) return { number: number.trim(), unit: unit.trim() || otherwise };
     return own ? { number: text.slice(0, -own.length - 1), unit: own } : { number: text, unit: otherwise };
 }
 

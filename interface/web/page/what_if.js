@@ -25,6 +25,7 @@ async function contactOf(artifacts, law) {
     const critical = inArtifact('7-critical-velocity.json')?.[law];
     const measured = critical?.damping?.value;
     const course = measured === undefined ? null : dampingCourse(critical, inArtifact('5-damping.json')?.[law]);
+    const { partner } = contact;
     const asStated = resultOf(artifacts, '0-case.json') ?? {};
     const dampingLaw = critical?.damping_law ?? asStated.damping_law ?? Object.keys(dampings)[0];
     const detachment = critical?.detachment ?? asStated.detachments?.[law];
@@ -33,6 +34,7 @@ async function contactOf(artifacts, law) {
         if (contact[name]) parameters[name] = contact[name].value ?? contact[name];
     const found = {
         ...parameters, law, ...(detachment ? { detachment } : {}), damping_law: dampingLaw, diameter: modulus.diameter.value, density: contact.density.value,
+        ...(partner && { partner_radius: partner.radius.value, partner_mass: partner.mass.value }),
         contact_modulus: contact.contact_modulus.value, work_of_adhesion: contact.work_of_adhesion?.value ?? null,
         course,
     };
@@ -41,19 +43,37 @@ async function contactOf(artifacts, law) {
     return found;
 }
 
-// Damping over velocity as measured: [v, damping] from the critical velocity on.
+// Damping over velocity: where it begins, the critical velocity and its damping, and [v, damping] as measured above it.
 function dampingCourse(critical, measured) {
-    const points = (measured?.velocity.values ?? []).map((v, i) => [v, measured.damping.values[i]]).filter(([, damping]) => damping !== null);
-    const begin = critical.critical_velocity?.value;
-    return [...(begin === undefined ? [] : [[begin, critical.damping.value]]), ...points.filter(([v]) => begin === undefined || v > begin)].sort((a, b) => a[0] - b[0]);
+    const begin = critical.critical_velocity && [critical.critical_velocity.value, critical.damping.value];
+    const all = (measured?.velocity.values ?? []).map((v, i) => [v, measured.damping.values[i]])
+        .filter(([v, damping]) => damping !== null && (!begin || v > begin[0])).sort((a, b) => a[0] - b[0]);
+    const points = all.filter((_, i) => i % Math.ceil(all.length / 400) === 0);
+    return { begin, points: begin ? [begin, ...points] : points };
 }
 
-// Straight between its points, constant beyond them.
-function dampingAt(course, v) {
-    const after = course.findIndex(([at]) => at >= v);
-    if (after <= 0) return course.at(after)[1];
-    const [[v1, one], [v2, other]] = [course[after - 1], course[after]];
-    return one + ((other - one) * (v - v1)) / (v2 - v1);
+// The damping at a velocity is the mean of those measured nearby, by local lines over log v, so that curves have no corners.
+// Below the critical velocity it is that of the critical velocity, from where it goes over into the mean.
+const narrowest = 0.12;  // standard deviation of the weights, in log v
+const widest = 0.25;     // the same, and the way into the mean
+function dampingAt({ begin, points }, v) {
+    const places = points.map(([at]) => Math.log(at));
+    const spread = Math.min(widest, Math.max(narrowest, (Math.max(...places) - Math.min(...places)) / 6));
+    let [sum, first, second, mean, slope] = [0, 0, 0, 0, 0];
+    places.forEach((place, i) => {
+        const from = place - Math.log(v);
+        const weight = Math.exp(-0.5 * (from / spread) ** 2) + 1e-12 / (1 + from ** 2);
+        sum += weight;
+        first += weight * from;
+        second += weight * from ** 2;
+        mean += weight * points[i][1];
+        slope += weight * from * points[i][1];
+    });
+    const determinant = sum * second - first ** 2 + 1e-3 * (sum * spread) ** 2;
+    const local = mean / sum - ((first / sum) * (sum * slope - first * mean)) / determinant;
+    if (!begin) return Math.max(0, local);
+    const way = Math.min(1, Math.max(0, Math.log(v / begin[0]) / widest));
+    return begin[1] + (Math.max(0, local) - begin[1]) * way ** 2 * (3 - 2 * way);
 }
 
 function measuredPoints(artifacts, law) {
@@ -67,17 +87,23 @@ const withFactors = (contact) => Object.fromEntries(Object.entries(contact).map(
 // zero.
 async function curveOf(contact, velocities, factor = 1) {
     const { course, dampingUnit: _, ...asked } = contact;
-    if (course?.length) asked.dampings = velocities.map((v) => dampingAt(course, v) * factor);
+    if (course?.points.length) asked.dampings = velocities.map((v) => dampingAt(course, v) * factor);
     if (asked.work_of_adhesion === null) delete asked.work_of_adhesion;
     const { answer } = await quick.ask({ name: 'curve', words: [JSON.stringify({ ...asked, velocities })] });
     return answer;
 }
 
-// The first point of a course is among them: it is the critical velocity as computed.
-function velocitiesUpTo(most, course) {
-    const even = Array.from({ length: 120 }, (_, i) => (most * (i + 1)) / 120);
-    const begin = course?.length && course[0][0] < most ? [course[0][0]] : [];
-    return [...new Set([...even, ...begin])].sort((a, b) => a - b);
+// The curve of a contact up to a velocity: a look at all of it finds where it leaves zero; there many small steps begin.
+async function curveUpTo(most, contact, factor) {
+    const begin = contact.course?.begin?.[0];
+    const curveAt = async (velocities) => {
+        const all = [...velocities, ...(begin < most ? [begin] : [])].sort((a, b) => a - b);
+        return { velocities: all, ...await curveOf(contact, all, factor) };
+    };
+    const steps = (from, count, power) => Array.from({ length: count }, (_, i) => from + (most - from) * ((i + 1) / count) ** power);
+    const rough = await curveAt(steps(0, 100, 1));
+    const from = rough.critical_velocity;
+    return !from || from >= most ? rough : curveAt([1e-3, 0.97, 0.98, 0.99, 1].map((part) => part * from).concat(steps(from, 150, 2)));
 }
 
 // Without measured impacts the damping is a guess, and a velocity would be taken for a result.
@@ -94,8 +120,7 @@ async function drawWhatIf() {
     const fastest = Math.max(0, ...whatIf.points.map(([v]) => v));
     const base = await curveOf(contact, [1]);
     const most = fastest > 0 ? fastest * 1.05 : Math.min(100, 4 * (base.critical_velocity || 1));
-    const velocities = velocitiesUpTo(most, contact.course);
-    const answers = await Promise.all([curveOf(contact, velocities), curveOf(withFactors(contact), velocities, whatIf.factors.damping ?? 1)]);
+    const answers = await Promise.all([curveUpTo(most, contact), curveUpTo(most, withFactors(contact), whatIf.factors.damping)]);
     if (turn !== drawn) return;
     const wrong = answers.find((answer) => answer.status !== 0);
     if (wrong) {
@@ -110,7 +135,7 @@ async function drawWhatIf() {
     const mostY = Math.max(0.5, ...whatIf.points.map(([, e]) => e), ...was.restitution, ...would.restitution) > 0.8 ? 1 : 0.8;
     const markers = [[was, 'base'], [would, 'new']].filter(([answer]) => answer.critical_velocity !== null).map(([answer, kind]) => ({ x: answer.critical_velocity, class: kind }));
     whatIf.nodes.plot.replaceChildren(curvePlot(byId('app-what-if').clientWidth > 560, 'Restitution over velocity, as it is and what if', most, mostY,
-        [{ class: 'base', x: velocities, y: was.restitution }, { class: 'new', x: velocities, y: would.restitution }], whatIf.points, markers));
+        [{ class: 'base', x: was.velocities, y: was.restitution }, { class: 'new', x: would.velocities, y: would.restitution }], whatIf.points, markers));
 }
 
 function sliderFor({ key, label, ...fixed }) {

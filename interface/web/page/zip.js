@@ -47,11 +47,11 @@ async function unzipped(bytes) {
     for (let i = 0, entry = four(end + 16); i < two(end + 10); ++i) {
         const [method, sum, packed, size, title, local] = [two(entry + 10), four(entry + 16), four(entry + 20), four(entry + 24), two(entry + 28), four(entry + 42)];
         total += size;
-        if (total > mostBytes) throw new Error('too large');
+        if (total > mostUnpacked) throw new Error('too large');
         const name = new TextDecoder().decode(bytes.subarray(entry + 46, entry + 46 + title));
         const begin = local + 30 + two(local + 26) + two(local + 28);
         const held = bytes.slice(begin, begin + packed);
-        const content = method === 0 ? held : await decompressed(held, 'deflate-raw');
+        const content = method === 0 ? held : await decompressed(held, 'deflate-raw', size);
         if (crc32(content) !== sum) throw new Error('broken');
         if (!name.endsWith('/')) files.push([name, content]);
         entry += 46 + title + two(entry + 30) + two(entry + 32);
@@ -59,7 +59,10 @@ async function unzipped(bytes) {
     return files;
 }
 
-async function decompressed(bytes, format) {
-    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream(format));
+// Throws once there are more than `most` bytes, before the rest is unpacked.
+async function decompressed(bytes, format, most = Infinity) {
+    let left = most;
+    const counted = new TransformStream({ transform: (part, stream) => ((left -= part.length) < 0 ? stream.error(new Error('too large')) : stream.enqueue(part)) });
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream(format)).pipeThrough(counted);
     return new Uint8Array(await new Response(stream).arrayBuffer());
 }

@@ -2,13 +2,14 @@
 // of `ashimpact init` with the artifacts of PROGRAM, that of this machine, in "results"; FOLDER/built-in/results has those of the paper's.
 'use strict';
 const assert = require('node:assert/strict');
+const { spawnSync } = require('node:child_process');
 const fs = require('node:fs');
 const path = require('node:path');
 const { agree } = require('./agree.cjs');
 const { downloaded, drop, launch, minute, openPage, press, settled, sidewaysScroll, tabTo, toChoose, violations, wrongTold } = require('./browser_page.cjs');
 const { agreeOnReference } = require('./reference.cjs');
 const { unzip } = require('./unzip.cjs');
-const { wrongFiles } = require('./wrong_files.cjs');
+const { archiveOfZeros, wrongFiles } = require('./wrong_files.cjs');
 
 const [file, folder, program] = process.argv.slice(2);
 const whole = Boolean(process.env.ASHIMPACT_WHOLE);  // all wrong files, not every fifth, and all parts in each browser
@@ -141,7 +142,7 @@ async function typing(browser) {
     await context.close();
 }
 
-// Tables as people have them: decimal commas, pasted with their heading, German columns in files of any name.
+// Tables as people have them: decimal commas in tables, pasted with their heading, German columns in files of any name.
 async function asPeopleWrite(browser) {
     const { context, page, complaints } = await openPage(browser, file, 1000);
     const field = label => page.getByLabel(label, { exact: true }).first();  // sliders have the same names
@@ -155,15 +156,18 @@ async function asPeopleWrite(browser) {
         if (shown) await page.getByText(shown).waitFor();
         await settled(page);
     };
-    await field('Work of adhesion w').fill('0,25');
+    await field('Work of adhesion w').fill('0.25');
     await field('Particle diameter').fill('88');
     await field('Phase, row 1').fill('quartz');
     await field('Weight [%], row 1').fill('60');
     await field('Amorphous (glass)').selectOption('remainder');
     await settled(page);
-    assert.equal(await wrongTold(page), '', 'a decimal comma');
-    await paste('Velocity, row 1', '0,9\t0\n1,4\t0,2\n2,1\t0,5');
-    assert.equal(await field('Velocity, row 3').inputValue(), '2,1');
+    assert.equal(await wrongTold(page), '');
+    await paste('Velocity, row 1', '0,9\t0\n1,4\t0,2\n2,1\t0,5', 'Measured impacts: impacts-pasted-1.csv');
+    await page.getByText('Read: 2 rebounds, 1 that stayed; 0.9 to 2.1 m/s.').waitFor();
+    await page.getByText('Type the impacts instead').click();
+    await paste('Velocity, row 3', '2.2\t0.4');
+    assert.deepEqual([await field('Velocity, row 2').inputValue(), await field('Velocity, row 3').inputValue()], ['1.4', '2.2']);
     assert.equal(await wrongTold(page), '');
     await paste('Velocity, row 1', 'v_ein [m/s]\tv_aus [m/s]\n0,9\thaftet\n1,4\t0,2\n2,1\t0,5\n2,6\t0,8\n3,3\t1,2', 'Measured impacts: impacts-pasted-1.csv');
     assert.equal(await wrongTold(page), '');
@@ -239,6 +243,7 @@ async function slips(browser) {
         await dropAndTell([table(name, text)], name.endsWith('zip') ? `${name}: cannot be unpacked` : `${name} is neither`);
         assert.ok(await page.getByText('XRD result: ash.csv').isVisible(), `${name} displaces nothing`);
     }
+    for (const stated of [60e6, 100]) await dropAndTell([{ name: `${stated}.zip`, bytes: archiveOfZeros(60e6, stated) }], `${stated}.zip: is more than 50 MB when unpacked`);
     await dropAndTell([table('three.csv', 'c1;c2\n1;0,5\n')], 'three.csv is neither');
     await page.getByRole('button', { name: 'Take three.csv as the measured impacts' }).click();
     await page.getByText('Measured impacts: three.csv').waitFor();
@@ -248,7 +253,7 @@ async function slips(browser) {
     await dropAndTell([table('ash.csv', 'Phase,wt%\nQuartz,50\nMullite,50\n')], 'ash.csv is taken as the XRD result of sample 1, in place of the file of that name');
     assert.deepEqual([await field('Particle diameter').inputValue(), await unit.inputValue()], ['abc', 'mm']);
     await field('Amorphous (glass)').selectOption('none');
-    for (const [typed, number, chosen] of [['44,5 um', '44.5', 'um'], ['0.044mm', '0.044', 'mm'], ['44µm', '44', 'um']]) {
+    for (const [typed, number, chosen] of [['44.5 um', '44.5', 'um'], ['0.044mm', '0.044', 'mm'], ['44µm', '44', 'µm'], ['4.4e-5 m', '4.4e-5', 'm']]) {
         await field('Particle diameter').fill(typed);
         await field('Particle density').focus();
         await settled(page);
@@ -256,6 +261,19 @@ async function slips(browser) {
         assert.deepEqual([await field('Particle diameter').inputValue(), await unit.inputValue()], [number, chosen], typed);
     }
     assert.match(await page.locator('#app-live').textContent(), /adhesion alone is not the answer/);
+    // A number is read by the program, and refused in its words, whatever marks it has.
+    const refusal = typed => spawnSync(program, ['contact', '--radius', '22 um', '--work-of-adhesion', '0.3', '--contact-modulus', '60 GPa', '--density', typed],
+        { encoding: 'utf8' }).stderr.trim().replace(/\s+/g, ' ').replace('--density: ', '');
+    for (const typed of ['2,650 kg/m3', '2.650,5', '2650,5 kg/m3', "2'650 kg/m3", '2 650 kg/m3', '2,65 g/cm3', '193,000 MPa', '1e-3 m', '2650 k g/m3']) {
+        await field('Particle density').fill(typed);
+        await settled(page);
+        const told = await page.locator('.field:has-text("Particle density") .wrong').textContent();
+        assert.equal(told, refusal(/\/|m$|MPa/.test(typed) ? typed : `${typed} kg/m3`), typed);
+    }
+    await field('Particle density').fill('2650');
+    await page.getByLabel('Unit of: Particle density').selectOption('kg/m3');
+    await settled(page);
+    assert.equal(await wrongTold(page), '');
     await page.getByText('Type the impacts instead').click();
     await field('Velocity, row 5').waitFor();
     assert.deepEqual([await field('Velocity, row 5').inputValue(), await field('Rebound velocity, row 5').inputValue()], ['3.3', '1.2'], 'rows of the file');
@@ -295,6 +313,16 @@ async function slips(browser) {
     await context.close();
 }
 
+// The greatest turn of a path above its first height, in degrees over three units of length.
+function sharpestCorner(path) {
+    const points = path.slice(1).split('L').map(each => each.split(' ').map(Number));
+    const above = points.filter(([, y]) => y < points[0][1] - 1);
+    const apart = above.slice(0, 1);
+    for (const [x, y] of above) if (Math.hypot(x - apart.at(-1)[0], y - apart.at(-1)[1]) >= 3) apart.push([x, y]);
+    const angles = apart.slice(1).map(([x, y], i) => Math.atan2(y - apart[i][1], x - apart[i][0]) * 180 / Math.PI);
+    return Math.max(...angles.slice(1).map((angle, i) => Math.abs(angle - angles[i])));
+}
+
 // The what-if of computed impacts: as measured it tells the velocity of the answer, and with a slider that of its own curve.
 async function whatIfAgrees(page, where) {
     const told = () => page.locator('#app-what-if .answer').textContent();
@@ -315,6 +343,10 @@ async function whatIfAgrees(page, where) {
         return { before: points[first - 1][0], after: points[first][0], mark: Number(marks[0][1]) };
     });
     assert.ok(before - 0.1 <= mark && mark <= after + 0.1, `${where}: the mark at ${mark} is where the curve leaves zero, ${before} to ${after}`);
+    for (const kind of ['base', 'new']) {
+        const corner = sharpestCorner(await page.locator(`#app-what-if path.${kind}`).first().getAttribute('d'));
+        assert.ok(corner < 6, `${where}: the curve turns by ${corner.toFixed(1)} degrees at once`);
+    }
 }
 
 // Each step has an example at a click, and together they are a case that can be computed.

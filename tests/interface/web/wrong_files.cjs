@@ -70,4 +70,14 @@ function wrongFiles(example) {
     return files;
 }
 
-module.exports = { wrongFiles };
+// An archive with one file of zeros, which states a size of its own.
+function archiveOfZeros(size, stated) {
+    const [name, bytes] = [Buffer.from('ash.csv'), zlib.deflateRawSync(Buffer.alloc(size))];
+    const numbers = (...all) => Buffer.concat(all.map(([value, length]) => { const part = Buffer.alloc(length); part.writeUIntLE(value, 0, length); return part; }));
+    const common = numbers([20, 2], [0, 2], [8, 2], [0, 4], [0, 4], [bytes.length, 4], [stated, 4], [name.length, 2], [0, 2]);
+    const file = Buffer.concat([numbers([0x04034b50, 4]), common, name, bytes]);
+    const entry = Buffer.concat([numbers([0x02014b50, 4], [20, 2]), common, numbers([0, 2], [0, 2], [0, 2], [0, 4], [0, 4]), name]);
+    return Buffer.concat([file, entry, numbers([0x06054b50, 4], [0, 4], [1, 2], [1, 2], [entry.length, 4], [file.length, 4], [0, 2])]);
+}
+
+module.exports = { archiveOfZeros, wrongFiles };
