@@ -17,7 +17,9 @@
 #include <spdlog/spdlog.h>
 
 #include "core/json/document.hpp"
+#include "core/json/view.hpp"
 #include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "interface/law_inputs.hpp"
 #include "materials/xrd/xrd.hpp"
 #include "pipeline/app/contact/single_contact.hpp"
@@ -31,6 +33,7 @@
 #include "pipeline/present/report/page/page.hpp"
 #include "pipeline/present/text/result_text.hpp"
 #include "pipeline/run/stage.hpp"
+#include "solver/contact/law_parameters.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/impacts/measurement.hpp"
@@ -168,16 +171,29 @@ std::optional<std::string> refusal(const std::function<void()>& reader) {
     }
 }
 
-/// An impact with the contact of the page, whose keys are options: contact_modulus is --contact-modulus.
-Impact impact_of(const Json& contact, double velocity) {
+/// The options of `ashimpact impact` that are the keys of an object: contact_modulus is --contact-modulus.
+CommandOptions options_of(const Json& contact) {
+    std::vector<std::string> known{
+        "--law",       "--detachment",      "--radius",           "--diameter",        "--density",
+        "--mass",      "--partner-radius",  "--partner-diameter", "--partner-density", "--partner-mass",
+        "--roughness", "--contact-modulus", "--work-of-adhesion", "--yield-pressure",  "--damping-law",
+        "--damping",   "--velocity"};
+    for (const LawParameter& parameter : law_parameters()) known.push_back(option_of(parameter));
     CommandOptions options;
     for (const auto& [key, value] : contact.items()) {
-        if (!value.is_number() && !value.is_string()) continue;
+        if (key == "velocities" || key == "dampings") continue;
         std::string name = "--" + key;
         std::ranges::replace(name, '_', '-');
+        if (std::ranges::find(known, name) == known.end()) throw InputError("unknown key " + in_quotes(key));
+        if (!value.is_number() && !value.is_string())
+            throw InputError(key + " is " + value.dump(), "a number in SI, or a text");
         options.text_of(name) =
             value.is_string() ? value.get<std::string>() : fmt::format("{}", value.get<double>());
     }
+    return options;
+}
+
+Impact impact_of(const CommandOptions& options, double velocity) {
     return read_contact(options).impact(read_damping(options), velocity);
 }
 
@@ -187,10 +203,11 @@ struct DampingCourse {
     std::vector<double> dampings;
 };
 
-DampingCourse course_of(const Json& contact, double constant) {
-    auto velocities = contact.at("velocities").get<std::vector<double>>();
-    auto dampings = contact.contains("dampings") ? contact.at("dampings").get<std::vector<double>>()
-                                                 : std::vector<double>(velocities.size(), constant);
+DampingCourse course_of(const Json& contact, const Damping& constant) {
+    auto velocities = View(contact).at("velocities").column(Dimension::velocity);
+    const auto stated = View(contact).find("dampings");
+    auto dampings = stated ? stated->column(dimension_of(constant.law))
+                           : std::vector<double>(velocities.size(), constant.coefficient);
     if (velocities.empty() || dampings.size() != velocities.size())
         throw InputError("dampings are not as many as velocities", "one for each, at least one");
     return {std::move(velocities), std::move(dampings)};
@@ -232,7 +249,8 @@ CriticalVelocity critical_velocity_on(const DampingCourse& course, const std::ve
 
 /// One impact, as `ashimpact impact --json`. Keys are the options of that command, numbers in SI.
 Json single_impact_json(const Json& contact) {
-    const Impact impact = impact_of(contact, contact.at("velocity").get<double>());
+    const CommandOptions options = options_of(contact);
+    const Impact impact = impact_of(options, options.positive("--velocity", Dimension::velocity));
     return impact_json(impact, solve_impact(impact));
 }
 
@@ -266,11 +284,11 @@ Json laws_json() {
 /// 1 m/s.
 /// @return `restitution`, `critical_velocity` (null if there is none), `always_captured`, `damping`
 Json curve_json(const Json& contact) {
-    Impact impact = impact_of(contact, 1);
+    Impact impact = impact_of(options_of(contact), 1);
     if (!contact.contains("damping"))
         impact.damping.coefficient =
             Scale::of(impact.contact, guess_velocity).damping_coefficient(impact.damping.law, 1);
-    const DampingCourse course = course_of(contact, impact.damping.coefficient);
+    const DampingCourse course = course_of(contact, impact.damping);
     const double damping = impact.damping.coefficient;
     std::vector<double> restitution;
     for (std::size_t i = 0; i < course.velocities.size(); ++i) {

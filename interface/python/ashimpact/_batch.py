@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-import decimal
 import functools
 import inspect
-import numbers
 import textwrap
 from dataclasses import dataclass
+from decimal import Decimal
+from numbers import Integral, Real
 from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, TypeVar, Union, cast
 
 import numpy as np
@@ -135,7 +135,7 @@ def real_numbers(name: str, value: Any) -> Numbers:
         if np.ma.is_masked(array):
             fault = "has masked values"
         array = np.asarray(array)
-        kinds = (numbers.Real, decimal.Decimal)
+        kinds = (Real, Decimal)
         wrong = [each for each in array.flat if not isinstance(each, kinds) or isinstance(each, bool)] if array.dtype == object else []
         if wrong or array.dtype.kind not in "iufO":
             fault = fault or "holds " + (type(wrong[0]) if wrong else array.dtype.type).__name__
@@ -206,7 +206,7 @@ def _call(arguments: dict[str, Any], *numbers: str) -> tuple[_core.Call, tuple[i
     columns = {"mass": mass, "effective_radius": radius, **{name: arrays[name] for name in (*needed, *own)}}
     count = int(np.prod(shape, dtype=np.int64))
     detachment, threads = arguments["detachment"], arguments["threads"]
-    if not isinstance(threads, numbers.Integral) or isinstance(threads, bool) or not 0 <= threads < 2**16:
+    if not isinstance(threads, Integral) or isinstance(threads, bool) or not 0 <= threads < 2**16:
         raise _core.InputError(f"threads is {threads!r}; allowed: a whole number, 0 for one a core")
     choice = (str(arguments["law"]), None if detachment is None else str(detachment), str(arguments["damping_law"]))
     return _core.Call(*choice, columns, count, int(threads)), shape

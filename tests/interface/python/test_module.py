@@ -397,7 +397,7 @@ class Documents(unittest.TestCase):
             (dict(columns, frame_rate=False), "frame_rate is False; allowed: a number"),
             (dict(columns, tabor=True), "tabor is True; allowed: a number"),
             (dict(columns, law=["dmt"]), "hertz, dmt"),
-            (dict(columns, sheet="--json"), "--sheet"),
+            (dict(columns, sheet="--json"), "a sheet is named"),
         ):
             with self.subTest(given=given), self.assertRaises(ashimpact.InputError) as caught:
                 ashimpact.analyse_impacts(**contact | given)
