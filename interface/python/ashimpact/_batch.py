@@ -127,16 +127,21 @@ def takes_law_parameters(function: Function) -> Function:
     return cast(Function, checked)
 
 
+def _is_real(value: Any) -> bool:
+    if type(value) is np.ndarray:
+        return value.dtype.kind in "iuf"
+    return isinstance(value, (Real, Decimal)) and not isinstance(value, bool)
+
+
 def real_numbers(name: str, value: Any) -> Numbers:
     """An argument as float64. Refuses what is no real number in SI: masked values, dates, truth values, text, units."""
     fault = "has a unit of its own" if hasattr(value, "unit") or hasattr(value, "units") else None
     try:
-        array = np.asanyarray(value)
+        array = np.asanyarray(value, dtype=None if hasattr(value, "dtype") else object)
         if np.ma.is_masked(array):
             fault = "has masked values"
         array = np.asarray(array)
-        kinds = (Real, Decimal)
-        wrong = [each for each in array.flat if not isinstance(each, kinds) or isinstance(each, bool)] if array.dtype == object else []
+        wrong = [each for each in array.flat if not _is_real(each)] if array.dtype == object else []
         if wrong or array.dtype.kind not in "iufO":
             fault = fault or "holds " + (type(wrong[0]) if wrong else array.dtype.type).__name__
         if fault is None:
@@ -187,6 +192,11 @@ def _require_one(given: Mapping[str, Any], first: str, second: str) -> None:
         raise _core.InputError(f"{first}, {second}: {fault} given; allowed: one of the two")
 
 
+def _name(value: Any) -> str:
+    """A name as the library looks it up, or refuses it: what is no text as Python shows it, escaped where needed."""
+    return ascii(str.__str__(value) if isinstance(value, str) else str(value))[1:-1]
+
+
 def _call(arguments: dict[str, Any], *numbers: str) -> tuple[_core.Call, tuple[int, ...]]:
     """The call of a function's arguments, with these numbers beside the contact, and the shape of its results."""
     given = {name: value for name, value in arguments.items() if value is not None}
@@ -208,7 +218,7 @@ def _call(arguments: dict[str, Any], *numbers: str) -> tuple[_core.Call, tuple[i
     detachment, threads = arguments["detachment"], arguments["threads"]
     if not isinstance(threads, Integral) or isinstance(threads, bool) or not 0 <= threads < 2**16:
         raise _core.InputError(f"threads is {threads!r}; allowed: a whole number, 0 for one a core")
-    choice = (str(arguments["law"]), None if detachment is None else str(detachment), str(arguments["damping_law"]))
+    choice = (_name(arguments["law"]), None if detachment is None else _name(detachment), _name(arguments["damping_law"]))
     return _core.Call(*choice, columns, count, int(threads)), shape
 
 

@@ -228,6 +228,8 @@ class Impacts(unittest.TestCase):
             (dict(velocity=np.array([1.0] * 50_000 + [-2.0])), "impact 50000: velocity is -2"),
             (dict(law=["jkr"]), "hertz, dmt"),
             (dict(law=None), "hertz, dmt"),
+            (dict(law="jkr\0"), "hertz, dmt"),
+            (dict(law="\udc80"), "hertz, dmt"),
             (dict(damping_law=["tsuji"]), "constant, contact-radius, tsuji"),
             (dict(detachment=["pull-off"]), "zero-overlap"),
             (dict(method=["table"]), "integration, table"),
@@ -247,7 +249,8 @@ class Impacts(unittest.TestCase):
             (dict(velocity=[1.0, np.nan]), "impact 1: velocity is nan"),
             (dict(velocity=(each for each in (1.0, 2.0))), "velocity holds generator"),
             (dict(velocity={"value": 1.0}), "velocity holds dict"),
-            (dict(velocity=[[1.0], [1.0, 2.0]]), "velocity is no number"),
+            (dict(velocity=[[1.0], [1.0, 2.0]]), "velocity holds list"),
+            (dict(velocity=[True, 2.0]), "velocity holds bool"),
             (dict(velocity=10**400), "velocity is no number"),
             (dict(work_of_adhesion=None), "work_of_adhesion holds NoneType"),
         )
@@ -271,7 +274,7 @@ class Impacts(unittest.TestCase):
         for velocity in (
             (1, 2), np.array([2.0, 1.0])[::-1], np.array([1.0, 9.0, 2.0])[::2], np.array([1, 2], dtype=">f8"), np.array([1, 2], dtype="f2"),
             np.array([1, 2], dtype=np.longdouble), np.array([1, 2], dtype="u1"), read_only, series, series.astype(object),
-            series.astype("Float64"), np.ma.array([1.0, 2.0]), [decimal.Decimal(1), 2], np.asfortranarray([[1.0, 2.0]])[0],
+            series.astype("Float64"), np.ma.array([1.0, 2.0]), [decimal.Decimal(1), np.array(2.0)], np.asfortranarray([[1.0, 2.0]])[0],
         ):
             with self.subTest(velocity=velocity):
                 np.testing.assert_array_equal(ashimpact.impacts(**dict(ASH, radius=22e-6, velocity=velocity)).restitution, expected)
