@@ -127,7 +127,8 @@ def takes_law_parameters(function: Function) -> Function:
     return cast(Function, checked)
 
 
-def _is_real(value: Any) -> bool:
+def is_real(value: Any) -> bool:
+    """Whether a single value is a real number: no truth value, date, text or missing one."""
     if type(value) is np.ndarray:
         return value.dtype.kind in "iuf"
     return isinstance(value, (Real, Decimal)) and not isinstance(value, bool)
@@ -138,14 +139,14 @@ def real_numbers(name: str, value: Any) -> Numbers:
     fault = "has a unit of its own" if hasattr(value, "unit") or hasattr(value, "units") else None
     try:
         array = np.asanyarray(value, dtype=None if hasattr(value, "dtype") else object)
-        if np.ma.is_masked(array):
+        if np.any(getattr(array, "mask", False)):
             fault = "has masked values"
         array = np.asarray(array)
-        wrong = [each for each in array.flat if not _is_real(each)] if array.dtype == object else []
+        wrong = [each for each in array.flat if not is_real(each)] if array.dtype == object else []
         if wrong or array.dtype.kind not in "iufO":
             fault = fault or "holds " + (type(wrong[0]) if wrong else array.dtype.type).__name__
         if fault is None:
-            return array.astype(np.float64)
+            return array.astype(np.float64, copy=False)
     except (TypeError, ValueError, OverflowError) as error:
         fault = f"is no number: {error}"
     raise _core.InputError(f"{name} {fault}; allowed: numbers in SI units")
@@ -154,10 +155,11 @@ def real_numbers(name: str, value: Any) -> Numbers:
 def flat_arrays(arguments: Mapping[str, NumbersLike]) -> tuple[dict[str, Numbers], tuple[int, ...]]:
     """Flat arrays of one number, or of all numbers in their order, and the shape that the arguments broadcast to."""
     arrays = {name: real_numbers(name, value) for name, value in arguments.items()}
-    rows = [(name, value.index) for name, value in arguments.items() if hasattr(value, "index") and hasattr(value, "to_numpy")]
-    for name, index in rows[1:]:
-        if not index.equals(rows[0][1]):
-            raise _core.InputError(f"{rows[0][0]} and {name} have different indices; allowed: one index, or arrays (to_numpy())")
+    tables: dict[str, Any] = {name: value for name, value in arguments.items() if hasattr(value, "index") and hasattr(value, "to_numpy")}
+    first = next(iter(tables), "")
+    for name, table in tables.items():
+        if not table.index.equals(tables[first].index):
+            raise _core.InputError(f"{first} and {name} have different indices; allowed: one index, or arrays (to_numpy())")
     try:
         shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
     except ValueError:
@@ -216,7 +218,7 @@ def _call(arguments: dict[str, Any], *numbers: str) -> tuple[_core.Call, tuple[i
     columns = {"mass": mass, "effective_radius": radius, **{name: arrays[name] for name in (*needed, *own)}}
     count = int(np.prod(shape, dtype=np.int64))
     detachment, threads = arguments["detachment"], arguments["threads"]
-    if not isinstance(threads, Integral) or isinstance(threads, bool) or not 0 <= threads < 2**16:
+    if not isinstance(threads, Integral) or isinstance(threads, bool) or not 0 <= int(threads) < 2**16:
         raise _core.InputError(f"threads is {threads!r}; allowed: a whole number, 0 for one a core")
     choice = (_name(arguments["law"]), None if detachment is None else _name(detachment), _name(arguments["damping_law"]))
     return _core.Call(*choice, columns, count, int(threads)), shape

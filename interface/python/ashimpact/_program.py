@@ -21,7 +21,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ashimpact import _core
-from ashimpact._batch import flat_arrays, takes_law_parameters
+from ashimpact._batch import flat_arrays, is_real, real_numbers, takes_law_parameters
 
 if TYPE_CHECKING:
     import pandas
@@ -79,21 +79,23 @@ def _call(command: str, *arguments: str, hidden: str = "") -> str:
 def _options(function: Callable[..., Any], given: Mapping[str, Any]) -> list[str]:
     """Options of the command line from arguments of a function; those that are None are left out.
 
-    A truth value is refused where the function takes none, and anything else where it takes one.
+    Where the function takes a number, a text or a truth value, another kind of value is refused.
     """
     stated = function.__annotations__
     words: list[str] = []
     for name, value in given.items():
         kind = stated.get(name, stated.get("parameters", ""))
+        is_flag = isinstance(value, (bool, np.bool_))
         if value is None:
             continue
-        is_flag = isinstance(value, (bool, np.bool_))
-        if kind and is_flag != (kind == "bool"):
-            allowed = (("bool", "True or False"), ("int", "a whole number"), ("float", "a number"), ("", "a text"))
-            raise _core.InputError(f"{name} is {value!r}; allowed: {next(word for part, word in allowed if part in kind)}")
+        if ("float" in kind or "int" in kind) and not isinstance(value, str):
+            real_numbers(name, value)
+        elif kind and is_flag != (kind == "bool"):
+            raise _core.InputError(f"{name} is {value!r}; allowed: {'a text' if is_flag else 'True or False'}")
         option = "--" + name.replace("_", "-")
+        text = repr(float(value)) if isinstance(value, (float, np.floating)) else str(value)
         if not is_flag:
-            words.append(f"{option}={float(value)!r}" if isinstance(value, (float, np.floating)) else f"{option}={value}")
+            words += [f"{option}={text}"] if text else [option, ""]
         elif value:
             words.append(option)
     return words
@@ -292,7 +294,7 @@ def analyse_impacts(
     words = _options(analyse_impacts, options)
     with tempfile.TemporaryDirectory() as scratch:
         file, hidden = os.path.join(scratch, "impacts.csv"), f"{scratch}{os.sep}impacts.csv: "
-        if isinstance(impacts, (str, bytes, os.PathLike)):
+        if isinstance(impacts, (str, os.PathLike)):
             file = _path(impacts)
         else:
             text = _table_of(impacts, given)
@@ -327,7 +329,7 @@ def _csv_text(headings: Sequence[str], rows: Sequence[Sequence[Any]]) -> str:
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(headings)
     for row in rows:
-        writer.writerow([repr(float(cell)) if isinstance(cell, (int, float)) and not isinstance(cell, bool) else cell for cell in row])
+        writer.writerow([repr(float(cell)) if is_real(cell) else cell if isinstance(cell, str) else repr(cell) for cell in row])
     return text.getvalue()
 
 

@@ -394,12 +394,16 @@ class Documents(unittest.TestCase):
             (dict(impacts=table), '"False" in column "e_n" is not a number'),
             (dict(columns, velocity=np.ma.array([1.0, 2.0, 3.0], mask=[0, 1, 0])), "velocity has masked values"),
             (dict(columns, velocity=[1.0, 2.0]), "shapes do not fit"),
-            (dict(columns, order=True), "order is True; allowed: a whole number"),
+            (dict(columns, order=True), "order holds bool; allowed: numbers"),
             (dict(columns, order=2.5), "--order"),
             (dict(columns, robust=2), "robust is 2; allowed: True or False"),
-            (dict(columns, frame_rate=False), "frame_rate is False; allowed: a number"),
-            (dict(columns, tabor=True), "tabor is True; allowed: a number"),
+            (dict(columns, frame_rate=False), "frame_rate holds bool"),
+            (dict(columns, tabor=True), "tabor holds bool"),
+            (dict(columns, radius=np.datetime64("2020")), "radius holds datetime64"),
+            (dict(columns, radius=np.ma.masked), "radius has masked values"),
+            (dict(columns, law=True), "law is True; allowed: a text"),
             (dict(columns, law=["dmt"]), "hertz, dmt"),
+            (dict(columns, sheet=""), "--sheet: is empty"),
             (dict(columns, sheet="--json"), "a sheet is named"),
         ):
             with self.subTest(given=given), self.assertRaises(ashimpact.InputError) as caught:
@@ -407,10 +411,10 @@ class Documents(unittest.TestCase):
             self.assertIn(expected, str(caught.exception))
             self.assertNotIn("tmp", str(caught.exception))
         for call, expected in (
-            (lambda: ashimpact.modulus("ash.csv", porosity=True), "porosity is True"),
+            (lambda: ashimpact.modulus("ash.csv", porosity=True), "porosity holds bool"),
             (lambda: ashimpact.run(allow_outside=1), "allow_outside is 1"),
             (lambda: ashimpact.calibrate(compare="yes"), "compare is 'yes'"),
-            (lambda: ashimpact.sweep({}, threads=True), "threads is True"),
+            (lambda: ashimpact.sweep({}, threads=True), "threads holds bool"),
         ):
             with self.assertRaisesRegex(ashimpact.InputError, expected):
                 call()
