@@ -197,55 +197,8 @@ Impact impact_of(const CommandOptions& options, double velocity) {
     return read_contact(options).impact(read_damping(options), velocity);
 }
 
-/// Damping over increasing velocity [m/s]: linear between these, constant beyond them.
-struct DampingCourse {
-    std::vector<double> velocities;
-    std::vector<double> dampings;
-};
-
-DampingCourse course_of(const Json& contact, const Damping& constant) {
-    auto velocities = View(contact).at("velocities").column(Dimension::velocity);
-    const auto stated = View(contact).find("dampings");
-    auto dampings = stated ? stated->column(dimension_of(constant.law))
-                           : std::vector<double>(velocities.size(), constant.coefficient);
-    if (velocities.empty() || dampings.size() != velocities.size())
-        throw InputError("dampings are not as many as velocities", "one for each, at least one");
-    return {std::move(velocities), std::move(dampings)};
-}
-
-/// The critical velocity of impacts with a damping.
-CriticalVelocity critical_velocity_with(double damping, const Impact& impact) {
-    return critical_velocity({.law = impact.law,
-                              .detachment = impact.detachment,
-                              .damping = {impact.damping.law, damping},
-                              .contact = impact.contact});
-}
-
 /// Where no damping is stated, its scaled coefficient is 1 at this velocity [m/s].
 constexpr double guess_velocity = 1;
-
-/// Where restitution leaves zero on a course: the velocity that is the critical one of the damping there.
-CriticalVelocity critical_velocity_on(const DampingCourse& course, const std::vector<double>& restitution,
-                                      const Impact& impact) {
-    const auto first = std::find_if(restitution.begin(), restitution.end(), [](double e) { return e > 0; });
-    if (first == restitution.end()) return critical_velocity_with(course.dampings.back(), impact);
-    if (first == restitution.begin()) return critical_velocity_with(course.dampings.front(), impact);
-    const auto after = static_cast<std::size_t>(first - restitution.begin());
-    double captured = 0;  // shares of the way between the two velocities
-    double rebounding = 1;
-    const auto between = [&](const std::vector<double>& values, double share) {
-        return values[after - 1] + share * (values[after] - values[after - 1]);
-    };
-    constexpr double enough = 1e-9;
-    while (rebounding - captured > enough) {
-        const double middle = (captured + rebounding) / 2;
-        const auto critical = critical_velocity_with(between(course.dampings, middle), impact).value;
-        (critical && between(course.velocities, middle) > *critical ? rebounding : captured) = middle;
-    }
-    CriticalVelocity found;
-    found.value = between(course.velocities, rebounding);
-    return found;
-}
 
 /// One impact, as `ashimpact impact --json`. Keys are the options of that command, numbers in SI.
 Json single_impact_json(const Json& contact) {
@@ -279,29 +232,34 @@ Json laws_json() {
 }
 
 /// Restitution at `velocities` [m/s] and critical velocity of one contact; other keys as above. `dampings`,
-/// one for each velocity, are linear between velocities, which then have to increase, and constant beyond
-/// them; v_c is where restitution leaves zero. Without `damping` a guess replaces it: scaled coefficient 1 at
-/// 1 m/s.
+/// one for each velocity, replace `damping` in restitutions. Without `damping` a guess does: scaled
+/// coefficient 1 at 1 m/s.
 /// @return `restitution`, `critical_velocity` (null if there is none), `always_captured`, `damping`
 Json curve_json(const Json& contact) {
     Impact impact = impact_of(options_of(contact), 1);
     if (!contact.contains("damping"))
         impact.damping.coefficient =
             Scale::of(impact.contact, guess_velocity).damping_coefficient(impact.damping.law, 1);
-    const DampingCourse course = course_of(contact, impact.damping);
-    const double damping = impact.damping.coefficient;
-    std::vector<double> restitution;
-    for (std::size_t i = 0; i < course.velocities.size(); ++i) {
-        impact.velocity = course.velocities[i];
-        impact.damping.coefficient = course.dampings[i];
+    const CriticalVelocity critical = critical_velocity({.law = impact.law,
+                                                         .detachment = impact.detachment,
+                                                         .damping = impact.damping,
+                                                         .contact = impact.contact});
+    Json curve{{"restitution", Json::array()},
+               {"critical_velocity", critical.value ? Json(*critical.value) : Json(nullptr)},
+               {"damping", impact.damping.coefficient},
+               {"always_captured", critical.verdict == CaptureVerdict::always_captured}};
+    const auto velocities = View(contact).at("velocities").column(Dimension::velocity);
+    const auto stated = View(contact).find("dampings");
+    const auto dampings = stated ? stated->column(dimension_of(impact.damping.law)) : std::vector<double>{};
+    if (stated && dampings.size() != velocities.size())
+        throw InputError("dampings are not as many as velocities", "one for each");
+    for (std::size_t i = 0; i < velocities.size(); ++i) {
+        impact.velocity = velocities[i];
+        if (stated) impact.damping.coefficient = dampings[i];
         validate(impact);
-        restitution.push_back(restitution_of(impact));
+        curve["restitution"].push_back(restitution_of(impact));
     }
-    const CriticalVelocity critical = critical_velocity_on(course, restitution, impact);
-    return {{"restitution", restitution},
-            {"critical_velocity", critical.value ? Json(*critical.value) : Json(nullptr)},
-            {"damping", damping},
-            {"always_captured", critical.verdict == CaptureVerdict::always_captured}};
+    return curve;
 }
 
 }  // namespace

@@ -53,27 +53,28 @@ function dampingCourse(critical, measured) {
 }
 
 // The damping at a velocity is the mean of those measured nearby, by local lines over log v, so that curves have no corners.
-// Below the critical velocity it is that of the critical velocity, from where it goes over into the mean.
-const narrowest = 0.12;  // standard deviation of the weights, in log v
-const widest = 0.25;     // the same, and the way into the mean
+// At the critical velocity it is that of the critical velocity.
 function dampingAt({ begin, points }, v) {
     const places = points.map(([at]) => Math.log(at));
-    const spread = Math.min(widest, Math.max(narrowest, (Math.max(...places) - Math.min(...places)) / 6));
-    let [sum, first, second, mean, slope] = [0, 0, 0, 0, 0];
-    places.forEach((place, i) => {
-        const from = place - Math.log(v);
-        const weight = Math.exp(-0.5 * (from / spread) ** 2) + 1e-12 / (1 + from ** 2);
-        sum += weight;
-        first += weight * from;
-        second += weight * from ** 2;
-        mean += weight * points[i][1];
-        slope += weight * from * points[i][1];
-    });
-    const determinant = sum * second - first ** 2 + 1e-3 * (sum * spread) ** 2;
-    const local = mean / sum - ((first / sum) * (sum * slope - first * mean)) / determinant;
-    if (!begin) return Math.max(0, local);
-    const way = Math.min(1, Math.max(0, Math.log(v / begin[0]) / widest));
-    return begin[1] + (Math.max(0, local) - begin[1]) * way ** 2 * (3 - 2 * way);
+    const spread = Math.min(0.3, Math.max(0.1, (Math.max(...places) - Math.min(...places)) / 8));  // of weights, in log v
+    const meanAt = (at) => {
+        let [sum, first, second, mean, slope] = [0, 0, 0, 0, 0];
+        places.forEach((place, i) => {
+            const from = place - at;
+            const weight = Math.exp(-0.5 * (from / spread) ** 2) + 1e-12 / (1 + from ** 2);
+            sum += weight;
+            first += weight * from;
+            second += weight * from ** 2;
+            mean += weight * points[i][1];
+            slope += weight * from * points[i][1];
+        });
+        const rise = (sum * slope - first * mean) / (sum * second - first ** 2 + 1e-3 * (sum * spread) ** 2);
+        return Math.max(0, (mean - first * rise) / sum);
+    };
+    const place = Math.log(v);
+    if (!begin) return meanAt(place);
+    const [start, from] = [Math.log(begin[0]), Math.max(0, place - Math.log(begin[0]))];
+    return meanAt(start + from) + (begin[1] - meanAt(start)) * Math.exp(-0.5 * (from / spread) ** 2);
 }
 
 function measuredPoints(artifacts, law) {
@@ -83,27 +84,27 @@ function measuredPoints(artifacts, law) {
 
 const withFactors = (contact) => Object.fromEntries(Object.entries(contact).map(([key, value]) => [key, typeof value === 'number' ? value * (whatIf.factors[key] ?? 1) : value]));
 
-// The damping at each velocity, where it was measured, is times a factor; the critical velocity is where this curve leaves
-// zero.
-async function curveOf(contact, velocities, factor = 1) {
-    const { course, dampingUnit: _, ...asked } = contact;
-    if (course?.points.length) asked.dampings = velocities.map((v) => dampingAt(course, v) * factor);
+// Restitutions and critical velocity of a contact; `dampings`, one for each velocity, replace its own.
+async function curveOf({ course: _, dampingUnit: __, ...asked }, velocities, dampings) {
     if (asked.work_of_adhesion === null) delete asked.work_of_adhesion;
-    const { answer } = await quick.ask({ name: 'curve', words: [JSON.stringify({ ...asked, velocities })] });
+    const { answer } = await quick.ask({ name: 'curve', words: [JSON.stringify({ ...asked, velocities, dampings })] });
     return answer;
 }
 
-// The curve of a contact up to a velocity: a look at all of it finds where it leaves zero; there many small steps begin.
-async function curveUpTo(most, contact, factor) {
-    const begin = contact.course?.begin?.[0];
-    const curveAt = async (velocities) => {
-        const all = [...velocities, ...(begin < most ? [begin] : [])].sort((a, b) => a - b);
-        return { velocities: all, ...await curveOf(contact, all, factor) };
-    };
-    const steps = (from, count, power) => Array.from({ length: count }, (_, i) => from + (most - from) * ((i + 1) / count) ** power);
-    const rough = await curveAt(steps(0, 100, 1));
-    const from = rough.critical_velocity;
-    return !from || from >= most ? rough : curveAt([1e-3, 0.97, 0.98, 0.99, 1].map((part) => part * from).concat(steps(from, 150, 2)));
+// The curve of a contact up to a velocity, and its critical velocity. The damping is times a factor. From the measured critical
+// velocity on it is as measured; that part is stretched, by log v, to begin at the critical velocity of this contact.
+async function curveUpTo(most, contact, factor = 1) {
+    const { course } = contact;
+    const answer = await curveOf(contact, [most]);
+    if (answer.status !== 0) return answer;
+    const from = answer.critical_velocity ?? 0;
+    const begin = from < most ? from : 0;
+    const steps = Array.from({ length: 200 }, (_, i) => begin + (most - begin) * ((i + 1) / 200) ** 2);
+    const velocities = begin > 0 ? [begin / 1000, begin, ...steps] : steps;
+    const stretch = begin > 0 && course?.begin ? Math.log(most / course.begin[0]) / Math.log(most / begin) : 1;
+    const dampings = course?.points.length ? velocities.map((v) => dampingAt(course, most * (v / most) ** stretch) * factor) : undefined;
+    const curve = await curveOf(contact, velocities, dampings);
+    return { ...curve, critical_velocity: answer.critical_velocity, always_captured: answer.always_captured, velocities };
 }
 
 // Without measured impacts the damping is a guess, and a velocity would be taken for a result.

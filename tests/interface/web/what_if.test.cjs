@@ -69,10 +69,12 @@ const plain = (value) => JSON.parse(JSON.stringify(value));
     const bends = dampings.slice(2).map((value, i) => Math.abs(value - 2 * dampings[i + 1] + dampings[i]));
     assert.ok(Math.max(...bends) < 2e-4, `bends by ${Math.max(...bends)}`);
     assert.ok(context.dampingAt({ begin: [0.1, 3], points: [[0.1, 3], [5, 2]] }, 0.7) < 3.1, 'far from every impact');
-    // A curve has many steps where it leaves zero.
-    zero = 0.5;
-    const { velocities: steps } = await context.curveUpTo(3, pair);
-    assert.ok(steps.filter((v) => v > 0.5 && v < 0.51).length > 5 && steps.includes(0.5));
+    // A curve has many steps where it leaves zero, and begins there with the damping of the critical velocity.
+    zero = 0.2;
+    const { velocities: steps } = await context.curveUpTo(3, pair, 0.5);
+    assert.ok(steps.filter((v) => v > 0.2 && v < 0.21).length > 5 && steps.includes(0.2));
+    const { dampings: halves } = asked.at(-1);
+    assert.ok(Math.abs(halves[steps.indexOf(0.2)] - 1.65 / 2) < 1e-9 && Math.abs(halves.at(-1) - context.dampingAt(course, 3) / 2) < 1e-9);
     console.log('the sliders ask for the law of the case');
 })().catch((error) => {
     console.error(error.message);
