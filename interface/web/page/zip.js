@@ -61,8 +61,13 @@ async function unzipped(bytes) {
 
 // Throws once there are more than `most` bytes, before the rest is unpacked.
 async function decompressed(bytes, format, most = Infinity) {
+    const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream(format)).getReader();
+    const parts = [];
     let left = most;
-    const counted = new TransformStream({ transform: (part, stream) => ((left -= part.length) < 0 ? stream.error(new Error('too large')) : stream.enqueue(part)) });
-    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream(format)).pipeThrough(counted);
-    return new Uint8Array(await new Response(stream).arrayBuffer());
+    for (let next = await reader.read(); !next.done; next = await reader.read()) {
+        left -= next.value.length;
+        if (left < 0) throw new Error('too large');
+        parts.push(next.value);
+    }
+    return new Uint8Array(await new Blob(parts).arrayBuffer());
 }
