@@ -91,17 +91,37 @@ async function curveOf({ course: _, dampingUnit: __, ...asked }, velocities, dam
     return answer;
 }
 
-// The curve of a contact up to a velocity, and its critical velocity. The damping is times a factor. From the measured critical
-// velocity on it is as measured; that part is stretched, by log v, to begin at the critical velocity of this contact.
+// The critical velocity of a contact: where a velocity is that of the damping there, which is times a factor. Below the measured
+// critical velocity the damping is that of it.
+async function criticalOf(contact, most, factor) {
+    const { course } = contact;
+    const valueOf = ({ critical_velocity: value, always_captured: always }) => value ?? (always ? Infinity : 0);
+    const constant = await curveOf(contact, [most]);
+    const begin = course?.begin?.[0] ?? 0;
+    if (constant.status !== 0 || !course?.points.length || valueOf(constant) <= begin * (1 + 1e-9)) return constant;
+    const at = (v) => curveOf({ ...contact, damping: dampingAt(course, v) * factor }, [v]);
+    const fastest = await at(most);
+    if (!(valueOf(fastest) < most)) return fastest;
+    let [captured, rebounds] = [begin || most / 1000, most];
+    for (let i = 0; i < 24; ++i) {
+        const middle = Math.sqrt(captured * rebounds);
+        if (valueOf(await at(middle)) < middle) rebounds = middle;
+        else captured = middle;
+    }
+    return { ...fastest, critical_velocity: rebounds };
+}
+
+// The curve of a contact up to a velocity, and its critical velocity. Where that is less than the measured one, the damping
+// measured above it is stretched, by log v, to begin there.
 async function curveUpTo(most, contact, factor = 1) {
     const { course } = contact;
-    const answer = await curveOf(contact, [most]);
+    const answer = await criticalOf(contact, most, factor);
     if (answer.status !== 0) return answer;
     const from = answer.critical_velocity ?? 0;
     const begin = from < most ? from : 0;
     const steps = Array.from({ length: 200 }, (_, i) => begin + (most - begin) * ((i + 1) / 200) ** 2);
     const velocities = begin > 0 ? [begin / 1000, begin, ...steps] : steps;
-    const stretch = begin > 0 && course?.begin ? Math.log(most / course.begin[0]) / Math.log(most / begin) : 1;
+    const stretch = begin > 0 && begin < course?.begin?.[0] ? Math.log(most / course.begin[0]) / Math.log(most / begin) : 1;
     const dampings = course?.points.length ? velocities.map((v) => dampingAt(course, most * (v / most) ** stretch) * factor) : undefined;
     const curve = await curveOf(contact, velocities, dampings);
     return { ...curve, critical_velocity: answer.critical_velocity, always_captured: answer.always_captured, velocities };

@@ -75,6 +75,10 @@ const plain = (value) => JSON.parse(JSON.stringify(value));
     assert.ok(steps.filter((v) => v > 0.2 && v < 0.21).length > 5 && steps.includes(0.2));
     const { dampings: halves } = asked.at(-1);
     assert.ok(Math.abs(halves[steps.indexOf(0.2)] - 1.65 / 2) < 1e-9 && Math.abs(halves.at(-1) - context.dampingAt(course, 3) / 2) < 1e-9);
+    zero = 0.9;
+    const above = await context.curveUpTo(3, pair, 2);
+    assert.ok(Math.abs(above.critical_velocity - 0.9) < 1e-6);
+    assert.ok(Math.abs(asked.at(-1).dampings[1] - 2 * context.dampingAt(course, 0.9)) < 1e-5, 'what was measured there');
     console.log('the sliders ask for the law of the case');
 })().catch((error) => {
     console.error(error.message);
