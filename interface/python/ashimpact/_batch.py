@@ -171,9 +171,16 @@ def flat_arrays(arguments: Mapping[str, NumbersLike]) -> tuple[dict[str, Numbers
     }, shape
 
 
+def _require_positive(name: str, values: Numbers) -> None:
+    wrong = values[~(values > 0.0)]
+    if wrong.size:
+        raise _core.InputError(f"{name} is {wrong.flat[0]}; allowed: > 0")
+
+
 def _mass(arrays: Mapping[str, Numbers], whose: str = "") -> Numbers:
     if f"{whose}mass" in arrays:
         return arrays[f"{whose}mass"]
+    _require_positive(f"{whose}radius", arrays[f"{whose}radius"])
     diameter = 2.0 * arrays[f"{whose}radius"]
     # Multiplied in the order of the library, so that results agree bit by bit.
     mass: Numbers = arrays[f"{whose}density"] * np.pi / 6.0 * diameter * diameter * diameter
@@ -182,9 +189,8 @@ def _mass(arrays: Mapping[str, Numbers], whose: str = "") -> Numbers:
 
 def _joint(name: str, one: Numbers, other: Numbers) -> Numbers:
     """R* or m* of two spheres, 1/(1/one + 1/other)."""
-    for whose, values in (("", one), ("partner_", other)):
-        if not np.all(values > 0.0):
-            raise _core.InputError(f"{whose}{name} is not positive; allowed: > 0")
+    _require_positive(name, one)
+    _require_positive(f"partner_{name}", other)
     return np.asarray(1.0 / (1.0 / one + 1.0 / other))
 
 

@@ -247,6 +247,7 @@ class Impacts(unittest.TestCase):
             (dict(velocity=np.array([1.0, True], dtype=object)), "velocity holds bool"),
             (dict(velocity=np.array([1.0, None])), "velocity holds NoneType"),
             (dict(velocity=[1.0, np.nan]), "impact 1: velocity is nan"),
+            (dict(radius=[1e-6, -2e-6]), "radius is -2e-06; allowed: > 0"),
             (dict(velocity=(each for each in (1.0, 2.0))), "velocity holds generator"),
             (dict(velocity={"value": 1.0}), "velocity holds dict"),
             (dict(velocity=[[1.0], [1.0, 2.0]]), "velocity holds list"),
