@@ -66,6 +66,9 @@ void read_detachments(const std::optional<View>& node, std::vector<LawChoice>& c
 [[nodiscard]] MeasuredDampingOptions read_fit_options(const std::optional<View>& node);
 [[nodiscard]] UncertaintyChoices read_uncertainty_choices(const std::optional<View>& node);
 
+/// Refuses a relative standard deviation of single diameters outside of 0 to 0.5. @throws InputError
+void require_size_scatter(double scatter);
+
 /// Reads impacts in columns: velocity, restitution or rebound_velocity and, where they are known,
 /// velocity_uncertainty, rebound_uncertainty (standard, of v_in and v_r), velocity_correlation (of these two
 /// errors) and impacts (of which a point is the mean). Restitution 0 is a capture. restitution_uncertainty

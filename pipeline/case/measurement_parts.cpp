@@ -150,10 +150,21 @@ MeasuredDampingOptions read_fit_options(const std::optional<View>& node) {
     };
     if (const auto order = node->find("order")) options.extrapolated.order = order->integer();
     if (const auto robust = node->find("robust")) options.extrapolated.robust = robust->truth();
-    set_number("size_scatter", options.size_scatter);
+    if (const auto scatter = node->find("size_scatter")) {
+        const Quantity quantity = scatter->quantity(Dimension::fraction);
+        if (quantity.standard_uncertainty) scatter->fail("has an uncertainty", "a number without one");
+        options.size_scatter = quantity.value;
+        at_place(scatter->pointer(), [&] { require_size_scatter(quantity.value); });
+    }
     set_number("flatness", options.parts.flatness);
     set_number("outlier", options.parts.outlier);
     return options;
+}
+
+void require_size_scatter(double scatter) {
+    if (!(scatter > 0 && scatter <= 0.5))
+        throw InputError("is " + readable_number(scatter),
+                         "a relative standard deviation above 0, at most 0.5");
 }
 
 UncertaintyChoices read_uncertainty_choices(const std::optional<View>& node) {
