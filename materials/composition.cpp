@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/plausibility.hpp"
 #include "core/quantities/checks.hpp"
 #include "core/text/text.hpp"
 
@@ -65,6 +66,10 @@ Component component(const PhaseFraction& line, ResolvedPhase resolved, std::vect
                          " kg/m3, is used; the catalogue has " + to_tenths(catalogue) + " kg/m3 (" +
                          per_cent(*line.density / catalogue - 1) + ")"});
     result.phase.density = {.value = *line.density};
+    if (auto doubt = implausible(*plausible_range("density"), {*line.density})) {
+        doubt->text.insert(0, "density of " + in_quotes(line.name) + ": ");
+        notes.push_back(*std::move(doubt));
+    }
     return result;
 }
 

@@ -13,7 +13,8 @@
  *     if (ashimpact_restitution(model, 44e-6, 2.0, &e, &error) != ASHIMPACT_OK) puts(error.message);
  *     ashimpact_close(model);
  *
- * Units: SI throughout; each number names its unit. Errors: every function returns a status and never throws
+ * Units: SI throughout; each number names its unit. Numbers that no ash has are computed with, without the
+ * warning that the program gives (docs/case.md has the ranges). Errors: every function returns a status and never throws
  * or ends the program; if it is not ASHIMPACT_OK, only the error has a meaning. Threads: a model is
  * immutable, so any number of threads may use it at once; only ashimpact_close() needs it to be idle.
  * Floating point: no function raises a trap or leaves a flag, a rounding mode or a mask behind, and none

@@ -212,7 +212,10 @@ Command CommandLine::add(const std::string& name, const std::string& purpose_of_
     command->footer("Example:\n  " + example);
     const auto options = std::make_shared<CommandOptions>();
     command->callback([options, body, &requested = action] {
-        requested = [options, body](std::ostream& out) { body(*options, out); };
+        requested = [options, body](std::ostream& out) {
+            warn_of(options->doubts());
+            body(*options, out);
+        };
     });
     return {*command, *options};
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <ostream>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "core/json/document.hpp"
 #include "core/json/view.hpp"
+#include "core/plausibility.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "pipeline/app/command.hpp"
@@ -32,10 +34,7 @@ double read_frame_rate(const CommandOptions& options) {
 
 double read_size_scatter(const CommandOptions& options) {
     const double scatter = options.number("--size-scatter", Dimension::fraction);
-    if (!(scatter > 0 && scatter <= 0.5))
-        throw InputError("is " + readable_number(scatter),
-                         "a relative standard deviation above 0, at most 0.5")
-            .at("--size-scatter");
+    at_place("--size-scatter", [&] { require_size_scatter(scatter); });
     return scatter;
 }
 
@@ -47,9 +46,7 @@ MeasurementSet read_impacts(const CommandOptions& options) {
     if (options.has("--frame-rate") != options.has("--pixel-size"))
         throw InputError("one of the two is missing", "both or neither").at("--frame-rate, --pixel-size");
     if (options.has("--frames") && !options.has("--frame-rate"))
-        throw InputError("is given without a camera",
-                         "with --frame-rate and --pixel-size")
-            .at("--frames");
+        throw InputError("is given without a camera", "with --frame-rate and --pixel-size").at("--frames");
     if (options.has("--frame-rate")) {
         const Camera camera{.frame_rate = read_frame_rate(options),
                             .pixel_size = options.number("--pixel-size", Dimension::length),
@@ -101,7 +98,7 @@ Json measured_damping_json(const MeasuredDamping& result, const MeasurementSet& 
 }
 
 std::string range_text(const Interval& interval, const char* unit) {
-    return fmt::format("{} ({})", readable(interval.value, unit),
+    return fmt::format("{} ({})", value_text(interval.value, unit),
                        bounds_text(interval.lower, interval.upper, unit));
 }
 
@@ -187,9 +184,16 @@ void run_measured_damping_command(const CommandOptions& options, std::ostream& o
     how.extrapolated = {.order = options.whole("--order", 2), .robust = options.has("--robust")};
     if (options.has("--size-scatter")) how.size_scatter = read_size_scatter(options);
     const MeasuredDamping result = analyse_impacts(choice.law, choice.detachment, choice.contact, set, how);
+    std::vector<Finding> doubts = options.doubts();
+    if (result.estimate)
+        if (const auto doubt = outside_model(result.estimate->curve.critical_velocity.value)) {
+            warn_of({*doubt}, options["--impacts"]);
+            doubts.push_back(*doubt);
+        }
     warn_of(result.findings, options["--impacts"]);
-    out << (options.has("--json") ? write_json(measured_damping_json(result, set), Digits::seventeen)
-                                  : result_text(result, set));
+    Json json = measured_damping_json(result, set);
+    add_notes(json, doubts);
+    out << (options.has("--json") ? write_json(json, Digits::seventeen) : result_text(result, set));
 }
 
 void run_damping_command(const CommandOptions& options, std::ostream& out) {
@@ -217,6 +221,7 @@ void run_damping_command(const CommandOptions& options, std::ostream& out) {
     warn_of(regime_of(impact, inversion.impact.maximum_overlap).warnings);
     Json json = impact_json(impact, inversion.impact);
     json["greatest_restitution"] = quantity_json(inversion.greatest_restitution, Dimension::fraction);
+    add_notes(json, options.doubts());
     out << (options.has("--json") ? write_json(json, Digits::seventeen)
                                   : impact_text(impact, inversion.impact));
 }

@@ -162,6 +162,7 @@ void run_export_command(const CommandOptions& options, const TableImage& image, 
     const ExportCode& code = export_code(options["code"]);
     ExportSubject subject = subject_of(options);
     read_ranges(options, subject);
+    warn_of(sizes_outside_model(subject));
     const ExportFolder files = code.folder(subject, image);
     const std::filesystem::path folder(options["--output"]);
     require_free(folder, files, code.name);

@@ -2,12 +2,14 @@
 #include <cmath>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include "core/json/document.hpp"
 #include "core/json/view.hpp"
+#include "core/plausibility.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
@@ -17,6 +19,7 @@
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/text/layout.hpp"
+#include "pipeline/present/text/result_text.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/motion/explicit_scheme.hpp"
 #include "solver/motion/regime.hpp"
@@ -86,16 +89,17 @@ void run_impact_command(const CommandOptions& options, std::ostream& out) {
     Json json = impact_json(impact, result);
     json["method"] = options["--method"];
     if (time_step > 0) json["time_step"] = quantity_json(time_step, Dimension::time);
+    add_notes(json, options.doubts());
     out << write_json(json, Digits::seventeen);
 }
 
 std::string verdict_text(const CriticalVelocity& result) {
-    if (result.verdict == CaptureVerdict::finite) return readable(*result.value, "m/s");
+    if (result.verdict == CaptureVerdict::finite) return value_text(*result.value, "m/s");
     return result.verdict == CaptureVerdict::always_captured ? "none: captured at every velocity"
                                                              : "none: rebounds at every velocity";
 }
 
-std::string critical_velocity_text(const CriticalVelocityProblem& problem, const CriticalVelocity& result) {
+std::string result_text(const CriticalVelocityProblem& problem, const CriticalVelocity& result) {
     TextList list;
     add_model(list, problem.law, problem.detachment, problem.damping);
     list.add("critical velocity", verdict_text(result));
@@ -109,7 +113,7 @@ std::string critical_velocity_text(const CriticalVelocityProblem& problem, const
                                        readable(result.dissipated, "J"), readable(result.plastic, "J"),
                                        readable(result.detachment_energy, "J")));
         for (const double crossing : result.crossings)
-            if (crossing != *result.value) list.add("another crossing", readable(crossing, "m/s"));
+            if (crossing != *result.value) list.add("another crossing", value_text(crossing, "m/s"));
     }
     return list.text(0);
 }
@@ -122,7 +126,12 @@ void run_critical_velocity_command(const CommandOptions& options, std::ostream& 
                                           .contact = choice.contact};
     const CriticalVelocity result = at_place("--damping", [&] { return critical_velocity(problem); });
     std::string regime_at_capture;
+    std::vector<Finding> doubts = options.doubts();
     if (result.value) {
+        if (const auto doubt = outside_model(*result.value)) {
+            warn_of({*doubt});
+            doubts.push_back(*doubt);
+        }
         const Regime regime =
             regime_of(choice.impact(problem.damping, *result.value), result.maximum_overlap.value_or(0));
         warn_of(regime.warnings);
@@ -131,10 +140,11 @@ void run_critical_velocity_command(const CommandOptions& options, std::ostream& 
     if (options.has("--json")) {
         Json json{{"law", problem.law.name()}};
         json.update(critical_velocity_json(law_critical_velocity(problem), problem.damping.law));
+        add_notes(json, doubts);
         out << write_json(json, Digits::seventeen);
         return;
     }
-    out << critical_velocity_text(problem, result) + regime_at_capture;
+    out << result_text(problem, result) + regime_at_capture;
 }
 
 /// One body of the pair. @p young and @p poisson name the options
@@ -200,16 +210,18 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
     const double energy = separation_energy(adhesive);
     const double velocity = std::sqrt(2 * energy / pair.mass);
     const double tabor = tabor_parameter(adhesive, usual_separation);
+    std::vector<Finding> doubts = options.doubts();
+    if (const auto doubt = outside_model(velocity)) doubts.push_back(*doubt);
     if (options.has("--json")) {
-        out << write_json(
-            {{"contact_modulus", quantity_json(pair.contact_modulus, Dimension::pressure)},
-             {"effective_radius", quantity_json(pair.effective_radius, Dimension::length)},
-             {"mass", quantity_json(pair.mass, Dimension::mass)},
-             {"work_of_adhesion", quantity_json(pair.work_of_adhesion, Dimension::energy_per_area)},
-             {"separation_energy", quantity_json(energy, Dimension::energy)},
-             {"critical_velocity", quantity_json(velocity, Dimension::velocity)},
-             {"tabor_parameter", tabor}},
-            Digits::seventeen);
+        Json json{{"contact_modulus", quantity_json(pair.contact_modulus, Dimension::pressure)},
+                  {"effective_radius", quantity_json(pair.effective_radius, Dimension::length)},
+                  {"mass", quantity_json(pair.mass, Dimension::mass)},
+                  {"work_of_adhesion", quantity_json(pair.work_of_adhesion, Dimension::energy_per_area)},
+                  {"separation_energy", quantity_json(energy, Dimension::energy)},
+                  {"critical_velocity", quantity_json(velocity, Dimension::velocity)},
+                  {"tabor_parameter", tabor}};
+        add_notes(json, doubts);
+        out << write_json(json, Digits::seventeen);
         return;
     }
     TextList list;
@@ -219,7 +231,7 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
     list.add("w, work of adhesion", readable(pair.work_of_adhesion, "J/m2"));
     list.add("W_s, separation energy", readable(energy, "J"));
     list.add("v_s, adhesion only",
-             readable(velocity, "m/s") + ": below it adhesion captures without damping");
+             value_text(velocity, "m/s") + ": below it adhesion captures without damping");
     list.add("Tabor parameter", readable_number(tabor) + " (DMT holds below 0.1, JKR above 5)");
     out << list.text(0);
 }

@@ -6,6 +6,7 @@
 
 #include "core/json/document.hpp"
 #include "core/json/view.hpp"
+#include "core/plausibility.hpp"
 #include "core/quantities/checks.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
@@ -65,6 +66,7 @@ PhaseCatalogue catalogue_of(const CommandOptions& options) {
     return at_place(FileName{options["--phases"]}, [&] {
         const Json document = parse_json(read_file(options["--phases"]));
         const View root(document);
+        warn_of(implausible_values(document), options["--phases"]);
         return catalogue.overridden_by(read_user_phases(document.is_array() ? root : root.at("phases")));
     });
 }
@@ -248,6 +250,8 @@ void run_modulus_command(const CommandOptions& options, std::ostream& out) {
         SampleEstimate estimate =
             at_place(FileName{options["file"]}, [&] { return estimated(whole, catalogue, options, rule); });
         warn_of(estimate.warnings, options["file"]);
+        const auto doubts = options.doubts();
+        estimate.warnings.insert(estimate.warnings.begin(), doubts.begin(), doubts.end());
         estimate.warnings.insert(estimate.warnings.begin(), result.warnings.begin(), result.warnings.end());
         estimates.push_back(std::move(estimate));
     }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "core/plausibility.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/run_stages.hpp"
@@ -16,8 +17,14 @@ namespace ashimpact {
 
 namespace {
 
-/// The remarks on the results: whole with -v, else a line for each kind that may change what to report.
-void tell(const RunSummary& summary) {
+/// The remarks on the results: those on implausible values first; the others whole with -v, else a line for
+/// each kind that may change what to report.
+void tell(RunSummary summary) {
+    std::erase_if(summary.remarks, [](const Remark& remark) {
+        if (remark.note.code != implausible_code) return false;
+        spdlog::warn("warning: {}: {}", remark.file, text_of(remark.note));
+        return true;
+    });
     if (spdlog::should_log(spdlog::level::debug)) {
         for (const Remark& remark : summary.remarks)
             spdlog::debug("warning: {}: {}", remark.file, text_of(remark.note));

@@ -6,8 +6,10 @@
 
 #include <spdlog/spdlog.h>
 
+#include "core/plausibility.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/case/case_reader.hpp"
+#include "pipeline/document/edits.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/document/run_folder.hpp"
 #include "pipeline/files/file.hpp"
@@ -25,8 +27,13 @@ struct Work {
     Artifacts artifacts{};
     std::vector<Artifact> all{};  ///< in the order of the stages
     ContactModels models{};
+    std::vector<Finding> doubts{};  ///< about edited artifacts, for the record of the first stage
 
     void add(const Artifact& artifact) {
+        for (Finding doubt : artifact.doubts) {
+            doubt.text.insert(0, artifact.file + ": ");
+            doubts.push_back(std::move(doubt));
+        }
         all.push_back(artifact);
         artifacts.add(artifact);
     }
@@ -80,6 +87,7 @@ bool note_edits(const Stage& stage, const Artifacts& before, StageRecord& record
 Artifact add_stage(const Stage& stage, Work& work) {
     compute_result(stage, work);
     StageRecord& record = work.run.records.back();
+    record.note(std::exchange(work.doubts, {}), {});
     const bool rests_on_edit = note_edits(stage, work.artifacts, record);
     Envelope envelope{
         .record = record, .options = options_json(work.run.data, stage.file), .rests_on_edit = rests_on_edit};
@@ -267,6 +275,21 @@ void add_unused(const std::filesystem::path& folder, std::string_view file, std:
     all.push_back({std::string(file), std::move(document), std::move(bytes), path.string()});
 }
 
+/// Refuses edits that do not count in all that follows. Each edited artifact is computed anew from those that
+/// its stage reads, to find them.
+void check_edits(const std::filesystem::path& folder, Work& work) {
+    for (const Stage& stage : stages()) {
+        if (!work.artifacts.has(stage.file) || !work.artifacts.at(stage.file).edited) continue;
+        Artifacts inputs;
+        for (const std::string_view file : stage.reads)
+            inputs.add(work.artifacts.has(file) ? work.artifacts.at(file) : loaded_artifact(folder, file));
+        Run before = read_run(inputs);
+        compute_stage(stage, before, work.models);
+        require_edits_to_count(work.artifacts.at(stage.file), stage,
+                               parse_json(write_json(result_json(before, stage.file))));
+    }
+}
+
 /// Adds all notes in the folder, of this run and earlier ones, and the number of samples.
 void summarize(const std::vector<Artifact>& all, RunSummary& summary) {
     for (const Artifact& artifact : all) {
@@ -276,13 +299,19 @@ void summarize(const std::vector<Artifact>& all, RunSummary& summary) {
             artifact.document.at("result").contains("samples"))
             summary.samples = artifact.document.at("result").at("samples").size();
     }
+    std::ranges::stable_partition(summary.remarks, [](const Remark& remark) {
+        return remark.note.code == implausible_code || remark.note.code == outside_model_code;
+    });
 }
 
 /// Results and artifacts of a case up to and with a stage; nothing is written.
 std::pair<Run, Artifacts> computed(const std::optional<std::string>& case_file, std::string_view last_stage,
                                    bool allow_outside) {
     Work work;
-    begin(load_case(case_file, allow_outside), work);
+    const LoadedCase loaded = load_case(case_file, allow_outside);
+    for (const auto& [sample, finding] : loaded.findings)
+        if (finding.code == implausible_code) spdlog::warn("warning: {}", finding.text);
+    begin(loaded, work);
     for (const Stage& stage : stages()) {
         add_stage(stage, work);
         if (stage.name == last_stage) break;
@@ -333,8 +362,9 @@ RunSummary run_stages(const RunPlan& plan) {
         std::vector<Artifact> old = work.all;
         old.insert(old.end(), later.begin(), later.end());
         require_one_run(old);
-        for (const std::string& line : outdated(work.all)) spdlog::warn("warning: {}", line);
         work.run = read_run(work.artifacts);
+        require_up_to_date(work.all, work.artifacts);
+        check_edits(plan.folder, work);
     }
     for (std::size_t i = range.first; i < range.end; ++i) {
         summary.written.push_back(add_stage(stages()[i], work));

@@ -11,6 +11,7 @@
 
 #include "core/embedded.hpp"
 #include "core/json/document.hpp"
+#include "core/plausibility.hpp"
 #include "core/quantities/checks.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/case/case_parts.hpp"
@@ -92,7 +93,8 @@ Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files
 }
 
 /// The published values that a case refers to, by sample.
-std::map<std::string, PublishedSample> read_published_set(const View& document, InputFiles& files) {
+std::map<std::string, PublishedSample> read_published_set(const View& document, InputFiles& files,
+                                                          std::vector<SampleFinding>& findings) {
     std::map<std::string, PublishedSample> samples;
     const auto name = document.find("published");
     if (!name) return samples;
@@ -103,6 +105,7 @@ std::map<std::string, PublishedSample> read_published_set(const View& document, 
             const Json json = parse_json(carried ? files.read_built_in(built_in) : files.read(name->text()));
             validate_document(json, "published");
             const View set(json);
+            add_findings(implausible_values(json.at("samples"), "/samples"), {}, findings);
             for (const auto& [sample, values] : set.at("samples").members())
                 samples.emplace(sample,
                                 read_published(values, set.at("source").text(), set.find("rounding")));
@@ -238,7 +241,7 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
                     std::vector<SampleFinding>& findings) {
     Case data{.name = document.at("name").text()};
     const PhaseCatalogue catalogue = catalogue_of(document, built_in);
-    const auto published = read_published_set(document, files);
+    const auto published = read_published_set(document, files, findings);
     if (const auto rule = document.find("mixture_rule")) data.mixture_rule = named<MixtureRule>(rule->text());
     read_other_body(document, data);
     if (const auto roughness = document.find("roughness")) {
@@ -268,6 +271,17 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
     data.phases = phases_of(data.samples, document, catalogue, findings);
     check_whole(data, document);
     return data;
+}
+
+/// Adds the doubts about the quantities that a case states.
+void add_implausible(const Json& document, std::vector<SampleFinding>& findings) {
+    Json whole = document;
+    whole.erase("samples");
+    add_findings(implausible_values(whole), {}, findings);
+    const Json& samples = document.at("samples");
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        add_findings(implausible_values(samples[i], child_pointer("/samples", i)), samples[i].at("name"),
+                     findings);
 }
 
 constexpr std::string_view example_folder = "cases/example/";
@@ -361,6 +375,7 @@ LoadedCase load_case(const std::optional<std::string>& file, bool allow_outside)
         require_schema_version(document, false);
         validate_document(document, "case");
         LoadedCase loaded;
+        add_implausible(document, loaded.findings);
         loaded.data = read_case_with(View(document), built_in_phases(), files, loaded.findings);
         loaded.inputs = files.used();
         if (const auto remains = example_remains(document, text, loaded.inputs); !remains.empty())

@@ -9,6 +9,7 @@
 #include <spdlog/spdlog.h>
 
 #include "core/json/document.hpp"
+#include "core/plausibility.hpp"
 #include "core/quantities/checks.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
@@ -17,6 +18,7 @@
 #include "pipeline/document/run_folder.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/schema.hpp"
+#include "pipeline/run/stage.hpp"
 
 namespace ashimpact {
 
@@ -170,11 +172,14 @@ Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view f
         require_schema_version(document, true);
         validate_document(document, schema_of(file));
         const bool edited = is_edited(document);
+        std::vector<Finding> doubts;
         if (edited) {
             require_possible_result(document);
+            if (file != histories_artifact) doubts = implausible_values(document.at("result"), "/result");
             spdlog::warn("warning: {}: was edited after ashimpact wrote it; its values count", path.string());
         }
-        return Artifact{std::string(file), std::move(document), std::move(bytes), path.string(), edited};
+        return Artifact{std::string(file), std::move(document), std::move(bytes), path.string(), edited,
+                        std::move(doubts)};
     });
 }
 
@@ -182,7 +187,11 @@ Artifacts load_artifacts(const std::filesystem::path& folder, const std::vector<
     complete_interrupted(folder);
     std::vector<Artifact> of_one_run;
     of_one_run.reserve(files.size());
-    for (const std::string_view file : files) of_one_run.push_back(loaded_artifact(folder, file));
+    for (const std::string_view file : files) {
+        of_one_run.push_back(loaded_artifact(folder, file));
+        for (const Finding& doubt : of_one_run.back().doubts)
+            spdlog::warn("warning: {}: {}", of_one_run.back().place, doubt.text);
+    }
     require_one_run(of_one_run);
     Artifacts artifacts;
     for (Artifact& artifact : of_one_run) artifacts.add(std::move(artifact));
@@ -229,17 +238,6 @@ void require_one_run(const std::vector<Artifact>& artifacts) {
 
 void require_possible_result(const Json& document) {
     require_possible_part(document.at("result"), "/result");
-}
-
-std::vector<std::string> outdated(const std::vector<Artifact>& artifacts) {
-    std::vector<std::string> sentences;
-    for (const Artifact& artifact : artifacts)
-        for (const Json& input : artifact.document.at("provenance").at("inputs"))
-            for (const Artifact& other : artifacts)
-                if (other.file == input.at("file") && sha256(other.bytes) != input.at("sha256"))
-                    sentences.push_back(artifact.file + " was computed from another " + other.file +
-                                        " than the one beside it");
-    return sentences;
 }
 
 }  // namespace ashimpact

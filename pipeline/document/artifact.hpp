@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/finding.hpp"
 #include "core/json/view.hpp"
 #include "pipeline/case/input_files.hpp"
 #include "pipeline/run/results/note.hpp"
@@ -19,7 +20,8 @@ struct Artifact {
     std::string bytes;
     /// The file it was read from, for 0-case.json also the case file; for messages. Empty: it was computed.
     std::string place{};
-    bool edited = false;  ///< its result is not what ashimpact wrote
+    bool edited = false;            ///< its result is not what ashimpact wrote
+    std::vector<Finding> doubts{};  ///< about values of an edited result that are far from plausible
 };
 
 /// The artifacts of a run.
@@ -74,9 +76,5 @@ void require_one_run(const std::vector<Artifact>& artifacts);
 /// Checks every quantity of an edited result: it is possible, and lies inside of its interval.
 /// @throws InputError with the JSON pointer of the first that does not
 void require_possible_result(const Json& document);
-
-/// Artifacts that were computed from another version of one that they read, in words: "3-analytic.json was
-/// computed from another 2-contact.json".
-[[nodiscard]] std::vector<std::string> outdated(const std::vector<Artifact>& artifacts);
 
 }  // namespace ashimpact

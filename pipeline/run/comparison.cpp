@@ -162,7 +162,10 @@ std::vector<AssumedProperty> assumed_properties(const Sample& sample, const Samp
                          const std::string& why = {}) {
         if (is_assumed(origin)) list.push_back({name, value, origin, why});
     };
-    add("diameter", sample.diameter.quantity, sample.diameter.origin);
+    Quantity diameter = contact.radius;
+    diameter.value *= 2;
+    if (diameter.standard_uncertainty) *diameter.standard_uncertainty *= 2;
+    add("diameter", diameter, sample.diameter.origin);
     if (sample.density)
         add("density", contact.density.quantity, sample.density->origin);
     else

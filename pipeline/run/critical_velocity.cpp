@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/plausibility.hpp"
 #include "pipeline/run/stage.hpp"
 #include "pipeline/run/uncertainty/calibration.hpp"
 #include "pipeline/run/uncertainty/velocity_uncertainty.hpp"
@@ -48,6 +49,8 @@ ResultOfLaw<LawCriticalVelocity> velocity_of(const VelocityTask& task) {
                                .damping = {task.data.damping_law, task.critical_damping()},
                                .contact = task.contact.pair});
     std::vector<Finding> findings;
+    if (const auto doubt = velocity.velocity ? outside_model(velocity.velocity->value) : std::nullopt)
+        findings.push_back(*doubt);
     if (velocity.velocity) set_uncertainty(task, velocity, findings);
     if (velocity.regime)
         findings.insert(findings.end(), velocity.regime->warnings.begin(), velocity.regime->warnings.end());

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/json/view.hpp"
+#include "core/plausibility.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/tables/text_lines.hpp"
 #include "core/text/error.hpp"
@@ -366,6 +367,70 @@ TEST_CASE("the remedy for commas is a number that means what was meant") {
               .starts_with("/value: not a number, write 2.3 without quotes"));
     CHECK(json_message(R"({"value": "much", "unit": "g/cm3"})", Dimension::density)
               .starts_with("/value: not a number; allowed"));
+}
+
+TEST_CASE("a value far from what ash has is doubted; a thousand times beyond, its unit must be written") {
+    struct Written {
+        const char* option;
+        const char* text;
+        const char* says;  // empty: plausible
+        bool refused = false;
+    };
+    for (const Written& each :
+         {Written{"--diameter", "44e-6", ""},
+          {"--diameter", "5 mm", ""},
+          {"--diameter", "10 nm", ""},
+          {"--radius", "3 mm", "--radius: 3 mm is outside of what is plausible, 5 nm to 2.5 mm: is the unit"},
+          {"--diameter", "0.9", "--diameter: 900 mm is outside"},
+          {"--diameter", "90 m", "--diameter: 90 m is outside of what is plausible, 10 nm to 5 mm"},
+          {"--diameter", "90", "--diameter: 90 has no unit and is 90 m, did you mean 90 um?; allowed: 10 nm",
+           true},
+          {"--partner-diameter", "200 +- 3", "200 has no unit and is 200 m, did you mean 200 um?", true},
+          {"--radius", "8000", "did you mean 8000 nm?", true},
+          {"--young-modulus", "110", "110 has no unit and is 110 Pa, did you mean 110 GPa?", true},
+          {"--wall-young-modulus", "193000 MPa", ""},
+          {"--contact-modulus", "5000", "did you mean 5000 MPa?", true},
+          {"--density", "2.3", "--density: 2.3 kg/m3 is outside of what is plausible, 50 to 25,000 kg/m3"},
+          {"--density", "2.3 g/cm3", ""},
+          {"--work-of-adhesion", "300", "--work-of-adhesion: 300 J/m2 is outside"},
+          {"--work-of-adhesion", "30000", "did you mean 30000 uJ/m2?", true},
+          {"--work-of-adhesion", "0", ""},
+          {"--velocity", "3000 m/s",
+           "--velocity: 3000 m/s is outside of what is plausible, 1e-6 to 2,000 m/s"},
+          {"--to-velocity", "1e30", "1e+30 has no unit and is 1e+30 m/s; allowed: 1e-6 to 2,000 m/s", true},
+          {"--velocity", "junk", ""},  // refused by whoever needs it
+          {"--damping", "1e30", ""}}) {
+        CAPTURE(each.option);
+        CAPTURE(each.text);
+        std::string said;
+        const std::string refusal = input_error_of([&] {
+            const auto doubts = implausible_text(each.option, each.text);
+            if (!doubts.empty()) said = doubts.front().text;
+            return 0;
+        });
+        CHECK(refusal.empty() != each.refused);
+        const std::string& told = each.refused ? refusal : said;
+        CHECK_MESSAGE(told.find(each.says) != std::string::npos, told);
+        CHECK((told.empty() == (*each.says == 0)));
+    }
+}
+
+TEST_CASE("quantities of a document are doubted by their keys, a column once") {
+    const json document = json::parse(
+        R"({"diameter": "9 m", "phases": [{"density": {"value": 2.65, "unit": "kg/m3", "range": [2, 3]}}],
+            "work_of_adhesion": {"surface_energies": {"particle": 400, "wall": "0.5 J/m2"}, "rule": "dupre"},
+            "radius": {"distribution": "log-normal", "median": "4 cm", "geometric_standard_deviation": 1.5},
+            "velocity": {"values": [1, 2500000, 3000000], "unit": "mm/s"}, "density": 2300})");
+    std::vector<std::string> places;
+    for (const Finding& doubt : implausible_values(document)) {
+        CHECK(doubt.severity == Severity::doubt);
+        places.push_back(doubt.text.substr(0, doubt.text.find(':')));
+    }
+    CHECK(places == std::vector<std::string>{"/diameter", "/phases/0/density",
+                                             "/work_of_adhesion/surface_energies/particle", "/radius/median",
+                                             "/velocity/values/2"});
+    CHECK(critical_velocity_text(499, "499 m/s") == "499 m/s");
+    CHECK(critical_velocity_text(2.4e16, "") == "above 500 m/s, outside the model");
 }
 
 TEST_CASE("an uncertainty in the last digits, and one without a unit") {

@@ -6,6 +6,7 @@ from __future__ import annotations
 import functools
 import inspect
 import textwrap
+import warnings
 from dataclasses import dataclass
 from decimal import Decimal
 from numbers import Integral, Real
@@ -171,10 +172,13 @@ def flat_arrays(arguments: Mapping[str, NumbersLike]) -> tuple[dict[str, Numbers
     }, shape
 
 
-def _require_positive(name: str, values: Numbers) -> None:
-    wrong = values[~(values > 0.0)]
-    if wrong.size:
-        raise _core.InputError(f"{name} is {wrong.flat[0]}; allowed: > 0")
+def _warn_of_doubts(arrays: Mapping[str, Numbers]) -> None:
+    """Warns the caller of impacts() and the like of numbers that are far from what particles of ash and walls have."""
+    for name, array in arrays.items():
+        positive = array[array > 0.0]
+        for value in {positive.min(), positive.max()} if positive.size else ():
+            if doubt := _core.doubt_about(name, value):
+                warnings.warn(doubt, UserWarning, stacklevel=5)
 
 
 def _mass(arrays: Mapping[str, Numbers], whose: str = "") -> Numbers:
@@ -216,7 +220,8 @@ def _call(arguments: dict[str, Any], *numbers: str) -> tuple[_core.Call, tuple[i
     needed = ("contact_modulus", "work_of_adhesion", *numbers)
     own = [name for name in _core.law_parameters() if name in given]
     spheres = [name for name in ("density", "mass", "partner_radius", "partner_density", "partner_mass") if name in given]
-    arrays, shape = flat_arrays({name: arguments[name] for name in ("radius", *needed, *spheres, *own)})
+    arrays, shape = _flat_arrays({name: arguments[name] for name in ("radius", *needed, *spheres, *own)})
+    _warn_of_doubts(arrays)
     radius, mass = arrays["radius"], _mass(arrays)
     if "partner_radius" in arrays:
         mass = _joint("mass", mass, _mass(arrays, "partner_"))
@@ -274,6 +279,8 @@ def impacts(
     Raises:
         InputError: naming the first impact it concerns.
         ConvergenceError: where an impact could not be solved.
+
+    Warns (UserWarning) of numbers far from what particles of ash and walls have, such as a radius of 44 m.
     """
     if str(method) not in ("integration", "table"):
         raise _core.InputError(f"unknown method '{method}'; allowed: integration, table")
@@ -314,7 +321,10 @@ def critical_velocities(
         ConvergenceError: if a velocity could not be found.
     """
     call, shape = _call({**locals(), **parameters}, "damping")
-    return CriticalVelocities(call.critical_velocities().reshape(shape))
+    velocities = call.critical_velocities().reshape(shape)
+    if doubt := _core.doubt_about_velocity(np.max(velocities, where=np.isfinite(velocities), initial=0.0)):
+        warnings.warn(doubt, UserWarning, stacklevel=3)
+    return CriticalVelocities(velocities)
 
 
 @takes_law_parameters

@@ -98,6 +98,10 @@ def _options(function: Callable[..., Any], given: Mapping[str, Any]) -> list[str
             words += [f"{option}={text}"] if text else [option, ""]
         elif value:
             words.append(option)
+            continue
+        text = repr(float(value)) if isinstance(value, (float, np.floating)) else str(value)
+        unit = "" if isinstance(value, str) else _core.unit_of_quantity(name)  # numbers are SI here
+        words += [option, f"{text} {unit}" if unit else text]
     return words
 
 

@@ -11,6 +11,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include "core/plausibility.hpp"
 #include "core/text/error.hpp"
 #include "core/version.hpp"
 #include "interface/c/calls.hpp"
@@ -148,6 +149,25 @@ py::dict table_of_law_parameters() {
     return table;
 }
 
+/// The doubt about a number of a quantity [SI], in words; none if it is plausible.
+std::optional<std::string> doubt_about(const std::string& name, double value) {
+    const PlausibleRange* range = plausible_range(name);
+    const auto doubt = range == nullptr ? std::nullopt : implausible(*range, {value});
+    return doubt ? std::optional(name + ": " + doubt->text) : std::nullopt;
+}
+
+/// The doubt about the greatest critical velocity of several [m/s].
+std::optional<std::string> doubt_about_velocity(double greatest) {
+    const auto doubt = outside_model(greatest);
+    return doubt ? std::optional(doubt->text) : std::nullopt;
+}
+
+/// The SI unit of a quantity with a range of plausible values; empty for any other name.
+std::string unit_of_quantity(const std::string& name) {
+    const PlausibleRange* range = plausible_range(name);
+    return range == nullptr ? "" : std::string(si_unit(range->dimension));
+}
+
 /// Name of each damping law and the SI unit of its coefficient.
 py::dict damping_laws() {
     py::dict units;
@@ -168,6 +188,9 @@ PYBIND11_MODULE(_core, module) {
     module.def("laws", &laws);
     module.def("law_parameters", &table_of_law_parameters);
     module.def("damping_laws", &damping_laws);
+    module.def("doubt_about", &doubt_about);
+    module.def("doubt_about_velocity", &doubt_about_velocity);
+    module.def("unit_of_quantity", &unit_of_quantity);
     py::class_<PythonCall>(module, "Call")
         .def(py::init<const std::string&, const std::optional<std::string>&, const std::string&,
                       const py::dict&, std::size_t, int>())

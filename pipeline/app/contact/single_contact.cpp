@@ -10,6 +10,7 @@
 #include <spdlog/spdlog.h>
 
 #include "core/json/view.hpp"
+#include "core/plausibility.hpp"
 #include "core/quantities/checks.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
@@ -33,26 +34,18 @@ double read_radius(const CommandOptions& options, const std::string& prefix) {
     return 0.5 * options.positive(prefix + "diameter", Dimension::length);
 }
 
-/// Warns of what is hardly a particle: a unit may have been forgotten.
-void warn_if_implausible(double radius, double density) {
-    constexpr double largest = 0.5e-3;
-    constexpr double smallest = 5e-9;
-    constexpr double densest = 25e3;
-    if (radius > largest || radius < smallest)
-        spdlog::warn("warning: the particle has a diameter of {}: is the unit right?",
-                     readable(2 * radius, "m"));
-    if (density > densest)
-        spdlog::warn("warning: the particle has a density of {}: is the unit right?",
-                     readable(density, "kg/m3"));
-}
-
 Sphere read_sphere(const CommandOptions& options, const std::string& prefix) {
     const double radius = read_radius(options, prefix);
     const bool by_mass = options.has(prefix + "mass");
     if (options.has(prefix + "density") == by_mass)
         throw InputError(by_mass ? "both are given" : "neither is given", "one of the two")
             .at(prefix + "density, " + prefix + "mass");
-    if (by_mass) return {radius, options.positive(prefix + "mass", Dimension::mass)};
+    if (by_mass) {
+        const double mass = options.positive(prefix + "mass", Dimension::mass);
+        if (const auto doubt = implausible(*plausible_range("density"), {sphere_density(radius, mass)}))
+            warn_of({*doubt}, "density of the sphere by " + prefix + "mass");
+        return {radius, mass};
+    }
     const double density = options.positive(prefix + "density", Dimension::density);
     return at_place(prefix + "radius, " + prefix + "density", [&] {
         const double mass = sphere_mass(radius, density);
@@ -232,11 +225,17 @@ double CommandOptions::positive(std::string_view name, Dimension dimension) cons
     });
 }
 
+std::vector<Finding> CommandOptions::doubts() const {
+    std::vector<Finding> all;
+    for (const auto& [name, text] : texts_)
+        for (Finding& doubt : implausible_text(name, text)) all.push_back(std::move(doubt));
+    return all;
+}
+
 ContactChoice read_contact(const CommandOptions& options) {
     const Law law = at_place("--law", [&] { return Law::named(options["--law"]); });
     const Detachment detachment = read_detachment(options["--detachment"], law);
     const Sphere sphere = read_sphere(options, "--");
-    warn_if_implausible(sphere.radius, sphere_density(sphere.radius, sphere.mass));
     const std::optional<Sphere> partner = read_partner(options);
     // R* and m* (Eq. 6 and the text under Eq. 2)
     const auto [radius, mass] = !partner ? sphere
@@ -301,6 +300,10 @@ std::string regime_text(const Regime& regime) {
     list.add("contact radius", fmt::format("at most {}, {} of R*", readable(regime.contact_radius, "m"),
                                            readable_number(regime.relative_contact_radius)));
     return list.text(0);
+}
+
+void add_notes(Json& json, const std::vector<Finding>& findings) {
+    for (const Finding& finding : findings) json["notes"].push_back(finding.text);
 }
 
 void warn_of(const std::vector<Finding>& findings, const std::string& place) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/finding.hpp"
 #include "core/json/document.hpp"
 #include "core/units/units.hpp"
 #include "pipeline/present/text/layout.hpp"
@@ -39,6 +40,9 @@ class CommandOptions {
     [[nodiscard]] double number(std::string_view name, Dimension dimension) const;
     /// The same, > 0. @throws InputError naming the option
     [[nodiscard]] double positive(std::string_view name, Dimension dimension) const;
+    /// The doubts about quantities that are far from what particles of ash and walls have.
+    /// @throws InputError naming the option for a number without a unit that is too far
+    [[nodiscard]] std::vector<Finding> doubts() const;
 
     /// Where the parser stores what was typed.
     [[nodiscard]] std::string& text_of(const std::string& name) { return texts_[name]; }
@@ -89,6 +93,9 @@ void add_model(TextList& list, Law law, Detachment detachment, const Damping& da
 
 /// The lines on the regime of an impact.
 [[nodiscard]] std::string regime_text(const Regime& regime);
+
+/// Adds findings to the "notes" of a command's --json, if there are any.
+void add_notes(Json& json, const std::vector<Finding>& findings);
 
 /// Puts findings on standard error as warnings. @param place a file, or empty
 void warn_of(const std::vector<Finding>& findings, const std::string& place = {});

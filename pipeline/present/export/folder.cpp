@@ -12,6 +12,7 @@
 #include "core/embedded.hpp"
 #include "core/json/document.hpp"
 #include "core/json/view.hpp"
+#include "core/plausibility.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
@@ -89,6 +90,7 @@ std::string geometry_words(const ExportSubject& subject) {
 /// What regime_of() remarks on the impacts of the folder, each once.
 std::set<std::string> remarks(const ExportSubject& subject) {
     std::set<std::string> lines;
+    for (const Finding& doubt : sizes_outside_model(subject)) lines.insert(doubt.text);
     for (const ExpectedImpact& each : expected_impacts(subject)) {
         if (!each.maximum_overlap) continue;
         const Regime regime =
@@ -163,6 +165,16 @@ ExportFile assumptions(const ExportSubject& subject, const std::vector<std::stri
         fmt::format("- for {} only; for another {}, humidity or temperature the numbers above are others\n",
                     range_words(subject), subject.partner ? "partner" : "wall");
     return {"assumptions.md", without_controls(text)};
+}
+
+std::vector<Finding> sizes_outside_model(const ExportSubject& subject) {
+    std::vector<Finding> findings;
+    for (const double diameter : sizes_of(subject))
+        if (auto doubt = outside_model(threshold_at(subject, diameter).value.value_or(0))) {
+            doubt->text.insert(0, readable(diameter, "m") + ": ");
+            findings.push_back(*std::move(doubt));
+        }
+    return findings;
 }
 
 std::vector<ExpectedImpact> expected_impacts(const ExportSubject& subject) {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/finding.hpp"
 #include "core/json/document.hpp"
 #include "pipeline/present/export/subject.hpp"
 
@@ -50,6 +51,9 @@ struct ExpectedImpact {
     std::optional<double> contact_time;     ///< none for a capture [s]
     std::optional<double> maximum_overlap;  ///< [m]
 };
+
+/// The doubts about critical velocities of the sizes whose impacts are expected, by size.
+[[nodiscard]] std::vector<Finding> sizes_outside_model(const ExportSubject& subject);
 
 /// Impacts of the smallest, the largest, the reference size and one between, at 0.99 and 1.01 v_c, at
 /// multiples of v_c up to the largest velocity, and at the subject's own velocity.

@@ -3,9 +3,11 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <string>
 
 #include <fmt/format.h>
 
+#include "core/plausibility.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/present/text/result_text.hpp"
@@ -409,6 +411,20 @@ class ResultText {
     const ResultView& view_;
 };
 
+/// A result in which words replace critical velocities that are outside of the model.
+/// @param is_critical whether the node is below the key of a critical velocity
+Json with_words(const Json& node, bool is_critical = false) {
+    if (is_critical && is_plain_quantity(node) && node["unit"] == "m/s" && node["value"] > fastest_in_model)
+        return critical_velocity_text(node["value"], "");
+    if (!node.is_structured()) return node;
+    Json shown = node;
+    for (const auto& [key, member] : node.items()) {
+        Json& place = node.is_array() ? shown[std::stoul(key)] : shown[key];
+        place = with_words(member, is_critical || key.ends_with("critical_velocity"));
+    }
+    return shown;
+}
+
 std::string provenance_text(const Json& artifact, std::size_t width) {
     const Json& provenance = artifact.at("provenance");
     std::string text;
@@ -438,7 +454,7 @@ std::string artifact_text(const Json& artifact, const ResultView& view, bool wit
     const bool is_comparison = artifact.at("stage") == "comparison";
     if (is_comparison) text += comparison_text(artifact.at("result"), width);
     std::string result;
-    if (!is_comparison || view.all) result = result_text(artifact.at("result"), view);
+    if (!is_comparison || view.all) result = result_text(with_words(artifact.at("result")), view);
     text += (is_comparison && !result.empty() ? "\n" : "") + result;
     if (const std::string legend = uncertainty_legend(text); !legend.empty()) text += "\n" + legend;
     if (!artifact.at("warnings").empty()) text += "\n";

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/plausibility.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/document/results_json.hpp"
@@ -242,7 +243,12 @@ std::string of_what(const Kind& kind, std::size_t samples) {
 }  // namespace
 
 std::string velocity_text(double velocity) {
-    return fmt::format("{:#.3g}", velocity);
+    return critical_velocity_text(velocity, fmt::format("{:#.3g}", velocity));
+}
+
+std::string value_text(double value, std::string_view unit) {
+    const std::string text = readable(value, unit);
+    return unit == "m/s" ? critical_velocity_text(value, text) : text;
 }
 
 std::string bounds_text(const std::optional<Bounds>& bounds) {
@@ -256,7 +262,7 @@ std::string bounds_text(const std::optional<Bounds>& bounds) {
 std::string bounds_text(const std::optional<double>& lower, const std::optional<double>& upper,
                         std::string_view unit) {
     const auto end = [&](const std::optional<double>& value) {
-        return value ? readable(*value, unit) : std::string("open");
+        return value ? value_text(*value, unit) : std::string("open");
     };
     return end(lower) + " to " + end(upper);
 }
@@ -264,7 +270,8 @@ std::string bounds_text(const std::optional<double>& lower, const std::optional<
 std::string estimate_text(const std::optional<VelocityEstimate>& velocity) {
     if (!velocity) return "no finite value";
     const std::string bounds = bounds_text(velocity->interval);
-    return velocity_text(velocity->value) + " m/s" + (bounds.empty() ? "" : " (95 %: " + bounds + " m/s)");
+    return critical_velocity_text(velocity->value, velocity_text(velocity->value) + " m/s") +
+           (bounds.empty() ? "" : " (95 %: " + bounds + " m/s)");
 }
 
 std::string_view verdict_words(const std::optional<CriticalVelocityCheck>& check) {

@@ -15,8 +15,12 @@ namespace ashimpact {
 
 // What the summary in a terminal and the report have in common about critical velocities.
 
-/// Three digits, trailing zeros kept, so that the velocities of a column line up [m/s].
+/// Three digits, trailing zeros kept, so that the velocities of a column line up [m/s]. One that is outside
+/// of the model is replaced by words, see critical_velocity_text().
 [[nodiscard]] std::string velocity_text(double velocity);
+
+/// A critical velocity or another quantity with its unit, "1.934 m/s"; likewise.
+[[nodiscard]] std::string value_text(double value, std::string_view unit);
 
 /// "1.85 to 2.01"; an end without a bound is "open". Empty if neither end is known.
 [[nodiscard]] std::string bounds_text(const std::optional<Bounds>& bounds);

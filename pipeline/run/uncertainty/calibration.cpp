@@ -2,7 +2,10 @@
 #include "pipeline/run/uncertainty/calibration.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
+
+#include "materials/contact_properties.hpp"
 
 namespace ashimpact {
 
@@ -10,7 +13,7 @@ namespace {
 
 CalibrationSample start_of(const Case& data, const Sample& sample, const SampleModulus& modulus,
                            const SampleContact& contact) {
-    CalibrationSample start{.diameter = sample.diameter.value(),
+    CalibrationSample start{.diameter = 2 * contact.radius.value,
                             .density = contact.density.value(),
                             .work_of_adhesion = contact.pair.work_of_adhesion,
                             .particle = {.young_modulus = modulus.young_modulus.value},
@@ -22,7 +25,11 @@ CalibrationSample start_of(const Case& data, const Sample& sample, const SampleM
         start.particle.poisson_ratio = modulus.poisson_ratio.value_or(0);
     const auto* elastic = data.wall ? std::get_if<ElasticWall>(&*data.wall) : nullptr;
     if (elastic != nullptr) start.wall = {elastic->young_modulus.value(), elastic->poisson_ratio.value()};
-    if (elastic == nullptr || sample.contact_modulus) start.contact_modulus = contact.pair.contact_modulus;
+    // The contact modulus is free to follow from both bodies if it does, and was not edited in an artifact.
+    const double given = contact.pair.contact_modulus;
+    if (elastic == nullptr || sample.contact_modulus ||
+        std::abs(contact_modulus(start.particle, start.wall) / given - 1) > 1e-9)
+        start.contact_modulus = given;
     return start;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "core/plausibility.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/tables/number_marks.hpp"
 #include "core/tables/text_lines.hpp"
@@ -357,6 +358,21 @@ std::string summary_in(const MeasurementHeading& heading, const TableRow& row, b
     return {};
 }
 
+/// Puts the doubt about the velocity that is furthest outside of its range before the other warnings.
+void add_implausible(const MeasuredColumn& column, MeasurementSet& set) {
+    if (set.points.empty()) return;
+    const PlausibleRange& range = *plausible_range("velocity");
+    const auto [slowest, fastest] = std::ranges::minmax_element(set.points, {}, &Measurement::velocity);
+    const Measurement& point = fastest->velocity > range.greatest ? *fastest : *slowest;
+    Writing written{point.velocity};
+    if (!column.unit_given) written.number = point.velocity;
+    const std::string place = at_line(point.line);
+    if (auto doubt = at_place(place, [&] { return implausible(range, written); })) {
+        doubt->text.insert(0, place + ": v_in: ");
+        set.warnings.insert(set.warnings.begin(), *std::move(doubt));
+    }
+}
+
 MeasurementSet read_table(const TextLines& file, std::string_view name) {
     const auto lines = lines_with_content(file);
     if (lines.empty()) throw InputError("the file holds no table", "a heading and one line an impact");
@@ -397,6 +413,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name) {
         });
     }
     unread.tell(set.warnings);
+    add_implausible(*heading.of(MeasuredQuantity::velocity), set);
     if (set.points.empty() && set.unknown > 0)
         throw InputError("the outcome of every impact is unknown", "rebounds or captures");
     if (set.points.empty())

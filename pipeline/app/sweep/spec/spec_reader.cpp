@@ -4,6 +4,7 @@
 
 #include "core/json/document.hpp"
 #include "core/json/view.hpp"
+#include "core/plausibility.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/app/sweep/spec/spec.hpp"
 #include "pipeline/case/case_parts.hpp"
@@ -223,6 +224,7 @@ LoadedSpec read_sweep_spec(const std::string& text) {
     validate_document(json, "sweep");
     const View document(json);
     SweepSpec spec;
+    spec.warnings = texts_of(implausible_values(json));
     const View impact = document.at("impact");
     spec.laws = read_laws(impact);
     if (const auto law = impact.find("damping_law")) spec.damping_law = named<DampingLaw>(law->text());

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/plausibility.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 
@@ -111,7 +112,13 @@ NumberTable numbers(const RunData& run) {
 }
 
 RowItem velocity_mark(double value, const Look& look, const std::string& name, const std::string& legend) {
-    return {RowItem::Kind::mark, value, value, look, fmt::format("{}: {:.4g} m/s", name, value), legend};
+    const std::string text = critical_velocity_text(value, fmt::format("{:.4g} m/s", value));
+    return mark(value, look, fmt::format("{}: {}", name, text), legend);
+}
+
+/// A critical velocity in a table of numbers [m/s].
+Cell critical_cell(double value) {
+    return value > fastest_in_model ? Cell(critical_velocity_text(value, "")) : Cell(value);
 }
 
 /// The interval of a value; an open end is drawn a factor 1.5 away.
@@ -129,7 +136,7 @@ void add_velocity(Row& row, NumberTable& table, const std::string& sample, const
     if (interval) row.items.push_back(velocity_interval(value, *interval, look, name));
     row.items.push_back(velocity_mark(value, look, name, what));
     const Bounds bounds = interval.value_or(Bounds{});
-    table.rows.push_back({sample, what, value, cell_of(bounds.lower), cell_of(bounds.upper)});
+    table.rows.push_back({sample, what, critical_cell(value), cell_of(bounds.lower), cell_of(bounds.upper)});
 }
 
 Row law_row(const SampleData& sample, const LawData& law, NumberTable& table) {
@@ -323,18 +330,13 @@ Figure critical_velocity_figure(const RunData& run) {
     bool far = false;
     for (const SampleData& sample : run.samples()) {
         panel.rows.push_back({.label = sample.name(), .heading = true});
-        const double analytic = sample.analytic->critical_velocity;
-        Row row{.label = "analytic, Eq. 30"};
-        // Beside an analytic velocity far below the others, the intervals of these could not be seen.
-        if (analytic > 0 && analytic < slowest / 3) {
-            far = true;
-            row.label = fmt::format("analytic: {:.3g} m/s", analytic);
-        } else if (analytic > 0) {
-            row.items.push_back(
-                velocity_mark(analytic, Look::plain(2, true), sample.name() + ", analytic", row.label));
-        }
-        table.rows.push_back({sample.name(), "analytic, Eq. 30", analytic, "", ""});
-        panel.rows.push_back(std::move(row));
+        Row analytic{.label = "analytic, Eq. 30"};
+        if (sample.analytic->critical_velocity > 0)
+            analytic.items.push_back(velocity_mark(sample.analytic->critical_velocity, Look::plain(2, true),
+                                                   sample.name() + ", analytic", analytic.label));
+        table.rows.push_back(
+            {sample.name(), "analytic, Eq. 30", critical_cell(sample.analytic->critical_velocity), "", ""});
+        panel.rows.push_back(std::move(analytic));
         for (const LawData& law : sample.laws) panel.rows.push_back(law_row(sample, law, table));
         if (const auto& measured = sample.velocity->measured; measured && measured->value) {
             with_measured = true;

@@ -323,7 +323,7 @@ SizeCurve size_curve(const SampleData& sample, const LawData& law) {
 /// "damping of 88 um is 1.02 to 1.31 times that of 104 um at equal velocity": smallest and largest size.
 std::string sizes_statement(const std::string& law, std::vector<SizeCurve> sizes) {
     if (sizes.size() < 2) return {};
-    std::ranges::sort(sizes, {}, [](const SizeCurve& size) { return size.sample->sample->diameter.value(); });
+    std::ranges::sort(sizes, {}, [](const SizeCurve& size) { return size.sample->contact->radius.value; });
     const SizeCurve& small = sizes.front();
     const SizeCurve& large = sizes.back();
     if (!small.has_curve() || !large.has_curve()) return {};
@@ -534,7 +534,7 @@ Figure sizes_figure(const RunData& run) {
             for (const Mark& mark : panel.series.back().marks) {
                 dampings.push_back(mark.y);
                 figure.numbers.rows.push_back(
-                    {law.name, sample.name(), sample.sample->diameter.value(), mark.x, mark.y});
+                    {law.name, sample.name(), 2 * sample.contact->radius.value, mark.x, mark.y});
             }
         }
         figure.caption += sizes_statement(panel.title, std::move(sizes));

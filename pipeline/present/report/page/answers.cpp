@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/plausibility.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/document/results_json.hpp"
@@ -23,13 +24,18 @@ std::string listed(const std::vector<std::string>& words) {
     return text;
 }
 
+/// "1.93 m/s", or that it is outside of the model.
+std::string value_words(double velocity) {
+    return critical_velocity_text(velocity, velocity_text(velocity) + " m/s");
+}
+
 /// "DMT and JKR agree with the measured 1.92 m/s; Hertz is too low."
 std::string measured_sentence(const SampleData& sample) {
     const auto& measured = sample.comparison->measured;
     if (!measured) return "No measured critical velocity to compare with.";
     const std::string bounds = bounds_text(sample.comparison->measured_interval);
-    std::string text = "Measured: " + velocity_text(measured->value()) + " m/s" +
-                       (bounds.empty() ? "" : " (95 %: " + bounds + ")");
+    std::string text =
+        "Measured: " + value_words(measured->value()) + (bounds.empty() ? "" : " (95 %: " + bounds + ")");
     const auto add = [&](CriticalVelocityVerdict verdict, const char* one, const char* many) {
         std::vector<std::string> laws;
         for (const LawData& law : sample.laws)
@@ -47,14 +53,14 @@ std::string measured_sentence(const SampleData& sample) {
 std::string reported_sentence(const ReportedVelocity& reported) {
     const Answer answer = answer_of(reported);
     if (answer.kind == Answer::Kind::none) return "no critical velocity: " + escaped(reported.reason) + ".";
-    const std::string velocity =
-        fmt::format("<span class=\"value\">{} m/s</span>", velocity_text(answer.velocity));
+    const std::string velocity = fmt::format("<span class=\"value\">{}</span>", value_words(answer.velocity));
     if (answer.kind == Answer::Kind::above)
         return "the critical velocity lies above " + velocity + escaped(": " + reported.reason + ".");
     if (answer.kind == Answer::Kind::below)
         return "the critical velocity lies below " + velocity + escaped(": " + reported.reason + ".");
     const std::string bounds = bounds_text(reported.interval);
-    return "a particle sticks when it is slower than " + velocity +
+    const bool outside = answer.velocity > fastest_in_model;
+    return (outside ? "the critical velocity is " : "a particle sticks when it is slower than ") + velocity +
            escaped((bounds.empty() ? "" : " (95 %: " + bounds + " m/s)") +
                    (reported.law ? ", by " + display_name(reported.law->name()) : "") + ": " +
                    reported.reason + ".");
@@ -149,7 +155,8 @@ Cells cells_of(const SampleData& sample, const LawData& law) {
     return {number_cell(sample.modulus->young_modulus.value, 1e9),
             number_cell(sample.contact->pair.contact_modulus, 1e9),
             number_cell(sample.analytic->separation_energy, 1e-15),
-            number_cell(sample.analytic->critical_velocity),
+            critical_velocity_text(sample.analytic->critical_velocity,
+                                   number_cell(sample.analytic->critical_velocity)),
             escaped(law.name),
             dynamic_cell(law),
             head ? bounds_text(head->interval) : "",

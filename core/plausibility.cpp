@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/plausibility.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "core/json/view.hpp"
+#include "core/quantities/quantity.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr std::array ranges{
+    PlausibleRange{Dimension::length, 10e-9, 5e-3, "10 nm to 5 mm", {"um", "nm", "mm"}, "diameter"},
+    PlausibleRange{
+        Dimension::length, 5e-9, 2.5e-3, "5 nm to 2.5 mm", {"um", "nm", "mm"}, "radius effective_radius"},
+    PlausibleRange{Dimension::pressure,
+                   10e6,
+                   1.2e12,
+                   "10 MPa to 1.2 TPa",
+                   {"GPa", "MPa", "kPa"},
+                   "young_modulus contact_modulus"},
+    PlausibleRange{Dimension::density,
+                   50,
+                   25e3,
+                   "50 to 25,000 kg/m3",
+                   {"g/cm3", "kg/m3", "mg/cm3"},
+                   "density densities"},
+    PlausibleRange{Dimension::energy_per_area,
+                   1e-5,
+                   20,
+                   "1e-5 to 20 J/m2",
+                   {"mJ/m2", "uJ/m2", "J/m2"},
+                   "work_of_adhesion surface_energy surface_energies"},
+    PlausibleRange{Dimension::velocity,
+                   1e-6,
+                   2000,
+                   "1e-6 to 2,000 m/s",
+                   {"mm/s", "um/s", "m/s"},
+                   "velocity measured_critical_velocity"}};
+
+/// Factor by which a number without a unit may lie outside of its range.
+constexpr double slip = 1000;
+
+bool is_listed(std::string_view names, std::string_view name) {
+    return (' ' + std::string(names) + ' ').find(' ' + std::string(name) + ' ') != std::string::npos;
+}
+
+/// How far outside of its range a value is, as a factor; 1 inside.
+double factor_outside(const PlausibleRange& range, double value) {
+    return std::max({1.0, value / range.greatest, range.least / value});
+}
+
+/// ", did you mean 90 um?" by the first unit with which a number lies in its range; empty if none does.
+std::string meant_with_unit(const PlausibleRange& range, double number) {
+    for (const std::string_view unit : range.units)
+        if (range.holds(to_si(number, unit, range.dimension)))
+            return fmt::format(", did you mean {} {}?", shortest(number), unit);
+    return {};
+}
+
+/// How a value of JSON is written; none if it is no positive quantity of this dimension.
+std::optional<Writing> writing_of(const Json& node, Dimension dimension) {
+    try {
+        if (node.is_number()) return Writing{node.get<double>(), node.get<double>()};
+        Writing written{read_quantity(node, dimension).value};
+        if (!node.is_string()) return written;
+        const auto number = read_number(node.get<std::string>());
+        if (number && !number->per_cent) written.number = number->value;
+        return written;
+    } catch (const InputError&) {  // whoever needs the quantity refuses it
+        return std::nullopt;
+    }
+}
+
+/// The doubts about the values under the key of a quantity.
+class Doubts {
+  public:
+    explicit Doubts(std::vector<Finding>& findings) : findings_(findings) {}
+
+    void walk(const Json& node, const std::string& pointer) {
+        if (node.is_array())
+            for (std::size_t i = 0; i < node.size(); ++i) walk(node[i], child_pointer(pointer, i));
+        if (!node.is_object()) return;
+        for (const auto& [key, member] : node.items()) {
+            if (key == "composition") continue;  // compose() checks its densities, those of XRD files too
+            const std::string place = child_pointer(pointer, key);
+            if (const PlausibleRange* range = plausible_range(key))
+                take(*range, member, place);
+            else
+                walk(member, place);
+        }
+    }
+
+  private:
+    /// Takes a quantity, a column, or the quantities of a distribution or under names.
+    void take(const PlausibleRange& range, const Json& node, const std::string& place) {
+        if (node.is_array()) return take_column(range, node, "", place);
+        if (!node.is_object() || node.contains("value")) return take_quantity(range, node, place);
+        const auto unit = node.contains("unit") && node["unit"].is_string() ? node["unit"].get<std::string>()
+                                                                            : std::string();
+        for (const auto& [key, member] : node.items()) {
+            if (is_listed("points standard_deviation geometric_standard_deviation", key)) continue;
+            const std::string inner = child_pointer(place, key);
+            if (member.is_array())
+                take_column(range, member, unit, inner);
+            else
+                take(range, member, inner);
+        }
+    }
+
+    void take_quantity(const PlausibleRange& range, Json node, const std::string& place) {
+        if (node.is_object())
+            for (const char* key :
+                 {"origin", "source", "range", "citations", "assumed", "interval", "method"})
+                node.erase(key);
+        if (const auto written = writing_of(node, range.dimension)) add(range, *written, place);
+    }
+
+    /// @param unit of the numbers; empty: SI
+    void take_column(const PlausibleRange& range, const Json& values, const std::string& unit,
+                     const std::string& place) {
+        std::optional<Writing> worst;
+        std::string where;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const Json value = unit.empty() || !values[i].is_number()
+                                   ? values[i]
+                                   : Json{{"value", values[i]}, {"unit", unit}};
+            const auto written = writing_of(value, range.dimension);
+            if (!written || !(written->value > 0)) continue;
+            if (worst && factor_outside(range, written->value) <= factor_outside(range, worst->value))
+                continue;
+            worst = written;
+            where = child_pointer(place, i);
+        }
+        if (worst) add(range, *worst, where);
+    }
+
+    void add(const PlausibleRange& range, const Writing& written, const std::string& place) {
+        auto doubt = at_place(place, [&] { return implausible(range, written); });
+        if (!doubt) return;
+        doubt->text.insert(0, place + ": ");
+        findings_.push_back(*std::move(doubt));
+    }
+
+    std::vector<Finding>& findings_;
+};
+
+}  // namespace
+
+const PlausibleRange* plausible_range(std::string_view name) {
+    std::string key(name.substr(std::min(name.find_first_not_of('-'), name.size())));
+    std::ranges::replace(key, '-', '_');
+    for (const char* whose : {"partner_", "wall_", "particle_", "from_", "to_"})
+        if (key.starts_with(whose)) key.erase(0, std::string_view(whose).size());
+    const auto found = std::ranges::find_if(
+        ranges, [&](const PlausibleRange& range) { return is_listed(range.names, key); });
+    return found == ranges.end() ? nullptr : &*found;
+}
+
+std::optional<Finding> implausible(const PlausibleRange& range, const Writing& written) {
+    if (!(written.value > 0) || range.holds(written.value)) return std::nullopt;
+    const std::string unit(si_unit(range.dimension));
+    if (written.number && factor_outside(range, written.value) >= slip)
+        throw InputError(fmt::format("{} has no unit and is {} {}{}", shortest(*written.number),
+                                     shortest(written.value), unit, meant_with_unit(range, *written.number)),
+                         fmt::format("{}; beyond that a number with its unit", range.words));
+    return Finding{implausible_code, Severity::doubt,
+                   fmt::format("{} is outside of what is plausible, {}: is the unit right?",
+                               readable(written.value, unit), range.words)};
+}
+
+std::vector<Finding> implausible_text(std::string_view option, const std::string& text) {
+    const PlausibleRange* range = plausible_range(option);
+    const auto written = range == nullptr ? std::nullopt : writing_of(text, range->dimension);
+    if (!written) return {};
+    const std::string place(option);
+    auto doubt = at_place(place, [&] { return implausible(*range, *written); });
+    if (!doubt) return {};
+    doubt->text.insert(0, place + ": ");
+    return {*std::move(doubt)};
+}
+
+std::vector<Finding> implausible_values(const Json& document, const std::string& pointer) {
+    std::vector<Finding> findings;
+    Doubts(findings).walk(document, pointer);
+    return findings;
+}
+
+std::string critical_velocity_text(double velocity, const std::string& text) {
+    return velocity > fastest_in_model
+               ? fmt::format("above {} m/s, outside the model", shortest(fastest_in_model))
+               : text;
+}
+
+std::optional<Finding> outside_model(double critical_velocity) {
+    if (!(critical_velocity > fastest_in_model)) return std::nullopt;
+    return Finding{outside_model_code, Severity::doubt,
+                   fmt::format("the critical velocity is {}", critical_velocity_text(critical_velocity, ""))};
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values that are probably slips of their units, at every door.
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "tests/pipeline/sandbox.hpp"
+
+using namespace ashimpact;
+using test::check_refused;
+using test::containing;
+using test::Sandbox;
+
+namespace {
+
+constexpr auto contact = " --density '2300 kg/m3' --contact-modulus '90 GPa' --work-of-adhesion '0.3 J/m2'";
+
+/// Files of which each is wrong in one number, and commands that read them.
+void write_files(const Sandbox& sandbox) {
+    test::write_example(sandbox, test::with_one_sample(test::example_case(), {"hertz"}));
+    sandbox.write("fast.csv", "v_in,e_n\n2e7,0.2\n3e7,0.3\n");
+    sandbox.write("quick.csv", "v_in [km/s],e_n\n1,0.2\n3,0.3\n3,0.3\n");
+    sandbox.write("ash.csv", "phase,wt%,density [kg/m3]\nquartz,40,2.65\nglass,60,2500\n");
+    sandbox.write("phases.json", R"([{"name": "soft", "density": "2 g/cm3", "young_modulus": 70}])");
+    sandbox.write("sweep.json",
+                  R"({"impact": {"laws": ["hertz"], "radius": 44, "density": 2300, "contact_modulus": 9e10},
+                      "variables": {"velocity": {"values": [1, 2]}}, "sampling": {"method": "grid"}})");
+}
+
+}  // namespace
+
+TEST_CASE("a bare number far from what ash has is refused at every door, with the unit that was meant") {
+    const Sandbox sandbox;
+    write_files(sandbox);
+    const Json document = sandbox.json("case.json");
+    for (const auto& [pointer, value, says] :
+         {std::tuple{"/samples/0/diameter", Json("90"),
+                     "/samples/0/diameter: 90 has no unit and is 90 m, did you "
+                     "mean 90 um?; allowed: 10 nm to 5 mm; beyond that a number"},
+          {"/samples/0/diameter", Json(90), "did you mean 90 um?"},
+          {"/wall/young_modulus", Json(193),
+           "/wall/young_modulus: 193 has no unit and is 193 Pa, did you mean 193 GPa"},
+          {"/particle", Json{{"contact_modulus", "90"}}, "/particle/contact_modulus: 90 has no unit"},
+          {"/phases", Json::parse(sandbox.read("phases.json")), "/phases/0/young_modulus: 70 has no unit"}}) {
+        Json wrong = document;
+        wrong[Json::json_pointer(pointer)] = value;
+        sandbox.write("case.json", wrong.dump());
+        CAPTURE(says);
+        check_refused(sandbox, "run case.json -o out", says);
+    }
+    for (const auto& [command, says] :
+         {std::pair{std::string("impact --law jkr --velocity '2 m/s' --diameter 90") + contact,
+                    "--diameter: 90 has no unit and is 90 m, did you mean 90 um?"},
+          {"contact --diameter '88 um' --density '2300 kg/m3' --young-modulus 110 --poisson-ratio 0.2 "
+           "--rigid-wall "
+           "--work-of-adhesion '0.3 J/m2'",
+           "--young-modulus: 110 has no unit and is 110 Pa, did you mean 110 GPa?"},
+          {std::string("export lammps --law jkr --diameter '88 um' --to-diameter 120 -o out") + contact,
+           "--to-diameter: 120 has no unit"},
+          {std::string("damping --law jkr --diameter '88 um' --impacts fast.csv") + contact,
+           "fast.csv: line 3: 3e+07 has no unit and is 3e+07 m/s, did you mean"},
+          {"modulus ash.csv --phases phases.json", "phases.json: /0/young_modulus: 70 has no unit"},
+          {"sweep sweep.json -o out.json",
+           "sweep.json: /impact/radius: 44 has no unit and is 44 m, did you mean 44 um?"}})
+        check_refused(sandbox, command, says);
+}
+
+TEST_CASE("with its unit it counts, and is warned of before anything else") {
+    const Sandbox sandbox;
+    write_files(sandbox);
+    for (const auto& [command, says] :
+         {std::pair{
+              std::string("impact --law hertz --velocity '2 m/s' --diameter '90 m'") + contact,
+              "warning: --diameter: 90 m is outside of what is plausible, 10 nm to 5 mm: is the unit right?"},
+          {"modulus ash.csv", "warning: ash.csv: density of \"quartz\": 2.65 kg/m3 is outside"},
+          {std::string("damping --law jkr --diameter '88 um' --impacts quick.csv") + contact,
+           "warning: quick.csv: line 3: v_in: 3000 m/s is outside"},
+          {"impact --law hertz --velocity '2 m/s' --diameter '88 um' --mass '1 kg' --contact-modulus '90 "
+           "GPa'",
+           "warning: density of the sphere by --mass: "}}) {
+        CAPTURE(command);
+        CHECK(test::ashimpact_program(sandbox, command).err.starts_with(says));
+    }
+    Json document = sandbox.json("case.json");
+    document["samples"][0]["work_of_adhesion"] = "300 J/m2";
+    sandbox.write("case.json", document.dump());
+    const auto run = test::succeeded(sandbox, "run case.json -o out");
+    CHECK(
+        run.err.starts_with("warning: 0-case.json: fine: /samples/0/work_of_adhesion: 300 J/m2 is outside"));
+    const Json notes = sandbox.json("out/0-case.json")["notes"];
+    REQUIRE(notes.size() > 0);
+    CHECK(notes[0]["code"] == "implausible");
+    CHECK(notes[0]["severity"] == "doubt");
+    CHECK(notes[0]["sample"] == "fine");
+}
+
+TEST_CASE("a critical velocity above 500 m/s is outside the model; JSON keeps the number, with a note") {
+    const Sandbox sandbox;
+    const std::string command =
+        std::string("critical-velocity --law hertz --diameter '88 um' --damping '100 kg/s'") + contact;
+    const auto text = test::succeeded(sandbox, command);
+    CHECK(text.out == containing("above 500 m/s, outside the model"));
+    CHECK(text.err == containing("warning: the critical velocity is above 500 m/s, outside the model"));
+    const Json json = Json::parse(test::succeeded(sandbox, command + " --json").out);
+    CHECK(json["critical_velocity"]["value"].get<double>() > 500);
+    CHECK(json["notes"].dump() == containing("above 500 m/s, outside the model"));
+
+    Json document = test::with_one_sample(test::example_case(), {"jkr"});
+    document["samples"][0]["diameter"] = "20 nm";
+    document["samples"][0]["work_of_adhesion"] = "19 J/m2";
+    test::write_example(sandbox, document);
+    const auto run = test::succeeded(sandbox, "run case.json -o out");
+    CHECK(run.out == containing("above 500 m/s, outside the model"));
+    CHECK(sandbox.read("out/report.html") == containing("above 500 m/s, outside the model"));
+    CHECK(test::succeeded(sandbox, "inspect out/3-analytic.json").out ==
+          containing("above 500 m/s, outside the model"));
+}
