@@ -17,7 +17,7 @@
 #include <spdlog/spdlog.h>
 
 #include "core/json/document.hpp"
-#include "core/json/view.hpp"
+#include "core/plausibility.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "interface/law_inputs.hpp"
@@ -232,9 +232,11 @@ Json laws_json() {
 }
 
 /// Restitution at `velocities` [m/s] and critical velocity of one contact; other keys as above. `dampings`,
-/// one for each velocity, replace `damping` in restitutions. Without `damping` a guess does: scaled
-/// coefficient 1 at 1 m/s.
-/// @return `restitution`, `critical_velocity` (null if there is none), `always_captured`, `damping`
+/// one for each velocity, are linear between velocities, which then have to increase, and constant beyond
+/// them; v_c is where restitution leaves zero. Without `damping` a guess replaces it: scaled coefficient 1 at
+/// 1 m/s.
+/// @return `restitution`, `critical_velocity` (null if there is none), `outside_model` (words in its place,
+/// or null), `always_captured`, `damping`
 Json curve_json(const Json& contact) {
     Impact impact = impact_of(options_of(contact), 1);
     if (!contact.contains("damping"))
@@ -259,7 +261,14 @@ Json curve_json(const Json& contact) {
         validate(impact);
         curve["restitution"].push_back(restitution_of(impact));
     }
-    return curve;
+    const CriticalVelocity critical = critical_velocity_on(course, restitution, impact);
+    return {{"restitution", restitution},
+            {"critical_velocity", critical.value ? Json(*critical.value) : Json(nullptr)},
+            {"outside_model", critical.value && outside_model(*critical.value)
+                                  ? Json(critical_velocity_text(*critical.value, ""))
+                                  : Json(nullptr)},
+            {"damping", damping},
+            {"always_captured", critical.verdict == CaptureVerdict::always_captured}};
 }
 
 }  // namespace

@@ -231,7 +231,8 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
     list.add("w, work of adhesion", readable(pair.work_of_adhesion, "J/m2"));
     list.add("W_s, separation energy", readable(energy, "J"));
     list.add("v_s, adhesion only",
-             value_text(velocity, "m/s") + ": below it adhesion captures without damping");
+             critical_velocity_text(
+                 velocity, readable(velocity, "m/s") + ": below it adhesion captures without damping"));
     list.add("Tabor parameter", readable_number(tabor) + " (DMT holds below 0.1, JKR above 5)");
     out << list.text(0);
 }

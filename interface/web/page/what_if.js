@@ -149,7 +149,7 @@ async function drawWhatIf() {
         return;
     }
     const [was, would] = answers;
-    const said = (answer) => (answer.critical_velocity === null ? (answer.always_captured ? 'every particle stays' : 'none') : `${readable(answer.critical_velocity, 3)} m/s`);
+    const said = (answer) => (answer.critical_velocity === null ? (answer.always_captured ? 'every particle stays' : 'none') : answer.outside_model ?? `${readable(answer.critical_velocity, 3)} m/s`);
     whatIf.nodes.text.textContent = contact.course
         ? `Critical velocity by ${lawName(contact.law)} with the measured damping: ${said(was)}. What if: ${said(would)}.`
         : guessed(was.critical_velocity, would.critical_velocity);

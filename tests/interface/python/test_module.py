@@ -216,6 +216,19 @@ class Impacts(unittest.TestCase):
         self.assertTrue(tsuji.always_captured)
         self.assertTrue(np.isinf(tsuji.critical_velocity))
 
+    def test_implausible_numbers_warn(self):
+        for numbers, doubt in (
+            (dict(radius=44.0), "radius: 44 m is outside of what is plausible, 5 nm to 2.5 mm"),
+            (dict(radius=[22e-6, 22e-6], density=[2.3, 2300.0]), "density: 2.3 kg/m3"),
+            (dict(radius=22e-6, damping=10.0), "above 500 m/s, outside the model"),
+        ):
+            with self.subTest(doubt=doubt), self.assertWarnsRegex(UserWarning, doubt) as caught:
+                ashimpact.critical_velocities(**{**ASH, **numbers})
+            self.assertEqual(caught.filename, __file__)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            ashimpact.impacts(radius=22e-6, velocity=2.0, **{**ASH, "work_of_adhesion": 0.0})
+
     def test_errors_say_what_is_allowed(self):
         cases = (
             (dict(law="jrk"), "jkr"),

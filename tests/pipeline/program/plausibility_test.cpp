@@ -106,7 +106,7 @@ TEST_CASE("a critical velocity above 500 m/s is outside the model; JSON keeps th
     CHECK(json["notes"].dump() == containing("above 500 m/s, outside the model"));
 
     Json document = test::with_one_sample(test::example_case(), {"jkr"});
-    document["samples"][0]["diameter"] = "20 nm";
+    document["samples"][0]["diameter"] = "11 nm";
     document["samples"][0]["work_of_adhesion"] = "19 J/m2";
     test::write_example(sandbox, document);
     const auto run = test::succeeded(sandbox, "run case.json -o out");

@@ -85,6 +85,7 @@ TEST_CASE("an edited artifact is taken and said to be edited; another layout is 
     put_quick_run(sandbox);
     Json artifact = sandbox.json("one/3-analytic.json");
     sandbox.write("one/3-analytic.json", artifact.dump(7));
+    sandbox.write("one/2-contact.json", sandbox.json("one/2-contact.json").dump(7));
     auto run = ashimpact_program(sandbox, "run -o one --only comparison");
     CHECK(run.status == 0);
     CHECK(run.err != containing("edited"));
