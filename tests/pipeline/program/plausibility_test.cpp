@@ -13,7 +13,8 @@ using test::Sandbox;
 
 namespace {
 
-constexpr auto contact = " --density '2300 kg/m3' --contact-modulus '90 GPa' --work-of-adhesion '0.3 J/m2'";
+constexpr auto usual_contact =
+    " --density '2300 kg/m3' --contact-modulus '90 GPa' --work-of-adhesion '0.3 J/m2'";
 
 /// Files of which each is wrong in one number, and commands that read them.
 void write_files(const Sandbox& sandbox) {
@@ -49,15 +50,15 @@ TEST_CASE("a bare number far from what ash has is refused at every door, with th
         check_refused(sandbox, "run case.json -o out", says);
     }
     for (const auto& [command, says] :
-         {std::pair{std::string("impact --law jkr --velocity '2 m/s' --diameter 90") + contact,
+         {std::pair{std::string("impact --law jkr --velocity '2 m/s' --diameter 90") + usual_contact,
                     "--diameter: 90 has no unit and is 90 m, did you mean 90 um?"},
           {"contact --diameter '88 um' --density '2300 kg/m3' --young-modulus 110 --poisson-ratio 0.2 "
            "--rigid-wall "
            "--work-of-adhesion '0.3 J/m2'",
            "--young-modulus: 110 has no unit and is 110 Pa, did you mean 110 GPa?"},
-          {std::string("export lammps --law jkr --diameter '88 um' --to-diameter 120 -o out") + contact,
+          {std::string("export lammps --law jkr --diameter '88 um' --to-diameter 120 -o out") + usual_contact,
            "--to-diameter: 120 has no unit"},
-          {std::string("damping --law jkr --diameter '88 um' --impacts fast.csv") + contact,
+          {std::string("damping --law jkr --diameter '88 um' --impacts fast.csv") + usual_contact,
            "fast.csv: line 3: 3e+07 has no unit and is 3e+07 m/s, did you mean"},
           {"modulus ash.csv --phases phases.json", "phases.json: /0/young_modulus: 70 has no unit"},
           {"sweep sweep.json -o out.json",
@@ -70,10 +71,10 @@ TEST_CASE("with its unit it counts, and is warned of before anything else") {
     write_files(sandbox);
     for (const auto& [command, says] :
          {std::pair{
-              std::string("impact --law hertz --velocity '2 m/s' --diameter '90 m'") + contact,
+              std::string("impact --law hertz --velocity '2 m/s' --diameter '90 m'") + usual_contact,
               "warning: --diameter: 90 m is outside of what is plausible, 10 nm to 5 mm: is the unit right?"},
           {"modulus ash.csv", "warning: ash.csv: density of \"quartz\": 2.65 kg/m3 is outside"},
-          {std::string("damping --law jkr --diameter '88 um' --impacts quick.csv") + contact,
+          {std::string("damping --law jkr --diameter '88 um' --impacts quick.csv") + usual_contact,
            "warning: quick.csv: line 3: v_in: 3000 m/s is outside"},
           {"impact --law hertz --velocity '2 m/s' --diameter '88 um' --mass '1 kg' --contact-modulus '90 "
            "GPa'",
@@ -97,7 +98,7 @@ TEST_CASE("with its unit it counts, and is warned of before anything else") {
 TEST_CASE("a critical velocity above 500 m/s is outside the model; JSON keeps the number, with a note") {
     const Sandbox sandbox;
     const std::string command =
-        std::string("critical-velocity --law hertz --diameter '88 um' --damping '100 kg/s'") + contact;
+        std::string("critical-velocity --law hertz --diameter '88 um' --damping '100 kg/s'") + usual_contact;
     const auto text = test::succeeded(sandbox, command);
     CHECK(text.out == containing("above 500 m/s, outside the model"));
     CHECK(text.err == containing("warning: the critical velocity is above 500 m/s, outside the model"));
