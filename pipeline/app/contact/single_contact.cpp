@@ -307,8 +307,10 @@ void add_notes(Json& json, const std::vector<Finding>& findings) {
 }
 
 void warn_of(const std::vector<Finding>& findings, const std::string& place) {
-    for (const Finding& finding : findings)
-        spdlog::warn("warning: {}{}{}", place, place.empty() ? "" : ": ", finding.text);
+    for (const bool first : {true, false})  // doubts about values come first
+        for (const Finding& finding : findings)
+            if ((finding.code == implausible_code) == first)
+                spdlog::warn("warning: {}{}{}", place, place.empty() ? "" : ": ", finding.text);
 }
 
 void add_model(TextList& list, Law law, Detachment detachment, const Damping& damping) {

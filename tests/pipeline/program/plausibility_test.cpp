@@ -21,7 +21,7 @@ void write_files(const Sandbox& sandbox) {
     test::write_example(sandbox, test::with_one_sample(test::example_case(), {"hertz"}));
     sandbox.write("fast.csv", "v_in,e_n\n2e7,0.2\n3e7,0.3\n");
     sandbox.write("quick.csv", "v_in [km/s],e_n\n1,0.2\n3,0.3\n3,0.3\n");
-    sandbox.write("ash.csv", "phase,wt%,density [kg/m3]\nquartz,40,2.65\nglass,60,2500\n");
+    sandbox.write("soft.csv", "phase,wt%,density [kg/m3]\nquartz,40,2.65\nglass,60,2500\n");
     sandbox.write("phases.json", R"([{"name": "soft", "density": "2 g/cm3", "young_modulus": 70}])");
     sandbox.write("sweep.json",
                   R"({"impact": {"laws": ["hertz"], "radius": 44, "density": 2300, "contact_modulus": 9e10},
@@ -60,7 +60,7 @@ TEST_CASE("a bare number far from what ash has is refused at every door, with th
            "--to-diameter: 120 has no unit"},
           {std::string("damping --law jkr --diameter '88 um' --impacts fast.csv") + usual_contact,
            "fast.csv: line 3: 3e+07 has no unit and is 3e+07 m/s, did you mean"},
-          {"modulus ash.csv --phases phases.json", "phases.json: /0/young_modulus: 70 has no unit"},
+          {"modulus soft.csv --phases phases.json", "phases.json: /0/young_modulus: 70 has no unit"},
           {"sweep sweep.json -o out.json",
            "sweep.json: /impact/radius: 44 has no unit and is 44 m, did you mean 44 um?"}})
         check_refused(sandbox, command, says);
@@ -73,9 +73,9 @@ TEST_CASE("with its unit it counts, and is warned of before anything else") {
          {std::pair{
               std::string("impact --law hertz --velocity '2 m/s' --diameter '90 m'") + usual_contact,
               "warning: --diameter: 90 m is outside of what is plausible, 10 nm to 5 mm: is the unit right?"},
-          {"modulus ash.csv", "warning: ash.csv: density of \"quartz\": 2.65 kg/m3 is outside"},
+          {"modulus soft.csv", "warning: soft.csv: density of \"quartz\": 2.65 kg/m3 is outside"},
           {std::string("damping --law jkr --diameter '88 um' --impacts quick.csv") + usual_contact,
-           "warning: quick.csv: line 3: v_in: 3000 m/s is outside"},
+           "warning: quick.csv: line 4: v_in: 3000 m/s is outside"},
           {"impact --law hertz --velocity '2 m/s' --diameter '88 um' --mass '1 kg' --contact-modulus '90 "
            "GPa'",
            "warning: density of the sphere by --mass: "}}) {
