@@ -191,8 +191,8 @@ TEST_CASE("an edited artifact is refused in one line where it cannot be or contr
              Edit{"5-damping", "/hertz/damping/values/3", 0.5, "fit", "/hertz/damping/values/3: was edited"},
              Edit{"6-fit", "/hertz/direct/critical_velocity/value", 1.0, "critical-velocity",
                   ": is 1 m/s, outside of its interval"},
-             Edit{"7-critical-velocity", "/hertz/contact_time/value", 1e-7, "histories",
-                  "/contact_time/value: was"},
+             Edit{"7-critical-velocity", "/hertz/dissipated/value", 1e-7, "histories",
+                  "/dissipated/value: was"},
              // Computed from another version of an edited artifact.
              Edit{"2-contact", "/work_of_adhesion/value", 0.2, "fit",
                   "one/3-analytic.json: was computed from another 2-contact.json than the one beside it; "
