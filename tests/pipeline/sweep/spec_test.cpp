@@ -64,14 +64,14 @@ const Spoiled spoiled_specs[]{
      "/variables/velocity: a normal distribution reaches below zero; allowed: "
      R"(a "minimum" that is positive)"},
     // Too small or too great to compute with, even where nothing is drawn or hardly ever.
-    {R"(/variables/velocity = {"values": [1, 1e-50]})",
+    {R"(/variables/velocity = {"values": [1, "1e-50 m/s"]})",
      "/variables/velocity: velocity is 1e-50 m/s; allowed: 1e-40 to 1e40"},
     {"/variables/radius/geometric_standard_deviation = 1e6", "/variables/radius: radius is "},
     {R"(/variables/velocity = {"distribution": "normal", "mean": 2, "standard_deviation": 5e-324, )"
      R"("minimum": 1})",
      "/variables/velocity/standard_deviation: is 5e-324 m/s; allowed: 0, or 1e-40 to 1e40 in SI"},
-    {"/variables/velocity/from = 5e-324", "/variables/velocity/from: is 5e-324 m/s"},
-    {"/variables/velocity/to = 1e300", "/variables/velocity/to: is 1e+300 m/s"},
+    {R"(/variables/velocity/from = "5e-324 m/s")", "/variables/velocity/from: is 5e-324 m/s"},
+    {R"(/variables/velocity/to = "1e300 m/s")", "/variables/velocity/to: is 1e+300 m/s"},
     {R"(/variables/velocity = {"distribution": "normal", "mean": 2, "standard_deviation": 1, )"
      R"("minimum": 100})",
      "/variables/velocity: minimum and maximum cut off all of it"},
