@@ -49,12 +49,20 @@ class ImportanceSampling {
                 point_[first + i][axis] = gsl::normal_quantile(unit_interval(digits[i]));
         }
         value_.resize(point_.size());
+        density_.resize(point_.size());
+        log_weight_.resize(point_.size());
         batch::for_each_item(count, [&](std::size_t i) {
             Vector& point = point_[first + i];
             point = normal.mean + scales[i % scales.size()] * (proposal.factor * point);
             value_[first + i] = function_(point);
         });
-        weigh();
+        // Weights: the density over the mixture of all densities drawn from (Owen & Zhou 2000, J. Am. Stat.
+        // Assoc. 95:135), of which earlier points lack the last one only.
+        batch::for_each_item(point_.size(), [&](std::size_t i) {
+            for (std::size_t k = i < first ? proposals_.size() - 1 : 0; k < proposals_.size(); ++k)
+                density_[i] += proposals_[k].density(point_[i]);
+            log_weight_[i] = -value_[i] - std::log(std::max(density_[i], 1e-300));
+        });
     }
 
     /// Mean and covariance of the density; while it has few effective draws, those of a power of it below 1,
@@ -113,17 +121,6 @@ class ImportanceSampling {
         }
     };
 
-    /// Weights: the density over the mixture of all densities drawn from (Owen & Zhou 2000, J. Am. Stat.
-    /// Assoc. 95:135).
-    void weigh() {
-        log_weight_.resize(point_.size());
-        for (std::size_t i = 0; i < point_.size(); ++i) {
-            double density = 0.0;
-            for (const Proposal& proposal : proposals_) density += proposal.density(point_[i]);
-            log_weight_[i] = -value_[i] - std::log(std::max(density, 1e-300));
-        }
-    }
-
     /// The weights to a power, normalised to a sum of 1.
     [[nodiscard]] std::vector<double> weights(double power) const {
         const double best = *std::max_element(log_weight_.begin(), log_weight_.end());
@@ -139,6 +136,7 @@ class ImportanceSampling {
     std::vector<Proposal> proposals_;
     std::vector<Vector> point_;
     std::vector<double> value_;
+    std::vector<double> density_;  ///< of the mixture
     std::vector<double> log_weight_;
 };
 
