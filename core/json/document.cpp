@@ -118,6 +118,8 @@ std::string json_number(double value, Digits digits) {
 }
 
 std::string json_string(const std::string& value) {
+    const auto plain = [](char c) { return c >= ' ' && c < '\x7f' && c != '"' && c != '\\'; };
+    if (std::ranges::all_of(value, plain)) return '"' + value + '"';
     return Json(value).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -146,11 +148,13 @@ class Writer {
         if (value.is_string()) return json_string(value.get_ref<const std::string&>());
         if (value.is_number_float()) return json_number(value.get<double>(), digits_);
         if (!value.is_structured()) return value.dump();
+        if (value.size() > limit / 3) return {};  // an element takes three bytes or more, "1, "
         std::string line(1, value.is_object() ? '{' : '[');
         for (auto element = value.begin(); element != value.end(); ++element) {
             if (element != value.begin()) line += ", ";
             if (value.is_object()) line += json_string(element.key()) + ": ";
-            const std::string inner = one_line(*element, limit);
+            if (line.size() > limit) return {};
+            const std::string inner = one_line(*element, limit - line.size());
             if (inner.empty() || line.size() + inner.size() > limit) return {};
             line += inner;
         }
@@ -299,6 +303,14 @@ std::size_t JsonLines::line_of(std::string pointer) const {
         pointer.resize(pointer.rfind('/'));
     }
     return lines_.at("");
+}
+
+Json as_read_back(Json document) {
+    if (document.is_structured())
+        for (Json& element : document) element = as_read_back(std::move(element));
+    if (!document.is_number_float()) return document;
+    const std::string text = json_number(document.get<double>(), Digits::shortest);
+    return text.find_first_of(".e") == std::string::npos ? Json::parse(text) : document;
 }
 
 std::string write_json(const Json& document, Digits digits) {

@@ -54,4 +54,7 @@ enum class Digits {
 /// @throws std::logic_error for a number that is not finite, which no result may contain
 [[nodiscard]] std::string write_json(const Json& document, Digits digits = Digits::shortest);
 
+/// What parse_json() makes of write_json(document): whole numbers become integers.
+[[nodiscard]] Json as_read_back(Json document);
+
 }  // namespace ashimpact

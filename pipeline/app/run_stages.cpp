@@ -75,7 +75,7 @@ bool note_edits(const Stage& stage, const Artifacts& before, StageRecord& record
             record.note(
                 {"edited", Severity::remark, std::string(file) + " was edited after ashimpact wrote it"});
         edited = edited || artifact.edited;
-        rests_on_edit = rests_on_edit || artifact.document.at("provenance").value("edited", false);
+        rests_on_edit = rests_on_edit || artifact.document->at("provenance").value("edited", false);
     }
     if (rests_on_edit && !edited)
         record.note(
@@ -94,7 +94,7 @@ Artifact add_stage(const Stage& stage, Work& work) {
     for (const std::string_view file : stage.reads)
         envelope.inputs.push_back({std::string(file), sha256(work.artifacts.at(file).bytes)});
     Artifact artifact = sealed_artifact(envelope, result_json(work.run, stage.file),
-                                        run_of(work.artifacts.at(stage.reads.front()).document));
+                                        run_of(*work.artifacts.at(stage.reads.front()).document));
     record.sha256 = sha256(artifact.bytes);
     work.add(artifact);
     return artifact;
@@ -110,12 +110,12 @@ Artifact manifest_of(const RunPlan& plan, const std::vector<Artifact>& all,
     for (const Artifact& artifact : all) {
         const bool is_new = std::ranges::find(written, artifact.file, &Artifact::file) != written.end();
         list.push_back({{"file", artifact.file},
-                        {"stage", artifact.document.at("stage")},
+                        {"stage", artifact.document->at("stage")},
                         {"sha256", sha256(artifact.bytes)},
                         {"bytes", artifact.bytes.size()},
                         {"written_by_this_run", is_new}});
     }
-    return sealed_artifact(envelope, {{"artifacts", std::move(list)}}, run_of(written.front().document));
+    return sealed_artifact(envelope, {{"artifacts", std::move(list)}}, run_of(*written.front().document));
 }
 
 /// The complete run: moved out of @p work, or, if only some stages ran, read from all artifacts.
@@ -272,7 +272,8 @@ void add_unused(const std::filesystem::path& folder, std::string_view file, std:
         for (const char* key : {"warnings", "notes"})
             if (whole.contains(key)) document[key] = whole.at(key);
     });
-    all.push_back({std::string(file), std::move(document), std::move(bytes), path.string()});
+    all.push_back({std::string(file), std::make_shared<const Json>(std::move(document)), std::move(bytes),
+                   path.string()});
 }
 
 /// Refuses edits that do not count in all that follows. Each edited artifact is computed anew from those that
@@ -293,11 +294,11 @@ void check_edits(const std::filesystem::path& folder, Work& work) {
 /// Adds all notes in the folder, of this run and earlier ones, and the number of samples.
 void summarize(const std::vector<Artifact>& all, RunSummary& summary) {
     for (const Artifact& artifact : all) {
-        for (const Note& note : read_notes(View(artifact.document)))
+        for (const Note& note : read_notes(View(*artifact.document)))
             summary.remarks.push_back({artifact.file, note});
-        if (summary.samples == 0 && artifact.document.contains("result") &&
-            artifact.document.at("result").contains("samples"))
-            summary.samples = artifact.document.at("result").at("samples").size();
+        if (summary.samples == 0 && artifact.document->contains("result") &&
+            artifact.document->at("result").contains("samples"))
+            summary.samples = artifact.document->at("result").at("samples").size();
     }
     std::ranges::stable_partition(summary.remarks, [](const Remark& remark) {
         return remark.note.code == implausible_code || remark.note.code == outside_model_code;

@@ -95,7 +95,8 @@ std::string run_identity(const Json& case_result, const Json& inputs) {
 void seal(Json& document, const std::string& run) {
     Json& provenance = document["provenance"];
     provenance[run_key] = run;
-    provenance[result_key] = sha256(parse_json(write_json(document["result"])).dump());  // as it will be read
+    provenance[result_key] =
+        sha256(as_read_back(document["result"]).dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace
@@ -161,7 +162,7 @@ Artifact sealed_artifact(const Envelope& envelope, Json result, const std::strin
     if (envelope.rests_on_edit) document["provenance"]["edited"] = true;
     seal(document, run.empty() ? run_identity(document.at("result"), inputs) : run);
     std::string bytes = write_json(document);
-    return {record.file, std::move(document), std::move(bytes)};
+    return {record.file, std::make_shared<const Json>(std::move(document)), std::move(bytes)};
 }
 
 Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view file) {
@@ -178,8 +179,8 @@ Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view f
             if (file != histories_artifact) doubts = implausible_values(document.at("result"), "/result");
             spdlog::warn("warning: {}: was edited after ashimpact wrote it; its values count", path.string());
         }
-        return Artifact{std::string(file), std::move(document), std::move(bytes), path.string(), edited,
-                        std::move(doubts)};
+        return Artifact{std::string(file), std::make_shared<const Json>(std::move(document)),
+                        std::move(bytes), path.string(), edited};
     });
 }
 
@@ -228,7 +229,7 @@ void require_one_run(const std::vector<Artifact>& artifacts) {
     for (const Artifact& artifact : artifacts) {
         const Artifact& first = artifacts.front();
         const std::string& place = artifact.place.empty() ? artifact.file : artifact.place;
-        if (at_place(FileName{place}, [&] { return run_of(artifact.document); }) == run_of(first.document))
+        if (at_place(FileName{place}, [&] { return run_of(*artifact.document); }) == run_of(*first.document))
             continue;
         throw InputError("is of another run than " + first.file + " beside it",
                          "artifacts of one run; `ashimpact run` with the case writes all of them anew")
@@ -238,6 +239,17 @@ void require_one_run(const std::vector<Artifact>& artifacts) {
 
 void require_possible_result(const Json& document) {
     require_possible_part(document.at("result"), "/result");
+}
+
+std::vector<std::string> outdated(const std::vector<Artifact>& artifacts) {
+    std::vector<std::string> sentences;
+    for (const Artifact& artifact : artifacts)
+        for (const Json& input : artifact.document->at("provenance").at("inputs"))
+            for (const Artifact& other : artifacts)
+                if (other.file == input.at("file") && sha256(other.bytes) != input.at("sha256"))
+                    sentences.push_back(artifact.file + " was computed from another " + other.file +
+                                        " than the one beside it");
+    return sentences;
 }
 
 }  // namespace ashimpact

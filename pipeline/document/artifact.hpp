@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,7 +17,7 @@ namespace ashimpact {
 /// One artifact: its file name, its document and the bytes it was read from or will be written as.
 struct Artifact {
     std::string file;
-    Json document;
+    std::shared_ptr<const Json> document;  ///< shared by its copies
     std::string bytes;
     /// The file it was read from, for 0-case.json also the case file; for messages. Empty: it was computed.
     std::string place{};

@@ -215,7 +215,7 @@ Json options_json(const Case& data, std::string_view file) {
 void read_artifact(const Artifacts& artifacts, std::string_view file, Run& run) {
     const Artifact& artifact = artifacts.at(file);
     at_place(FileName{artifacts.place_of(file)}, [&] {
-        const View document(artifact.document);
+        const View document(*artifact.document);
         part_of(file).read(document, run);
         run.records.push_back({.stage = document.at("stage").text(),
                                .file = artifact.file,
