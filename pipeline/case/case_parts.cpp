@@ -61,26 +61,27 @@ LawMap<DampingPolynomial> read_quadratics(const View& node) {
 /// The sample of an XRD file that the case names, or its only one.
 XrdSample chosen_sample(const View& node, const XrdResult& result) {
     const auto name = node.find("xrd_sample");
-    std::vector<std::string> names;
-    for (const XrdSample& sample : result.samples) {
-        if (name && sample.name == name->text()) return sample;
-        names.push_back(sample.name);
+    if (name) {
+        const auto found = std::ranges::find(result.samples, name->text(), &XrdSample::name);
+        if (found != result.samples.end()) return *found;
+    } else if (result.samples.size() == 1) {
+        return result.samples.front();
     }
+    std::vector<std::string> names;
+    for (const XrdSample& sample : result.samples) names.push_back(sample.name);
     if (name)
         name->fail("the XRD file has no such sample",
                    joined(names) + (names.size() == 1 ? ", or no xrd_sample" : ""));
-    if (result.samples.size() != 1)
-        node.at("xrd").fail("the file holds " + std::to_string(names.size()) + " samples",
-                            "xrd_sample, one of " + joined(names));
-    return result.samples.front();
+    node.at("xrd").fail("the file holds " + std::to_string(names.size()) + " samples",
+                        "xrd_sample, one of " + joined(names));
 }
 
 ReadAnalysis read_xrd_analysis(const View& node, InputFiles& files) {
     const View file = node.at("xrd");
     const std::string name = file.text();
     const auto sheet = node.find("xrd_sheet");
-    const XrdResult result = at_place(file.pointer(), [&] {
-        return read_xrd(files.read(name), files.shown(name), sheet ? sheet->text() : std::string());
+    const XrdResult& result = at_place(file.pointer(), [&]() -> const XrdResult& {
+        return files.xrd(name, sheet ? sheet->text() : std::string());
     });
     XrdSample sample = chosen_sample(node, result);
     for (PhaseFraction& phase : sample.analysis.phases)

@@ -42,6 +42,12 @@ std::string InputFiles::read_built_in(const std::string& path) {
     return record(built_in_mark + path, std::string(*bytes));
 }
 
+const XrdResult& InputFiles::xrd(const std::string& name, const std::string& sheet) {
+    const auto [known, is_new] = xrd_.try_emplace({name, sheet});
+    if (is_new) known->second = read_xrd(read(name), shown(name), sheet);
+    return known->second;
+}
+
 std::string InputFiles::shown(const std::string& name) const {
     return (folder_ / name).string();
 }

@@ -2,8 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "materials/xrd/xrd.hpp"
 
 namespace ashimpact {
 
@@ -32,6 +36,9 @@ class InputFiles {
     /// The bytes of a file the program carries.
     [[nodiscard]] std::string read_built_in(const std::string& path);
 
+    /// The XRD result in a file, which is read once, however many samples it holds. @throws InputError
+    [[nodiscard]] const XrdResult& xrd(const std::string& name, const std::string& sheet);
+
     /// What a message calls a file.
     [[nodiscard]] std::string shown(const std::string& name) const;
     [[nodiscard]] const std::string& case_name() const { return case_name_; }
@@ -47,6 +54,7 @@ class InputFiles {
     bool is_built_in_;
     bool may_leave_ = false;
     std::vector<InputFile> used_;
+    std::map<std::pair<std::string, std::string>, XrdResult> xrd_;  ///< by file and sheet
 };
 
 }  // namespace ashimpact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -201,15 +202,20 @@ std::vector<std::string> exact_properties(const SampleContact& contact) {
     return list;
 }
 
-/// Why laws have no damping from which a velocity would follow: the first finding of the fit on a law of this
-/// sample, or of the reading of its dampings.
-std::string no_damping_reason(const Sample& sample, const Run& run) {
-    if (!sample.restitution) return "no impacts were given";
+/// Why laws have no damping from which a velocity would follow, by sample: the first finding of the fit on a
+/// law, or of the reading of its dampings.
+std::map<std::string_view, std::string> no_damping_reasons(const Run& run) {
+    std::map<std::string_view, std::string> reasons;
     for (const std::string_view file : {fit_artifact, damping_artifact})
         if (const StageRecord* stage = run.record(file))
             for (const Note& note : stage->notes)
-                if (note.sample == sample.name && note.law) return note.text;
-    return "no damping follows from the impacts";
+                if (note.law) reasons.try_emplace(note.sample, note.text);
+    for (const Sample& sample : run.data.samples)
+        if (sample.restitution)
+            reasons.try_emplace(sample.name, "no damping follows from the impacts");
+        else
+            reasons[sample.name] = "no impacts were given";
+    return reasons;
 }
 
 SampleComparison comparison_of(const ComparedSample& of, const Case& data, const std::string& no_damping) {
@@ -241,6 +247,7 @@ ComparisonResult comparison_stage(const Run& run, StageRecord& record) {
     const Case& data = run.data;
     ComparisonResult result{.name = data.name};
     Gap gap;
+    const auto no_damping = no_damping_reasons(run);
     for (std::size_t i = 0; i < data.samples.size(); ++i) {
         const ComparedSample of{data.samples[i],         run.modulus.samples[i],
                                 run.contact.samples[i],  run.analytic.samples[i],
@@ -248,7 +255,7 @@ ComparisonResult comparison_stage(const Run& run, StageRecord& record) {
                                 run.histories.samples[i]};
         for (const auto& [law, velocity] : of.velocities.laws)
             gap.take(velocity, of.analytic.critical_velocity);
-        result.samples.push_back(comparison_of(of, data, no_damping_reason(of.sample, run)));
+        result.samples.push_back(comparison_of(of, data, no_damping.at(of.sample.name)));
     }
     result.equal_velocities = equal_velocities(data, run.contact, run.damping);
     if (gap.known()) result.dynamic_over_analytic = RatioRange{gap.least_ratio, gap.greatest_ratio};
