@@ -261,21 +261,28 @@ std::vector<double> FractionModel::fractions() const {
     return result;
 }
 
-Composition compose(const Analysis& analysis, const PhaseCatalogue& catalogue,
-                    const std::string& how_to_state) {
-    check_fractions(analysis);
-    auto resolved = resolved_phases(analysis, catalogue);
+Composition compose(const Analysis& given, const PhaseCatalogue& catalogue, const std::string& how_to_state) {
+    check_fractions(given);
+    auto resolved = resolved_phases(given, catalogue);
 
-    Composition composition{.components = {}, .basis = analysis.basis};
-    for (std::size_t i = 0; i < resolved.size(); ++i)
+    Composition composition{.components = {}, .basis = given.basis};
+    for (std::size_t i = 0; i < resolved.size(); ++i) {
         composition.components.push_back(
-            component(analysis.phases[i], std::move(resolved[i]), composition.notes));
+            component(given.phases[i], std::move(resolved[i]), composition.notes));
+        composition.components.back().place = i;
+    }
+    std::ranges::stable_sort(composition.components, std::ranges::greater(),
+                             [](const Component& c) { return std::string_view(c.phase.name); });
+    Analysis analysis = given;
+    for (std::size_t i = 0; i < resolved.size(); ++i)
+        analysis.phases[i] = given.phases[composition.components[i].place];
     composition.model =
         Closing(analysis, holds_amorphous_phase(composition.components), how_to_state).model();
     if (composition.model.kind != FractionModel::Kind::closed) {
         const PhaseFraction rest{.name = analysis.amorphous_phase};
         composition.components.push_back(
             component(rest, catalogue.resolve(analysis.amorphous_phase), composition.notes));
+        composition.components.back().place = resolved.size();
     }
     refuse_repeated(composition.components, analysis);
     note_glass(composition);
@@ -283,6 +290,12 @@ Composition compose(const Analysis& analysis, const PhaseCatalogue& catalogue,
     note_small_remainder(analysis, composition.model, composition.notes);
     fill_fractions(composition);
     return composition;
+}
+
+std::vector<Component> Composition::listed() const {
+    std::vector<Component> list = components;
+    std::ranges::sort(list, {}, &Component::place);
+    return list;
 }
 
 std::vector<double> volume_fractions(std::span<const double> weight_fractions,

@@ -82,15 +82,21 @@ struct Component {
     Phase phase;                 ///< density replaced by the file's own where there is one
     double weight_fraction = 0;  ///< [1] of the whole
     double volume_fraction = 0;  ///< [1] of the whole
+    std::size_t place = 0;       ///< in the analysis
 };
 
 /// A sample whose fractions add up to one.
 struct Composition {
-    std::vector<Component> components;  ///< the amorphous part, if not in the analysis, is the last
+    /// In descending order of the names of the phases, so that no result depends on their order in a file;
+    /// the amorphous part, if not in the analysis, is the last.
+    std::vector<Component> components;
     FractionBasis basis = FractionBasis::weight;
     FractionModel model{};
     double density = 0;  ///< of the dense mixture [kg/m3]
     std::vector<Finding> notes{};
+
+    /// The components in the order of the analysis, for tables.
+    [[nodiscard]] std::vector<Component> listed() const;
 };
 
 /// How to state the amorphous part, for the message where nothing does.

@@ -154,7 +154,7 @@ std::string percent(double fraction) {
 
 std::string phases_text(const Composition& composition) {
     TextTable phases({"phase", "weight %", "volume %", "density", "E"});
-    for (const Component& c : composition.components)
+    for (const Component& c : composition.listed())
         phases.add({c.name, percent(c.weight_fraction), percent(c.volume_fraction),
                     readable(c.phase.density.value, "kg/m3"), readable(c.phase.young_modulus.value, "Pa")});
     return phases.text();

@@ -119,6 +119,7 @@ std::vector<LawChoice> read_case_laws(const View& document) {
     if (const auto names = document.find("laws")) {
         laws.clear();
         for (const View& name : names->elements()) laws.push_back(Law::named(name.text()));
+        std::ranges::sort(laws, {}, &Law::index);  // so that no choice depends on their order
     }
     std::vector<LawChoice> choices;
     choices.reserve(laws.size());
@@ -137,6 +138,7 @@ PhaseCatalogue catalogue_of(const View& document, const PhaseCatalogue& built_in
 
 /// Lets a phase be found by @p name: the artifact has no other phase sets and no groups, which resolved it.
 void add_synonym_if_needed(Phase& phase, const std::string& name) {
+    if (phase.name == name) return;
     const PhaseCatalogue alone({PhaseSet{.name = "case", .phases = {phase}}});
     try {
         static_cast<void>(alone.resolve(name));
@@ -153,8 +155,9 @@ constexpr auto how_to_state =
 std::vector<Phase> phases_of(const std::vector<Sample>& samples, const View& document,
                              const PhaseCatalogue& catalogue, std::vector<SampleFinding>& findings) {
     std::vector<Phase> phases;
+    const auto nodes = document.at("samples").elements();
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        const View place = document.at("samples").elements()[i].at("composition");
+        const View place = nodes[i].at("composition");
         const Composition composition =
             at_place(place.pointer(), [&] { return compose(samples[i].analysis, catalogue, how_to_state); });
         for (const Component& component : composition.components) {

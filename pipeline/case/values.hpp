@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -32,11 +33,14 @@ struct Stated {
     [[nodiscard]] double value() const { return quantity.value; }
 };
 
-/// Values under contact laws, in the order they were given.
+/// Values under contact laws, in the order of the registry, whatever the order in which they were given.
 template <class Value>
 class LawMap {
   public:
-    void set(Law law, Value value) { entries_.emplace_back(law, std::move(value)); }
+    void set(Law law, Value value) {
+        const auto after = [&](const auto& entry) { return entry.first.index() > law.index(); };
+        entries_.emplace(std::ranges::find_if(entries_, after), law, std::move(value));
+    }
     [[nodiscard]] bool empty() const { return entries_.empty(); }
     [[nodiscard]] auto begin() const { return entries_.begin(); }
     [[nodiscard]] auto end() const { return entries_.end(); }

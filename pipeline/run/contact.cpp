@@ -275,7 +275,7 @@ SampleModulus sample_modulus(const Composition& composition, const ModulusEstima
         .poisson_ratio = estimate.poisson_ratio,
         .poisson_ratio_assumed = estimate.poisson_ratio_assumed,
         .contributions = estimate.contributions};
-    for (const Component& component : composition.components)
+    for (const Component& component : composition.listed())
         sample.phases.push_back({.name = component.name,
                                  .phase = component.phase.name,
                                  .weight_fraction = component.weight_fraction,

@@ -53,9 +53,8 @@ std::vector<InvertedImpact> solved_all(const MeasurementSet& set, const LawChoic
 std::optional<RisingRange> branch_to_greatest(const MeasurementSet& set) {
     const auto& points = set.points;
     if (points.empty()) return std::nullopt;
-    const auto top = std::max_element(points.begin(), points.end(), [](const auto& a, const auto& b) {
-        return a.restitution() < b.restitution();
-    });
+    const auto top = std::ranges::max_element(
+        points, {}, [](const Measurement& point) { return std::pair(point.restitution(), -point.velocity); });
     const bool beyond = std::any_of(points.begin(), points.end(),
                                     [&](const auto& point) { return point.velocity > top->velocity; });
     return RisingRange{top->velocity, beyond};

@@ -37,6 +37,7 @@ std::vector<DampingPoint> rising_points(const FitTask& task) {
             points.push_back({.restitution = series.restitution[i],
                               .damping = series.damping[i],
                               .standard_uncertainty = 0});
+    std::ranges::sort(points, {}, [](const auto& p) { return std::pair(p.restitution, p.damping); });
     return points;
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -67,13 +66,7 @@ std::vector<History> histories_of(const Case& data, const LawChoice& choice, con
         histories.push_back(history_of(HistoryPart::critical, impact, data.histories.points));
     }
     const DampingSeries* series = in.dampings.find(choice.law);
-    if (series != nullptr && !series->velocity.empty()) {
-        // The impact of median velocity, whatever the order of the file.
-        std::vector<std::pair<double, double>> impacts;
-        for (std::size_t i = 0; i < series->velocity.size(); ++i)
-            impacts.emplace_back(series->velocity[i], series->damping[i]);
-        const auto middle = impacts.begin() + std::ssize(impacts) / 2;
-        std::nth_element(impacts.begin(), middle, impacts.end());
+    if (const auto middle = series != nullptr ? curves::median_impact(*series, 0) : std::nullopt) {
         std::tie(impact.velocity, impact.damping.coefficient) = *middle;
         histories.push_back(history_of(HistoryPart::rising, impact, data.histories.points));
     }

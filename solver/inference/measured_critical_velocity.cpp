@@ -221,10 +221,12 @@ class OutcomeLikelihood {
     double reversed_;  ///< reversed_share()
 };
 
-/// The set; if it states no noise and has enough rebounds, with the noise estimated from their scatter.
+/// The set, sorted; if it states no noise and has enough rebounds, with the noise estimated from their
+/// scatter.
 MeasurementSet with_noise(const MeasurementSet& set) {
     constexpr std::size_t enough = 6;
     MeasurementSet result = set;
+    result.points = set.sorted();
     if (set.has_noise() || set.rebounds() < enough) return result;
     const double u = noise_of_neighbours(recorded_impacts(set));
     if (u > 0.0)

@@ -388,10 +388,15 @@ void run_calibrate_command(const CommandOptions& options, std::ostream& out) {
     }
 
     at_place(FileName{options.if_given("case").value_or("built-in case")}, [&] {
+        const auto whole_problem = [&] {
+            CalibrationProblem problem = calibration_problem(data, run.modulus, run.contact);
+            std::ranges::sort(data.samples, {}, calibration_key);  // like those of the problem
+            return problem;
+        };
         if (on_terminal()) spdlog::info("calibrating: this takes some seconds");
         if (options.has("--compare")) {
             data.calibration.clear();
-            const CalibrationProblem problem = calibration_problem(data, run.modulus, run.contact);
+            const CalibrationProblem problem = whole_problem();
             if (problem.critical_velocities.empty() && problem.contact_times.empty())
                 throw InputError("nothing is published for these samples that constants could be found from",
                                  "critical velocities with their damping, contact times")
@@ -403,7 +408,7 @@ void run_calibrate_command(const CommandOptions& options, std::ostream& out) {
         }
         if (data.calibration.empty())
             throw InputError("nothing is free", "calibration.free in the case, or --free").at("/calibration");
-        const auto problem = calibration_problem(data, run.modulus, run.contact);
+        const auto problem = whole_problem();
         const CalibrationSummary summary = calibrate(problem);
         const auto profiles = [&] {  // what takes most of the time
             Progress progress(summary.constants.size(), 0, on_terminal(), "constants");

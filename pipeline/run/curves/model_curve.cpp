@@ -85,8 +85,7 @@ void add_shares(const SearchedContact& contact, ModelCurve& curve) {
 /// Velocity over restitution through the known impacts of the curve, for a first guess [m/s].
 Values guessed_velocities(const CurveProblem& problem, const Values& e) {
     std::vector<CurveKnot> knots = problem.knots;
-    std::sort(knots.begin(), knots.end(),
-              [](const CurveKnot& a, const CurveKnot& b) { return a.restitution < b.restitution; });
+    std::ranges::sort(knots, {}, [](const CurveKnot& k) { return std::pair(k.restitution, k.velocity); });
     Values guess(e.size());
     for (Eigen::Index i = 0; i < e.size(); ++i) {
         const auto after = std::find_if(knots.begin(), knots.end(),
@@ -202,7 +201,9 @@ std::vector<CurveKnot> knots_of(const CurveSources& in) {
     const std::vector<double>& e = in.damping->restitution;
     const std::vector<double>& v = in.damping->velocity;
     if (e.empty()) return knots;
-    const double fastest = v[static_cast<std::size_t>(std::ranges::max_element(e) - e.begin())];
+    std::pair<double, double> top{};  // the greatest restitution, and minus the least velocity there
+    for (std::size_t i = 0; i < v.size(); ++i) top = std::max(top, std::pair(e[i], -v[i]));
+    const double fastest = -top.second;
     for (std::size_t i = 0; i < v.size(); ++i)
         if (v[i] <= fastest) knots.push_back({e[i], v[i]});
     return knots;
@@ -254,15 +255,6 @@ ModelCurve curve_of(const Case& data, const CurveSources& in) {
                         .knots = knots_of(in)});
 }
 
-/// The middle one of the impacts beyond the rising branch.
-std::optional<std::size_t> falling_point(const DampingSeries& series) {
-    std::vector<std::size_t> beyond;
-    for (std::size_t i = 0; i < series.velocity.size() && series.rising; ++i)
-        if (series.velocity[i] > series.rising->to) beyond.push_back(i);
-    if (beyond.empty()) return std::nullopt;
-    return beyond[beyond.size() / 2];
-}
-
 /// The points up to a time, no more of them than are drawn.
 std::vector<TrajectoryPoint> points_until(double time, const std::vector<TrajectoryPoint>& points) {
     const auto end =
@@ -294,9 +286,9 @@ std::vector<History> drawn_histories(const Case& data, const CurveSources& in) {
     };
     if (in.velocity != nullptr && in.velocity->velocity)
         add(HistoryPart::at_critical, in.velocity->velocity->value, in.velocity->damping, fine_instants);
-    if (in.damping != nullptr)
-        if (const auto point = falling_point(*in.damping))
-            add(HistoryPart::falling, in.damping->velocity[*point], in.damping->damping[*point], instants);
+    if (in.damping != nullptr && in.damping->rising)
+        if (const auto point = median_impact(*in.damping, in.damping->rising->to))
+            add(HistoryPart::falling, point->first, point->second, instants);
     return histories;
 }
 
@@ -317,6 +309,15 @@ void cut_off(const SampleHistories& sample, std::span<LawCurve> curves) {
 }
 
 }  // namespace
+
+std::optional<std::pair<double, double>> median_impact(const DampingSeries& series, double slowest) {
+    std::vector<std::pair<double, double>> impacts;
+    for (std::size_t i = 0; i < series.velocity.size(); ++i)
+        if (series.velocity[i] > slowest) impacts.emplace_back(series.velocity[i], series.damping[i]);
+    if (impacts.empty()) return std::nullopt;
+    std::ranges::sort(impacts);
+    return impacts[impacts.size() / 2];
+}
 
 ModelCurve model_curve(const CurveProblem& problem) {
     ModelCurve curve;

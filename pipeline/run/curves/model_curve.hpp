@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -33,6 +35,10 @@ struct CurveProblem {
     double greatest_velocity;       ///< or here, if that is slower [m/s]
     std::vector<CurveKnot> knots;   ///< at least one; the curve does not depend on them
 };
+
+/// Velocity [m/s] and damping of the impact of median velocity, of those faster than @p slowest [m/s].
+[[nodiscard]] std::optional<std::pair<double, double>> median_impact(const DampingSeries& series,
+                                                                     double slowest);
 
 struct SearchedContact {
     LawChoice choice;

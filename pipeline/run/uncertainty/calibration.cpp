@@ -2,7 +2,8 @@
 #include "pipeline/run/uncertainty/calibration.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <numeric>
+#include <tuple>
 #include <variant>
 
 #include "materials/contact_properties.hpp"
@@ -45,7 +46,11 @@ void add_observations(const PublishedSample& published, std::size_t index, Calib
              .value = velocity.value,
              .standard_uncertainty = velocity.standard_uncertainty.value_or(1e-3 * velocity.value)});
     }
-    for (const auto& time : published.contact_times) {
+    auto times = published.contact_times;
+    std::ranges::sort(times, {}, [](const auto& time) {
+        return std::tuple(time.law.index(), time.velocity.value, time.contact_time.value);
+    });
+    for (const auto& time : times) {
         const DampingPolynomial* fit = published.damping_fits.find(time.law);
         if (fit == nullptr) continue;
         problem.contact_times.push_back(
@@ -59,6 +64,14 @@ void add_observations(const PublishedSample& published, std::size_t index, Calib
                  time.contact_time.standard_uncertainty.value_or(1e-3 * time.contact_time.value),
              .damping_fit_uncertainty = published.damping_fit_uncertainty.value_or(0)});
     }
+}
+
+/// The samples of a calibration: those of the case in the order of calibration_key().
+std::vector<std::size_t> samples_in_order(const Case& data) {
+    std::vector<std::size_t> order(data.samples.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, {}, [&](std::size_t i) { return calibration_key(data.samples[i]); });
+    return order;
 }
 
 bool is_free(const Case& data, CalibrationQuantity quantity) {
@@ -119,10 +132,12 @@ CalibrationProblem calibration_problem(const Case& data, const ModulusResult& mo
                          "a case without \"roughness\"")
             .at("/roughness");
     require_wall_to_matter(data);
-    for (std::size_t i = 0; i < data.samples.size(); ++i) {
+    std::ranges::sort(problem.free, std::ranges::greater(),
+                      [](const FreeConstant& free) { return name_of(free.quantity); });
+    for (const std::size_t i : samples_in_order(data)) {
         const Sample& sample = data.samples[i];
         problem.samples.push_back(start_of(data, sample, moduli.samples[i], contacts.samples[i]));
-        if (sample.published) add_observations(*sample.published, i, problem);
+        if (sample.published) add_observations(*sample.published, problem.samples.size() - 1, problem);
     }
     return problem;
 }
@@ -141,11 +156,14 @@ std::vector<CalibrationResponse> calibrated_constants(const Case& data, const Mo
                 [&] { return response_to_contact_modulus(calibration_problem(data, moduli, contacts)); });
     record.note(findings, {});
     if (!responses) return independent;
-    for (std::size_t i = 0; i < responses->size(); ++i) {
-        if (!has_inferred_density(data.samples[i])) (*responses)[i].density = 0;
-        if (!has_inferred_adhesion(data.samples[i])) (*responses)[i].work_of_adhesion = 0;
+    const auto order = samples_in_order(data);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Sample& sample = data.samples[order[i]];
+        if (has_inferred_density(sample)) independent[order[i]].density = (*responses)[i].density;
+        if (has_inferred_adhesion(sample))
+            independent[order[i]].work_of_adhesion = (*responses)[i].work_of_adhesion;
     }
-    return *std::move(responses);
+    return independent;
 }
 
 }  // namespace ashimpact

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "pipeline/case/case.hpp"
@@ -10,7 +12,13 @@
 
 namespace ashimpact {
 
-/// The calibration of a case, starting from its moduli and contacts.
+/// Orders the samples of a calibration, by size, so that no result depends on their order in the case.
+[[nodiscard]] inline auto calibration_key(const Sample& sample) {
+    return std::pair(sample.diameter.value(), std::string_view(sample.name));
+}
+
+/// The calibration of a case, starting from its moduli and contacts. Samples are those of the case in the
+/// order of calibration_key(), constants in descending order of their names.
 /// @throws InputError with the place in the case
 [[nodiscard]] CalibrationProblem calibration_problem(const Case& data, const ModulusResult& moduli,
                                                      const ContactResult& contacts);

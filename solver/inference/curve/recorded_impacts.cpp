@@ -73,7 +73,7 @@ std::vector<RecordedImpact> in_cells(const std::vector<RecordedImpact>& impacts)
 std::vector<RecordedImpact> recorded_impacts(const MeasurementSet& set) {
     std::vector<RecordedImpact> impacts;
     impacts.reserve(set.points.size());
-    for (const Measurement& point : set.points) {
+    for (const Measurement& point : set.sorted()) {
         const Recorded recorded = point.outcome == NotedOutcome::capture ? Recorded::capture
                                   : point.captured()                     ? Recorded::zero
                                                                          : Recorded::rebound;
@@ -89,11 +89,6 @@ std::vector<RecordedImpact> recorded_impacts(const MeasurementSet& set) {
                            .resolution = point.resolution,
                            .count = recorded == Recorded::rebound ? 1.0 : count});
     }
-    // Sorted, so that sums round alike whatever the order of the file.
-    std::sort(impacts.begin(), impacts.end(), [](const RecordedImpact& a, const RecordedImpact& b) {
-        return std::tie(a.velocity, a.rebound, a.incident_u, a.rebound_u, a.count) <
-               std::tie(b.velocity, b.rebound, b.incident_u, b.rebound_u, b.count);
-    });
     return impacts;
 }
 

@@ -38,7 +38,7 @@ struct RestitutionData {
     double greatest_restitution;  ///< upper end of the curve
 };
 
-/// The rebounds of a set that a fit can use, with their indices in the set.
+/// The rebounds of a set that a fit can use, by rising velocity, with their indices in the set.
 struct ReboundSelection {
     RestitutionData data;  ///< without captures; noise that is not known is 1 m/s
     std::vector<std::size_t> indices;
@@ -53,8 +53,7 @@ bool above_reach(const Measurement& point) {
 }
 
 /// The greatest median of five neighbours in velocity, which no outlier reaches alone.
-double greatest_common_restitution(std::vector<Measurement> rebounds) {
-    std::ranges::sort(rebounds, {}, &Measurement::velocity);
+double greatest_common_restitution(const std::vector<Measurement>& rebounds) {
     double greatest = 0.0;
     for (std::size_t i = 0; i < rebounds.size(); ++i) {
         const std::size_t first = std::min(i, rebounds.size() - std::min<std::size_t>(5, rebounds.size()));
@@ -75,7 +74,10 @@ ReboundSelection select_rebounds(const ContactModel& model, const MeasurementSet
         .data = {{}, {}, 0.0}, .indices = {}, .excluded = {}, .noise_known = set.has_noise()};
     double greatest = 0.0;
     double fastest = 0.0;
-    for (std::size_t i = 0; i < set.points.size(); ++i) {
+    std::vector<std::size_t> order(set.points.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::sort(order, {}, [&](std::size_t i) { return set.points[i].key(); });
+    for (const std::size_t i : order) {
         const Measurement& point = set.points[i];
         if (point.captured()) continue;
         if (above_reach(point)) {
@@ -120,13 +122,10 @@ Eigen::VectorXd starting_coefficients(const ContactModel& model, const Restituti
     const auto rows = static_cast<Eigen::Index>(data.rebounds.size());
     Eigen::MatrixXd design(rows, order + 1);
     Eigen::VectorXd damping(rows);
-    std::vector<const Measurement*> rebounds;
-    for (const Measurement& rebound : data.rebounds) rebounds.push_back(&rebound);
-    if (robust)  // so that the order of the file does not matter
-        std::ranges::sort(rebounds, {}, [](const auto* r) { return std::pair(r->velocity, r->rebound); });
+    const auto& rebounds = data.rebounds;
     batch::for_chunks(rebounds.size(), rebounds_together, 0, [&](std::size_t first, std::size_t size) {
         for (std::size_t i = first; i < first + size; ++i) {
-            const Measurement& point = *rebounds[i];
+            const Measurement& point = rebounds[i];
             const double most = curve_reach * model.greatest_restitution(point.velocity);
             const double e = std::min(point.restitution(), most);
             const auto row = static_cast<Eigen::Index>(i);
@@ -237,7 +236,7 @@ Eigen::VectorXd closest_over_kinks(const ContactModel& model, const RestitutionD
     return to_coefficients * gsl::minimise(sum, values, Eigen::VectorXd::Constant(values.size(), step));
 }
 
-/// Some of many rebounds, evenly over the file.
+/// Some of many rebounds, evenly over the velocities.
 RestitutionData thinned(const RestitutionData& data, std::size_t count) {
     RestitutionData few{{}, {}, data.greatest_restitution};
     for (std::size_t i = 0; i < count; ++i) {
@@ -365,6 +364,7 @@ void add_rebounds(DampingCurveFit& fit, const RestitutionDistances::Rows& rows,
         weights += weight;
     }
     fit.prediction_error = std::sqrt(sum / weights);
+    std::ranges::sort(fit.rebounds, {}, &FittedRebound::index);
 }
 
 void add_range(DampingCurveFit& fit, const RestitutionData& data) {
@@ -396,6 +396,7 @@ DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSe
     fit.options = options;
     fit.damping = {near};
     fit.excluded = selection.excluded;
+    std::ranges::sort(fit.excluded, {}, &ExcludedRebound::index);
     fit.noise_known = selection.noise_known;
     add_goodness(fit, rows, data.weights);
     rows.residuals /= fit.scatter;

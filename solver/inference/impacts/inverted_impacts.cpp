@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 #include <span>
+#include <tuple>
 
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
@@ -298,7 +299,9 @@ std::optional<DampingSmoothing> DampingSmoothing::of(const std::vector<InvertedI
         if (velocities.size() < least_velocities) velocities.insert(impact.velocity);
     }
     if (ordered.size() < least_smoothed || velocities.size() < least_velocities) return std::nullopt;
-    std::ranges::sort(ordered, {}, &InvertedImpact::velocity);
+    std::ranges::sort(ordered, {}, [](const InvertedImpact* impact) {
+        return std::tuple(impact->velocity, impact->damping, impact->standard_uncertainty);
+    });
     Rows rows;
     for (const InvertedImpact* impact : ordered)
         rows.add(std::log(impact->velocity), *impact->damping,

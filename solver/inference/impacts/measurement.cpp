@@ -126,9 +126,8 @@ MeasurementSet binned(const MeasurementSet& set, const Binning& binning) {
             "a width of at least a millionth of the fastest velocity");
     MeasurementSet result{.source = set.source, .points = {}, .warnings = set.warnings};
     std::vector<Measurement> rebounds;
-    for (const Measurement& point : set.points)
+    for (const Measurement& point : set.sorted())
         (point.captured() ? result.points : rebounds).push_back(point);
-    std::ranges::sort(rebounds, {}, &Measurement::velocity);
     std::vector<Measurement> bin;
     for (const Measurement& point : rebounds) {
         const bool full = binning.impacts_per_bin > 0

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "core/finding.hpp"
@@ -54,6 +55,12 @@ struct Measurement {
     /// Whether no rebound was seen: a capture or, unless it was noted as one, perhaps a rebound too slow to
     /// be seen.
     [[nodiscard]] bool captured() const { return outcome == NotedOutcome::capture || rebound == 0.0; }
+    /// Orders impacts, first by velocity; those with equal keys may stand for one another.
+    [[nodiscard]] auto key() const {
+        const VelocityNoise known = noise.value_or(VelocityNoise{0.0, 0.0});
+        return std::tuple(velocity, rebound, known.incident, known.rebound, known.covariance, count,
+                          resolution, outcome);
+    }
 };
 
 /// Code of every finding on a file of impacts.
@@ -72,6 +79,12 @@ struct MeasurementSet {
     [[nodiscard]] std::size_t rebounds() const { return points.size() - captures(); }
     /// Whether the uncertainties are known, which holds for all points or for none.
     [[nodiscard]] bool has_noise() const { return !points.empty() && points.front().noise.has_value(); }
+    /// The impacts by rising velocity, so that no result depends on the order of the file.
+    [[nodiscard]] std::vector<Measurement> sorted() const {
+        std::vector<Measurement> all = points;
+        std::ranges::sort(all, {}, &Measurement::key);
+        return all;
+    }
 };
 
 /// Checks that there is at least one point, that numbers are finite, v_in > 0, v_r >= 0, and that

@@ -235,6 +235,9 @@ LoadedSpec read_sweep_spec(const std::string& text) {
     }
     check_inputs(document, spec);
     spec.sampling = read_sampling(document.at("sampling"));
+    if (spec.sampling.method != SamplingMethod::grid)  // draws follow the names, not the order of the keys
+        std::ranges::sort(spec.variables, std::ranges::greater(),
+                          [](const SweepVariable& variable) { return name_of(variable.input); });
     read_statistics(document, spec);
     spec.sensitivity = read_observables(document, "sensitivity");
     check_sensitivity(document, spec);
