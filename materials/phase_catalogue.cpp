@@ -2,9 +2,11 @@
 #include "materials/phase_catalogue.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <regex>
 #include <set>
 
 #include "core/quantities/checks.hpp"
@@ -116,18 +118,58 @@ void require_citations(const PhaseSet& set) {
     }
 }
 
-/// A data-base number behind an identifier, as in Quartz9000775.
-std::string without_database_number(std::string key) {
-    const auto last = key.find_last_not_of("0123456789");
-    if (last != std::string::npos && key.size() - last > 4) key.resize(last + 1);
+/// A key without what programs and data bases add to a name: numbers of entries, as in Quartz9000775, and
+/// words for the form that is stable at room temperature, as in "Quartz low, syn".
+std::string without_additions(std::string key) {
+    constexpr std::array<std::string_view, 9> additions{"syn",  "synthetic", "low",   "ordered", "pdf",
+                                                        "icsd", "cod",       "amcsd", "ref"};
+    const auto first = key.find_first_not_of("0123456789");
+    if (first != std::string::npos && first > 4) key.erase(0, first);
+    for (std::size_t before = 0; before != key.size();) {
+        before = key.size();
+        const auto last = key.find_last_not_of("0123456789");
+        if (last != std::string::npos && key.size() - last > 4) key.resize(last + 1);
+        for (const std::string_view word : additions)
+            if (key.size() > word.size() && key.ends_with(word)) key.resize(key.size() - word.size());
+    }
     return key;
 }
 
-/// "Röntgenamorph (Glas)" without the brackets at its end.
-std::string_view without_bracket(std::string_view name) {
-    const auto open = name.rfind('(');
-    return name.ends_with(')') && open != 0 && open != std::string_view::npos ? trimmed(name.substr(0, open))
-                                                                              : name;
+/// "Quartz" and "SiO2" of "Quartz - SiO2" or "Quartz (SiO2)"; "Anorthite" and "sodian" of "Anorthite,
+/// sodian".
+std::vector<std::string_view> parts_of(std::string_view name) {
+    std::vector<std::string_view> parts;
+    const auto take = [&](std::size_t length) {
+        if (const auto part = trimmed(name.substr(0, length)); !part.empty()) parts.push_back(part);
+    };
+    constexpr std::array<std::string_view, 4> marks{" - ", " \u2013 ", " (", ", "};
+    for (std::size_t at = 0; at < name.size();) {
+        const auto* const mark = std::ranges::find_if(
+            marks, [&](std::string_view each) { return name.substr(at).starts_with(each); });
+        const bool closes = name.substr(at).starts_with(')') && at + 1 == name.size();
+        if (mark == marks.end() && !closes) {
+            ++at;
+            continue;
+        }
+        take(at);
+        name.remove_prefix(at + (closes ? 1 : mark->size()));
+        at = 0;
+    }
+    take(name.size());
+    return parts;
+}
+
+/// Whether a name is a chemical formula, which several phases may share.
+bool is_formula(std::string_view name) {
+    static const std::regex symbols("([A-Z][a-z]?|[0-9.()])+");
+    return name.size() < 40 && std::regex_match(std::string(name), symbols);
+}
+
+/// Whether a text names another form of a phase than that of the catalogue, or its melt.
+bool names_other_form(std::string_view text) {
+    constexpr std::array<std::string_view, 7> forms{"high", "hoch",  "beta",    "gamma",
+                                                    "hp",   "fused", "vitreous"};
+    return std::ranges::find(forms, phase_key(text)) != forms.end();
 }
 
 /// The name of a phase without the mark of its set: quartz for quartz-dong2013 of the set dong2013.
@@ -229,10 +271,41 @@ std::vector<std::string> PhaseCatalogue::nearest_names(std::string_view name) co
     return nearest(name, names, 3);
 }
 
+std::optional<ResolvedPhase> PhaseCatalogue::known(std::string_view name, std::string_view part) const {
+    const std::string key = phase_key(part);
+    if (auto phase = named(name, key)) return phase;
+    return named(name, without_additions(key));
+}
+
+std::optional<ResolvedPhase> PhaseCatalogue::by_parts(std::string_view name) const {
+    std::optional<ResolvedPhase> found;
+    bool by_formula = false;
+    std::size_t unknown = 0;
+    for (const std::string_view part : parts_of(name)) {
+        if (names_other_form(part)) return std::nullopt;
+        auto phase = known(name, part);
+        if (!phase) {
+            unknown += without_additions(phase_key(part)).empty() ? 0 : 1;
+            continue;
+        }
+        const bool formula = is_formula(part);
+        if (found && formula && !by_formula) continue;
+        if (found && formula == by_formula && found->phase.name != phase->phase.name)
+            throw InputError(in_quotes(name) + " may be " + found->phase.name + " or " + phase->phase.name,
+                             "one of the two");
+        found = std::move(phase);
+        by_formula = formula;
+    }
+    if (unknown == 0 || !found) return found;
+    if (by_formula) return std::nullopt;  // "SiO2 (tridymite)"
+    if (found->note.empty()) found->note = in_quotes(name) + " is read as " + found->phase.name;
+    return found;
+}
+
 ResolvedPhase PhaseCatalogue::resolve(std::string_view name) const {
     const std::string key = phase_key(name);
-    for (const std::string& spelling : {key, without_database_number(key), phase_key(without_bracket(name))})
-        if (auto phase = named(name, spelling)) return *phase;
+    if (auto phase = known(name, name)) return *phase;
+    if (auto phase = by_parts(name)) return *phase;
     std::vector<std::string> members;
     for (const PhaseSet& set : sets_) {
         for (const auto& [group, representative] : set.group_representatives)

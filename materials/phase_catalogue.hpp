@@ -77,8 +77,9 @@ class PhaseCatalogue {
     /// The same sets behind `set`: its phases hide phases of the same name, under all their synonyms.
     [[nodiscard]] PhaseCatalogue overridden_by(PhaseSet set) const;
 
-    /// The phase of a name: its own name, a synonym, a BGMN identifier (a trailing data-base number
-    /// is ignored), or a mineral group with a representative. Case, blanks and punctuation do not matter.
+    /// The phase of a name: its own name, a synonym, a BGMN identifier, or a mineral group with a
+    /// representative. Case, blanks and punctuation do not matter, nor what programs add: "Quartz9000775",
+    /// "Quartz, syn", "Quartz - SiO2". A name counts before a formula beside it: "SiO2 (cristobalite)".
     /// Errors: InputError with the nearest candidates, or the members of a group that has no representative.
     [[nodiscard]] ResolvedPhase resolve(std::string_view name) const;
 
@@ -97,6 +98,10 @@ class PhaseCatalogue {
     /// The phase with that key. If a synonym led to it and an earlier set has a phase of the same name, that
     /// of the earlier set.
     [[nodiscard]] std::optional<ResolvedPhase> named(std::string_view name, const std::string& key) const;
+    /// The phase of a part of @p name, with or without what programs add.
+    [[nodiscard]] std::optional<ResolvedPhase> known(std::string_view name, std::string_view part) const;
+    /// The phase that the parts of a name agree on. @throws InputError if they name two
+    [[nodiscard]] std::optional<ResolvedPhase> by_parts(std::string_view name) const;
     [[nodiscard]] std::vector<std::string> nearest_names(std::string_view name) const;
 
     std::vector<PhaseSet> sets_;

@@ -62,28 +62,49 @@ TEST_CASE("the paper's values are their own entries and can be preferred") {
 
 TEST_CASE("names are found whatever their case, punctuation, spelling and data-base number") {
     const PhaseCatalogue catalogue = shipped_catalogue();
-    for (const auto& pair :
-         std::initializer_list<std::pair<const char*, const char*>>{{"Quartz low", "quartz"},
-                                                                    {"quartz, low", "quartz"},
-                                                                    {"SiO2", "quartz"},
-                                                                    {"SiO\u2082", "quartz"},
-                                                                    {"\u03b1-Quartz", "quartz"},
-                                                                    {"QUARTZ", "quartz"},
-                                                                    {"Quartz9000775", "quartz"},
-                                                                    {"Mullite 3:2", "mullite"},
-                                                                    {"Mullite_32", "mullite"},
-                                                                    {"Al6Si2O13", "mullite"},
-                                                                    {"Haematite", "hematite"},
-                                                                    {"Anorthite", "anorthite"},
-                                                                    {"fused silica", "fused-silica"},
-                                                                    {"K-feldspar", "orthoclase"},
-                                                                    {"Plagioclase", "anorthite"}}) {
+    for (const auto& pair : std::initializer_list<std::pair<const char*, const char*>>{
+             {"Quartz low", "quartz"},
+             {"quartz, low", "quartz"},
+             {"SiO2", "quartz"},
+             {"SiO\u2082", "quartz"},
+             {"\u03b1-Quartz", "quartz"},
+             {"QUARTZ", "quartz"},
+             {"Quartz9000775", "quartz"},
+             {"Mullite 3:2", "mullite"},
+             {"Mullite_32", "mullite"},
+             {"Al6Si2O13", "mullite"},
+             {"Haematite", "hematite"},
+             {"Anorthite", "anorthite"},
+             {"fused silica", "fused-silica"},
+             {"Quartz, syn", "quartz"},
+             {"Quartz low, syn", "quartz"},
+             {"Quartz - SiO2", "quartz"},
+             {"Quarz (SiO\u2082)", "quartz"},
+             {"SiO2 (Cristobalite)", "cristobalite"},
+             {"Cristobalite, syn - SiO2", "cristobalite"},
+             {"Mullite, syn", "mullite"},
+             {"Mullite - Al6Si2O13", "mullite"},
+             {"Hematite PDF 00-033-0664", "hematite"},
+             {"00-046-1045 Quartz", "quartz"},
+             {"Magnetite_ICSD_26410", "magnetite"},
+             {"C2S_b", "larnite"},
+             {"Albite, ordered", "albite"},
+             {"K-feldspar", "orthoclase"},
+             {"Plagioclase", "anorthite"}}) {
         CAPTURE(pair.first);
         CHECK(catalogue.resolve(pair.first).phase.name == pair.second);
     }
     CHECK(catalogue.resolve("Plagioclase").note ==
           "\"Plagioclase\" is a mineral group: anorthite stands for it");
     CHECK(catalogue.resolve("Quartz").note.empty());
+    CHECK(catalogue.resolve("Anorthite, sodian").note == "\"Anorthite, sodian\" is read as anorthite");
+    CHECK(contains(input_error_of([&] { return catalogue.resolve("Quartz (Cristobalite)"); }),
+                   "may be quartz or cristobalite"));
+    for (const char* name :
+         {"SiO2 (tridymite)", "Tridymite - SiO2", "Quartz (high)", "Quartz, beta", "Tridymite, syn"}) {
+        CAPTURE(name);
+        CHECK(contains(input_error_of([&] { return catalogue.resolve(name); }), "no phase is called"));
+    }
 }
 
 TEST_CASE("what is not found comes with the nearest names, all at once") {
