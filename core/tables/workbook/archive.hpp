@@ -73,12 +73,14 @@ class Archive {
     Archive& operator=(const Archive&) = delete;
 
     /// A member, unpacked; none if there is no such member.
-    /// @throws InputError if it is damaged, protected by a password or unpacks to more than `longest_member`
-    [[nodiscard]] std::optional<std::string> read(const std::string& name) const {
+    /// @throws InputError if it is damaged, protected by a password, or unpacks to more than
+    /// `longest_member`, all members to more than `most_bytes`
+    [[nodiscard]] std::optional<std::string> read(const std::string& name) {
         constexpr int any_case = 2;
         if (unzLocateFile(reader_, name.c_str(), any_case) != UNZ_OK) return std::nullopt;
         if (unzOpenCurrentFile(reader_) != UNZ_OK) throw damaged_part(name);
         std::string content;
+        const std::size_t most = std::min(longest_member, most_bytes - unpacked_);
         int length = 0;
         do {
             constexpr unsigned step = 1 << 16;
@@ -86,20 +88,24 @@ class Archive {
             content.resize(before + step);
             length = unzReadCurrentFile(reader_, content.data() + before, step);
             content.resize(before + static_cast<std::size_t>(std::max(length, 0)));
-        } while (length > 0 && content.size() <= longest_member);
+        } while (length > 0 && content.size() <= most);
         const bool sound = unzCloseCurrentFile(reader_) == UNZ_OK && length >= 0;
-        if (content.size() > longest_member)
+        if (content.size() > most)
             throw InputError("the spreadsheet is too large: its part " + name + " unpacks to more than " +
-                                 std::to_string(longest_member >> 20) + " MB",
+                                 std::to_string(longest_member >> 20) + " MB, or all parts to more than " +
+                                 std::to_string(most_bytes >> 20) + " MB",
                              "a smaller one, or the table as CSV");
         if (!sound) throw damaged_part(name);
+        unpacked_ += content.size();
         return content;
     }
 
   private:
     /// No member that is read may unpack to more [bytes]: a small archive can hold gigabytes.
     static constexpr std::size_t longest_member = std::size_t{8} << 20;
+    static constexpr std::size_t most_bytes = std::size_t{64} << 20;  ///< of all members together
 
+    std::size_t unpacked_ = 0;
     FileInMemory file_;
     unzFile reader_ = nullptr;
 };

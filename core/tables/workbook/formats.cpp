@@ -21,6 +21,13 @@ namespace ashimpact {
 
 namespace {
 
+/// Refuses sheets that hold more text together than one may. @throws InputError
+void require_bytes(const std::vector<Sheet>& sheets) {
+    std::size_t bytes = 0;
+    for (const Sheet& sheet : sheets) bytes += sheet.bytes();
+    if (bytes > Sheet::most_bytes) throw sheets.back().too_large();
+}
+
 /// A part of a spreadsheet as XML. @throws InputError if it is not well formed
 pugi::xml_document parse_part(const std::string& content, const std::string& name) {
     pugi::xml_document document;
@@ -113,14 +120,16 @@ struct TextStyles {
 };
 
 /// Appends the text of a paragraph, of spans and links too, but not of comments on the cell.
-void append_text(const pugi::xml_node& node, const TextStyles& styles, std::string& text) {
+void append_text(const pugi::xml_node& node, const TextStyles& styles, std::string& text, int depth = 0) {
+    constexpr int deepest = 50;
+    if (depth > deepest) throw InputError("the text of a cell is nested too deeply", undamaged);
     for (const pugi::xml_node& inner : node) {
         if (inner.type() == pugi::node_pcdata || inner.type() == pugi::node_cdata) text += inner.value();
         const auto name = local_name(inner.name());
         if (name == "s" || name == "tab" || name == "line-break") text += ' ';
         if (name != "span" && name != "a") continue;
         std::string part;
-        append_text(inner, styles, part);
+        append_text(inner, styles, part, depth + 1);
         if (styles.raised.contains(attribute_of(inner, "style-name").value_or("")))
             append_raised(part, text);
         else
@@ -203,7 +212,7 @@ class OdsRows {
 };
 
 /// The sheets of an .ods (OpenDocument 1.0 to 1.3); none if the archive is something else.
-std::optional<std::vector<Sheet>> read_ods(const Archive& archive) {
+std::optional<std::vector<Sheet>> read_ods(Archive& archive) {
     constexpr auto name = "content.xml";
     const auto content = archive.read(name);
     if (!content) return std::nullopt;
@@ -217,6 +226,7 @@ std::optional<std::vector<Sheet>> read_ods(const Archive& archive) {
         if (local_name(table.name()) != "table") continue;
         Sheet& sheet = sheets.emplace_back(attribute_of(table, "name").value_or(""));
         OdsRows(sheet, styles).take_rows(table);
+        require_bytes(sheets);
     }
     return sheets;
 }
@@ -239,7 +249,7 @@ std::optional<std::size_t> whole_number(std::string_view text) {
     return status == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
-std::optional<std::string> part(const Archive& archive, const std::string& name) {
+std::optional<std::string> part(Archive& archive, const std::string& name) {
     return name.empty() ? std::nullopt : archive.read(name);
 }
 
@@ -263,7 +273,7 @@ struct Relationship {
 };
 
 /// The relationships of a part, by their identity; of the whole archive where `of` is empty.
-std::map<std::string, Relationship> relationships(const Archive& archive, const std::string& of) {
+std::map<std::string, Relationship> relationships(Archive& archive, const std::string& of) {
     const std::size_t file = of.find_last_of('/') + 1;
     const std::string name = of.substr(0, file) + "_rels/" + of.substr(file) + ".rels";
     std::map<std::string, Relationship> found;
@@ -443,7 +453,7 @@ Sheet read_xlsx_sheet(const std::string& content, const std::string& name, const
 
 /// The sheets of an .xlsx (ECMA-376 and ISO 29500, both sets of namespaces); none if the archive is something
 /// else.
-std::optional<std::vector<Sheet>> read_xlsx(const Archive& archive) {
+std::optional<std::vector<Sheet>> read_xlsx(Archive& archive) {
     const std::string workbook = target_of_type(relationships(archive, ""), "officeDocument");
     if (workbook.ends_with(".bin"))
         throw InputError("this is a binary workbook (.xlsb)", "the same saved as .xlsx, .ods or CSV");
@@ -469,6 +479,7 @@ std::optional<std::vector<Sheet>> read_xlsx(const Archive& archive) {
         if (!cells)
             throw InputError("the sheet " + in_quotes(called) + " is not in the file", "an undamaged file");
         sheets.push_back(read_xlsx_sheet(*cells, found->second.target, called, shared));
+        require_bytes(sheets);
     }
     return sheets;
 }
@@ -479,7 +490,7 @@ std::vector<Sheet> read_workbook(std::string_view bytes) {
     constexpr auto allowed = "a spreadsheet saved as .xlsx or .ods, without a password, or the table as CSV";
     if (!bytes.starts_with("PK"))
         throw InputError("this is an old Excel file (.xls), or one with a password", allowed);
-    const Archive archive(bytes);
+    Archive archive(bytes);
     if (auto sheets = read_xlsx(archive)) return *std::move(sheets);
     if (auto sheets = read_ods(archive)) return *std::move(sheets);
     throw InputError("this is a zip archive and no spreadsheet", allowed);

@@ -81,19 +81,25 @@ void Sheet::put(std::size_t row, std::size_t column, std::string_view text) {
     auto& cells = rows_[row];
     if (cells.size() <= column) {
         cells_ += column + 1 - cells.size();
-        if (cells_ > most_cells)
-            throw InputError("the sheet " + in_quotes(name_) + " is too large",
-                             std::to_string(most_cells) + " cells or fewer, or the table as CSV");
+        if (cells_ > most_cells) throw too_large();
         cells.resize(column + 1);
     }
     if (!cells[column].empty())
         throw InputError("the cell is in the file twice", "an undamaged file").at(cell_name(row, column));
+    bytes_ += text.size();
+    if (bytes() > most_bytes) throw too_large();
     width_ = std::max(width_, cells.size());
     std::string& cell = cells[column];
     cell = text;
     std::replace_if(
         cell.begin(), cell.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; },
         ' ');
+}
+
+InputError Sheet::too_large() const {
+    return InputError("the sheet " + in_quotes(name_) + " is too large",
+                      std::to_string(most_cells) + " cells and " + std::to_string(most_bytes >> 20) +
+                          " MB in all, or fewer, or the table as CSV");
 }
 
 std::string Sheet::as_text() const {

@@ -29,6 +29,9 @@ class Sheet {
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] bool empty() const { return rows_.empty(); }
     [[nodiscard]] std::size_t hidden_rows() const { return hidden_rows_; }
+    /// Memory that the cells take, about.
+    [[nodiscard]] std::size_t bytes() const { return bytes_ + cells_ * sizeof(std::string); }
+    [[nodiscard]] InputError too_large() const;
 
     /// The sheet as a table in text: a line a row from the first one on, cells between tabs.
     [[nodiscard]] std::string as_text() const;
@@ -36,12 +39,15 @@ class Sheet {
     static constexpr std::size_t most_columns = 1000;
     static constexpr std::size_t most_rows = 1 << 20;     ///< as many as spreadsheets have
     static constexpr std::size_t most_cells = 1'000'000;  ///< empty ones to the left of others included
+    /// Of a workbook: an archive of some kilobytes may repeat a long text a million times.
+    static constexpr std::size_t most_bytes = std::size_t{128} << 20;
 
   private:
     std::string name_;
     std::vector<std::vector<std::string>> rows_;
     std::size_t width_ = 0;
     std::size_t cells_ = 0;
+    std::size_t bytes_ = 0;  ///< of the texts
     std::size_t hidden_rows_ = 0;
 };
 
