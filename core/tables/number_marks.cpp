@@ -64,10 +64,12 @@ std::size_t digits_from(std::string_view text, std::size_t at) {
 }
 
 /// Removes blanks and apostrophes that group digits: "1 234" and "1'234" are 1234.
-std::string without_blanks_in_numbers(std::string_view cell) {
-    std::string text(cell);
-    const bool is_plain = std::ranges::all_of(text, [](char c) { return c > ' ' && c < 0x7f && c != '\''; });
-    if (is_plain) return text;
+/// @param changed holds the text if anything is removed
+std::string_view without_blanks_in_numbers(std::string_view cell, std::string& changed) {
+    const bool is_plain = std::ranges::all_of(cell, [](char c) { return c > ' ' && c < 0x7f && c != '\''; });
+    if (is_plain) return cell;
+    std::string& text = changed;
+    text = cell;
     for (const auto& [mark, plain] :
          {std::pair{"\u00a0", " "}, std::pair{"\u202f", " "}, std::pair{"\u2009", " "},
           std::pair{"\u2019", "'"}, std::pair{"\u2212", "-"}})
@@ -107,9 +109,10 @@ void for_each_number(std::string_view text, const Visitor& visitor) {
 
 void NumberMarks::see(std::string_view cell, std::size_t column) {
     if (cell.find_first_of(".,") == std::string_view::npos) return;
-    const std::string text = without_blanks_in_numbers(cell);
+    std::string changed;
+    const std::string_view text = without_blanks_in_numbers(cell, changed);
     for_each_number(text, [&](std::size_t first, std::size_t count) {
-        const Marks marks = marks_of(std::string_view(text).substr(first, count));
+        const Marks marks = marks_of(text.substr(first, count));
         has_decimal_point_ = has_decimal_point_ || marks == Marks::decimal_point;
         has_decimal_comma_ = has_decimal_comma_ || marks == Marks::decimal_comma;
         if (marks == Marks::point_may_group) ++columns_[column].point_may_group;
@@ -120,6 +123,7 @@ void NumberMarks::see(std::string_view cell, std::size_t column) {
 
 bool NumberMarks::is_decimal(char mark, std::string_view number, std::size_t column) const {
     const bool is_point = mark == '.';
+    if (decimal_) return is_point == (*decimal_ == DecimalMark::point);
     const bool stated = is_point ? has_decimal_point_ : has_decimal_comma_;
     const bool contradicted = is_point ? has_decimal_comma_ : has_decimal_point_;
     if (stated && !contradicted) return true;
@@ -136,30 +140,38 @@ bool NumberMarks::is_decimal(char mark, std::string_view number, std::size_t col
     }();
     std::string grouped(number);
     std::erase(grouped, mark);
-    throw InputError(in_quotes(number) + " is " + decimal + " or " + grouped,
-                     grouped + ", or " + decimal + "0, with one decimal mark in all numbers of the table");
+    throw InputError(
+        in_quotes(number) + " is " + decimal + " or " + grouped,
+        grouped + ", or " + decimal +
+            "0, with one decimal mark in all numbers of the table; or --decimal point or comma (in a "
+            "case \"decimal\", beside an XRD file \"xrd_decimal\")");
 }
 
 std::optional<PrintedNumber> NumberMarks::read(std::string_view cell, std::size_t column) const {
-    const std::string text = without_blanks_in_numbers(cell);
-    if (text.find_first_of(".,") == std::string::npos) return read_number(text);
+    std::string changed;
+    const std::string_view text = without_blanks_in_numbers(cell, changed);
+    if (text.find_first_of(".,") == std::string_view::npos) return read_number(text);
     std::string plain;
     std::size_t done = 0;
     for_each_number(text, [&](std::size_t first, std::size_t count) {
         plain += text.substr(done, first - done);
         done = first + count;
-        std::string number = text.substr(first, count);
+        std::string number(text.substr(first, count));
         const Marks marks = marks_of(number);
         const bool is_point = marks == Marks::decimal_point ||
                               (marks == Marks::point_may_group && is_decimal('.', number, column)) ||
                               (marks == Marks::comma_may_group && !is_decimal(',', number, column));
         if (marks != Marks::none) {
+            if (decimal_ && is_point != (*decimal_ == DecimalMark::point))
+                throw InputError(in_quotes(number) + " has another decimal mark than the stated one",
+                                 "numbers with a decimal " + std::string(name_of(*decimal_)));
             std::erase(number, is_point ? ',' : '.');
             std::ranges::replace(number, ',', '.');
         }
         plain += number;
     });
-    return read_number(plain + text.substr(done));
+    plain += text.substr(done);
+    return read_number(plain);
 }
 
 }  // namespace ashimpact

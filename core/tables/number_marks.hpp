@@ -1,23 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 
+#include "core/quantities/names.hpp"
 #include "core/quantities/quantity.hpp"
 
 namespace ashimpact {
+
+/// The mark before the decimals of a number.
+enum class DecimalMark { point, comma };
+
+template <>
+struct Names<DecimalMark> {
+    static constexpr std::string_view kind = "decimal mark";
+    static constexpr std::array<std::string_view, 2> all{"point", "comma"};
+};
+
+/// What a user states of a table beside its file.
+struct TableOptions {
+    std::string sheet{};                   ///< of a spreadsheet; empty: the only one that holds such a table
+    std::optional<DecimalMark> decimal{};  ///< none: the numbers of the table decide
+};
 
 /// Which mark separates the decimals in the numbers of a table and which one groups their digits. "1.234" and
 /// "1,234" alone have two readings; the other numbers of the table decide between them, or nothing does.
 /// Blanks and apostrophes between digits group them: "1 234", "1'234,5".
 class NumberMarks {
   public:
+    /// @param decimal the mark that the user states; then nothing else decides
+    explicit NumberMarks(std::optional<DecimalMark> decimal = {}) : decimal_(decimal) {}
+
     /// Takes the numbers of a cell into account. @param column of the cell, any number
     void see(std::string_view cell, std::size_t column);
-    /// Reads a cell as read_number(). @throws InputError with both readings where nothing decides
+    /// Reads a cell as read_number(). @throws InputError with both readings where nothing decides,
+    /// or if the number has another mark than the stated one
     [[nodiscard]] std::optional<PrintedNumber> read(std::string_view cell, std::size_t column) const;
 
   private:
@@ -29,6 +51,7 @@ class NumberMarks {
     };
     [[nodiscard]] bool is_decimal(char mark, std::string_view number, std::size_t column) const;
 
+    std::optional<DecimalMark> decimal_;
     std::map<std::size_t, Column> columns_{};
     bool has_decimal_point_ = false;
     bool has_decimal_comma_ = false;

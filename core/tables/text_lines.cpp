@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
-#include "core/text/text.hpp"
 
 namespace ashimpact {
 
@@ -104,6 +104,48 @@ TableRow cut_row(const TextLine& line, char separator) {
         if (end == std::string_view::npos) return row;
         rest.remove_prefix(end + 1);
     }
+}
+
+bool take_units(TableRow& heading, const TableRow& line,
+                const std::function<bool(std::string_view)>& is_unit) {
+    TableRow with_units = heading;
+    bool found = false;
+    for (std::size_t i = 0; i < line.cells.size(); ++i) {
+        std::string_view unit = line.cells[i];
+        if (unit.empty() || unit == "-") continue;
+        const bool in_brackets =
+            (unit.starts_with('[') && unit.ends_with(']')) || (unit.starts_with('(') && unit.ends_with(')'));
+        if (in_brackets) unit = trimmed(unit.substr(1, unit.size() - 2));
+        const bool is_number = unit.empty() || (!in_brackets && is_digit(unit.front()));
+        if (is_number || i >= heading.cells.size() || heading.cells[i].ends_with(']') || !is_unit(unit))
+            return false;
+        with_units.cells[i] += " [" + std::string(unit) + "]";
+        found = true;
+    }
+    if (found) heading = with_units;
+    return found;
+}
+
+std::vector<Finding> take_notes(std::vector<TextLine>& lines, std::size_t first, char separator,
+                                std::string_view code) {
+    std::size_t kept = lines.size();
+    for (std::size_t i = lines.size(); i-- > first;) {
+        std::size_t texts = 0;
+        bool has_number = false;
+        for_each_cell(lines[i], separator, [&](std::string_view cell, std::size_t) {
+            texts += cell.empty() ? 0 : 1;
+            has_number = has_number || (!cell.empty() && read_number(cell, true));
+        });
+        if (texts != 1 || has_number) break;
+        if (i > first && lines[i].number > lines[i - 1].number + 1) kept = i;
+    }
+    std::vector<Finding> notes;
+    for (std::size_t i = kept; i < lines.size(); ++i)
+        notes.push_back({code, Severity::remark,
+                         at_line(lines[i].number) +
+                             " below the table is not read: " + in_quotes(trimmed(lines[i].text))});
+    lines.resize(kept);
+    return notes;
 }
 
 namespace {

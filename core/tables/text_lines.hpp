@@ -2,9 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/finding.hpp"
+#include "core/text/text.hpp"
 
 namespace ashimpact {
 
@@ -64,6 +68,34 @@ struct TableRow {
 
 /// Cuts a line at the separators. Errors: InputError at the line for a quote that is not closed.
 [[nodiscard]] TableRow cut_row(const TextLine& line, char separator);
+
+/// Calls @p visitor(cell, column) for the cells of a line as cut_row() cuts it; without quotes, nothing is
+/// copied.
+template <class Visitor>
+void for_each_cell(const TextLine& line, char separator, Visitor&& visitor) {
+    std::size_t column = 0;
+    if (line.text.find('"') != std::string_view::npos) {
+        for (const std::string& cell : cut_row(line, separator).cells)
+            visitor(std::string_view(cell), column++);
+        return;
+    }
+    for (std::string_view rest = line.text;; ++column) {
+        const auto end = rest.find(separator);
+        visitor(trimmed(rest.substr(0, end)), column);
+        if (end == std::string_view::npos) return;
+        rest.remove_prefix(end + 1);
+    }
+}
+
+/// Whether a line is a second heading line, with the units of the first: each cell is empty, "-" or a unit,
+/// in brackets or bare. Adds the units to the cells of the heading: "v_in [mm/s]".
+[[nodiscard]] bool take_units(TableRow& heading, const TableRow& line,
+                              const std::function<bool(std::string_view)>& is_unit);
+
+/// Removes lines of one text from the end of a table, behind a blank line: "* not detected". Remarks of @p
+/// code name them. @param first index of the first line below the heading
+[[nodiscard]] std::vector<Finding> take_notes(std::vector<TextLine>& lines, std::size_t first, char separator,
+                                              std::string_view code);
 
 /// Lines other than blank ones, comments (#) and the `sep=` line of a spreadsheet.
 [[nodiscard]] std::vector<TextLine> lines_with_content(const TextLines& file);

@@ -179,7 +179,12 @@ std::optional<std::string_view> WordLists::list_of(std::string_view text) const 
 bool says_no_number(std::string_view text) {
     static const WordLists words("no number", all_marks);
     const std::string_view word = trimmed(text);
-    return word.starts_with('<') || words.holds(word);
+    return word.starts_with('<') || word.starts_with("\u2264") || words.holds(word);
+}
+
+bool is_summary(std::string_view text) {
+    static const WordLists words("summary rows");
+    return words.holds(trimmed(text));
 }
 
 const WordLists& uncertainty_words() {

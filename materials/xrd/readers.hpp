@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/quantities/quantity.hpp"
+#include "core/tables/number_marks.hpp"
 #include "core/tables/text_lines.hpp"
 #include "materials/xrd/xrd.hpp"
 
@@ -55,7 +56,7 @@ double add_fractions(XrdSample& sample, const std::vector<ListedPhase>& phases, 
 
 /// Tables of fractions or of peak intensities, separated by comma, semicolon or tab.
 [[nodiscard]] bool looks_like_table(const TextLines& file);
-[[nodiscard]] XrdResult read_table(const TextLines& file);
+[[nodiscard]] XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal);
 
 /// The project's JSON.
 [[nodiscard]] bool looks_like_json(const TextLines& file);

@@ -218,21 +218,16 @@ void take_crystalline_part(XrdSample& sample) {
                                "amorphous part is not among them"});
 }
 
-bool by_volume(const Table& table) {
-    return std::any_of(table.headings.begin(), table.headings.end(), [](const Heading& heading) {
-        return heading.role == Role::volume || lower_case(heading.unit).starts_with("v");
-    });
-}
-
 }  // namespace
 
 bool looks_like_table(const TextLines& file) {
     return has_heading(file);
 }
 
-XrdResult read_table(const TextLines& file) {
-    const Table table = parse_table(file);
+XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) {
+    const Table table = parse_table(file, decimal);
     const Layout layout = layout_of(table);
+    const bool volumes = layout != Layout::peaks && by_volume(table, layout);
     XrdResult result{.format = XrdFormat::table, .samples = {}, .warnings = table.warnings};
     std::vector<Entry> entries = entries_of(table, layout);
     if (layout == Layout::fractions) require_complete(file, table, entries.back());
@@ -242,7 +237,7 @@ XrdResult read_table(const TextLines& file) {
         refuse_repeated(group.entries);
         XrdSample sample =
             layout == Layout::peaks ? sample_of_peaks(group) : sample_of_fractions(group, scale);
-        if (by_volume(table)) sample.analysis.basis = FractionBasis::volume;
+        if (volumes) sample.analysis.basis = FractionBasis::volume;
         if (std::ranges::any_of(table.headings, &Heading::of_crystalline)) take_crystalline_part(sample);
         result.samples.push_back(standardised(sample, group, table));
     }

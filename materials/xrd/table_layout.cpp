@@ -47,21 +47,45 @@ bool ends_with_uncertainty_word(std::string_view heading) {
            role_of(without_per_cent(key_of(heading.substr(blank + 1)))) == Role::uncertainty;
 }
 
-/// "Weight [wt.%]" into text and unit; brackets elsewhere, as in "Mullite (3:2)", are part of the text.
+/// Whether brackets hold a unit, unlike those of "Mullite (3:2)".
+bool is_unit_in_brackets(std::string_view text) {
+    const std::string key = key_of(text);
+    return holds_per_cent(key) || key.find("m3") != std::string::npos || key == "wt" || key == "vol" ||
+           key.find("pp") == 0 || (text.find('/') != std::string_view::npos && read_unit(ascii_unit(text)));
+}
+
+/// "Weight [wt.%]", "content, vol%" and "Gehalt in Mol-%" into text and unit.
 void split_unit(Heading& heading, std::string_view text) {
     heading.text = std::string(text);
+    const auto split = [&](std::size_t end, std::string_view unit) {
+        std::string_view name = trimmed(text.substr(0, end));
+        while (name.ends_with(',') || name.ends_with(';') || name.ends_with('/'))
+            name = trimmed(name.substr(0, name.size() - 1));
+        if (name.ends_with(" in")) name = trimmed(name.substr(0, name.size() - 3));
+        heading.text = std::string(name);
+        heading.unit = std::string(trimmed(unit));
+    };
     for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
         const auto start = text.rfind(open);
         if (start == std::string_view::npos || start == 0 || !text.ends_with(close)) continue;
         const std::string_view inside = trimmed(text.substr(start + 1, text.size() - start - 2));
-        const std::string key = key_of(inside);
-        const bool is_unit = holds_per_cent(key) || open == '[' || key.find("cm3") != std::string::npos ||
-                             key.find("m3") != std::string::npos || key == "wt" || key == "vol";
-        if (!is_unit) continue;
-        heading.text = std::string(trimmed(text.substr(0, start)));
-        heading.unit = std::string(inside);
-        return;
+        if (open == '[' || is_unit_in_brackets(inside)) return split(start, inside);
     }
+    const auto blank = text.find_last_of(" /");
+    if (blank != std::string_view::npos && holds_per_cent(key_of(text.substr(blank + 1))))
+        split(blank + (text[blank] == '/' ? 0 : 1), text.substr(blank + 1));
+}
+
+HeadingUnit unit_of(std::string_view text) {
+    if (text.empty()) return HeadingUnit::none;
+    const std::string key = without_per_cent(key_of(text));
+    if (key.empty() || key == "1") return HeadingUnit::fraction;
+    if (key == "gg" || key == "kgkg" || key == "g100g") return HeadingUnit::weight;
+    if (key == "m3m3" || key == "cm3cm3") return HeadingUnit::volume;
+    const Role role = role_of(key);
+    return role == Role::weight   ? HeadingUnit::weight
+           : role == Role::volume ? HeadingUnit::volume
+                                  : HeadingUnit::other;
 }
 
 /// Whether the heading of a column beside the phases may be the name of a sample: it has no unit but those of
@@ -69,15 +93,14 @@ void split_unit(Heading& heading, std::string_view text) {
 bool may_name_sample(const Heading& heading) {
     if (heading.role == Role::measure) return false;
     if (heading.role != Role::other) return true;
-    const std::string unit = key_of(heading.unit);
-    const bool known_unit = unit.empty() || holds_per_cent(unit) || heading.scale != Scale::not_stated ||
-                            role_of(unit) == Role::weight || role_of(unit) == Role::volume;
-    constexpr std::array<std::string_view, 13> signs{"%",      "\u221a", "\u00b2", "\u00b3", "^",
-                                                     "\u0394", "\u2206", "\u03c3", "\u00bd", "1/",
-                                                     "\u00b0", "\u00c5", "\u03b8"};
-    return known_unit && std::none_of(signs.begin(), signs.end(), [&](std::string_view sign) {
-               return heading.text.find(sign) != std::string::npos;
-           });
+    constexpr std::array<std::string_view, 15> signs{"%",  "\u2030", "\u221a", "\u00b2", "\u00b3",
+                                                     "^",  "\u0394", "\u2206", "\u03c3", "\u00bd",
+                                                     "1/", "\u00b0", "\u00c5", "\u03b8", "ppm"};
+    const bool is_quotient =
+        heading.text.find('/') != std::string::npos && read_unit(ascii_unit(heading.text)).has_value();
+    return heading.states != HeadingUnit::other && !is_quotient &&
+           std::none_of(signs.begin(), signs.end(),
+                        [&](std::string_view sign) { return heading.text.find(sign) != std::string::npos; });
 }
 
 /// Removes "(crystalline)" or "crystalline" behind a quantity. @return whether it was there
@@ -302,25 +325,23 @@ Heading read_heading(std::string_view text) {
     heading.coverage = coverage;
     heading.of_crystalline = take_crystalline(coverage.rest);
     split_unit(heading, coverage.rest);
+    heading.states = unit_of(heading.unit);
     const std::string key = key_of(heading.text);
     const std::string unit = key_of(heading.unit);
     heading.role = key.empty() ? Role::other : role_of(without_per_cent(key));
-    const Role unit_role = unit.empty() ? Role::other : role_of(without_per_cent(unit));
-    if (heading.role == Role::weight && (unit_role == Role::volume || unit_role == Role::measure))
-        heading.role = unit_role;
+    if (heading.role == Role::weight && heading.states == HeadingUnit::volume) heading.role = Role::volume;
+    const HeadingUnit contrary = heading.role == Role::weight ? HeadingUnit::volume : HeadingUnit::weight;
+    if ((heading.role == Role::weight || heading.role == Role::volume) &&
+        (heading.states == HeadingUnit::other || heading.states == contrary))
+        heading.role = Role::measure;
     // "2 sigma" alone, or behind the name of a phase or sample, is the uncertainty of the column before it.
     if (!coverage.stated.empty() && (heading.text.empty() || heading.role == Role::other))
         heading.role = Role::uncertainty;
-    if (holds_per_cent(key) || holds_per_cent(unit)) heading.scale = Scale::per_cent;
+    if (holds_per_cent(key) || holds_per_cent(unit) || unit == "g100g") heading.scale = Scale::per_cent;
     if (key.ends_with("ppm") || unit.ends_with("ppm")) heading.scale = Scale::ppm;
-    if (heading.role == Role::other && heading.text.ends_with('%')) {  // "Quartz wt%": a phase with its unit
-        const auto blank = heading.text.find_last_of(' ');
-        heading.text.resize(blank == std::string::npos ? heading.text.size() - 1 : blank);
-        heading.text = std::string(trimmed(heading.text));
-        if (role_of(key_of(heading.text)) == Role::measure) heading.role = Role::measure;  // "log wt%"
-    }
     if (key.ends_with("fraction") && heading.scale == Scale::not_stated) heading.scale = Scale::fraction;
-    if (unit == "1" || unit == "gg" || unit == "kgkg" || unit == "m3m3") heading.scale = Scale::fraction;
+    if (unit == "1" || unit == "gg" || unit == "kgkg" || unit == "m3m3" || unit == "cm3cm3")
+        heading.scale = Scale::fraction;
     return heading;
 }
 
@@ -334,6 +355,23 @@ bool has_heading(const TextLines& file) {
 }
 
 namespace {
+
+/// Removes rows that sum up samples, such as "Mittel" and "SD". Single letters are names of samples, unless
+/// such a row stands before them.
+void drop_summaries(Table& table) {
+    const std::size_t label = *table.column(Role::sample);
+    const auto is_sum = [&](const TableRow& row) { return is_summary(row.cells[label]); };
+    if (std::ranges::all_of(table.rows, is_sum)) return;  // such words are then the names of all samples
+    bool follows = false;
+    std::erase_if(table.rows, [&](const TableRow& row) {
+        follows = is_sum(row) && (follows || row.cells[label].size() > 1);
+        if (follows)
+            table.warnings.push_back(
+                {xrd_code, Severity::remark,
+                 at_line(row.line) + " is no sample and left out: " + in_quotes(row.cells[label])});
+        return follows;
+    });
+}
 
 /// Refuses a title that states volume or mole fractions above a heading that does not. @throws InputError
 void require_unit_of_title(const TextLine& line, const Table& table) {
@@ -349,8 +387,8 @@ void require_unit_of_title(const TextLine& line, const Table& table) {
 
 }  // namespace
 
-Table parse_table(const TextLines& file) {
-    const std::vector<TextLine> lines = lines_with_content(file);
+Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
+    std::vector<TextLine> lines = lines_with_content(file);
     const auto heading = find_heading(lines);
     if (!heading)
         refuse_line(lines.empty() ? 1 : lines[0].number, "no heading line was found",
@@ -358,8 +396,17 @@ Table parse_table(const TextLines& file) {
     Table table{.heading_line = lines[*heading].number,
                 .headings = {},
                 .rows = {},
-                .separator = separator_of(lines[*heading].text)};
-    table.headings = headings_of(cut_row(lines[*heading], table.separator));
+                .separator = separator_of(lines[*heading].text),
+                .marks = NumberMarks(decimal)};
+    TableRow headings = cut_row(lines[*heading], table.separator);
+    std::size_t first = *heading + 1;  // of the rows
+    const auto is_unit = [](std::string_view text) {
+        return unit_of(text) != HeadingUnit::other ||
+               role_of(without_per_cent(key_of(text))) != Role::other || read_unit(ascii_unit(text));
+    };
+    if (first < lines.size() && take_units(headings, cut_row(lines[first], table.separator), is_unit))
+        ++first;
+    table.headings = headings_of(headings);
     for (std::size_t i = 0; i < *heading; ++i) require_unit_of_title(lines[i], table);
     if (*heading > 0)
         table.warnings.push_back(
@@ -367,7 +414,9 @@ Table parse_table(const TextLines& file) {
     std::vector<std::pair<std::string, StatedCoverage>> coverages;
     for (const Heading& each : table.headings) coverages.emplace_back(each.written, each.coverage);
     for (Finding& each : coverage_findings(xrd_code, coverages)) table.warnings.push_back(std::move(each));
-    for (std::size_t i = *heading + 1; i < lines.size(); ++i) {
+    for (Finding& each : take_notes(lines, first, table.separator, xrd_code))
+        table.warnings.push_back(std::move(each));
+    for (std::size_t i = first; i < lines.size(); ++i) {
         table.rows.push_back(checked_row(lines[i], table));
         for (std::size_t k = 0; k < table.headings.size(); ++k)
             if (table.headings[k].role != Role::phase && table.headings[k].role != Role::sample)
@@ -378,6 +427,7 @@ Table parse_table(const TextLines& file) {
     }
     if (table.rows.empty())
         refuse_line(file.last_line(), "there are no lines below the heading", "one line a phase or a sample");
+    if (table.has(Role::sample) && !table.has(Role::phase)) drop_summaries(table);
     return table;
 }
 
@@ -402,10 +452,43 @@ Layout layout_of(const Table& table) {
                         "the column " + in_quotes(other->written) +
                             " holds no weight or volume fractions, and is not the name of a sample",
                         std::string(heading_help));
+        const Heading* only = nullptr;
+        std::size_t columns = 0;
+        for (const Heading& heading : table.headings) {
+            if (heading.text.empty() || heading.role != Role::other) continue;
+            only = &heading;
+            ++columns;
+        }
+        if (columns == 1 && only->states == HeadingUnit::none)
+            refuse_line(line,
+                        "the column " + in_quotes(only->written) +
+                            " may be a sample, or a quantity that is not known here",
+                        "\"weight %\" or \"volume %\" as its heading, or as the unit of the sample: " +
+                            in_quotes(only->text + " [wt%]"));
         return Layout::one_column_a_sample;
     }
     if (!phase && table.has(Role::sample)) return Layout::one_column_a_phase;
     refuse_line(line, "no column holds the amounts", std::string(heading_help));
+}
+
+bool by_volume(const Table& table, Layout layout) {
+    bool weight = false;
+    bool volume = false;
+    for (const Heading& heading : table.headings) {
+        const bool amounts =
+            heading.role == Role::weight || heading.role == Role::volume ||
+            (heading.role == Role::other && !heading.text.empty() && layout != Layout::fractions);
+        if (!amounts) continue;
+        if (heading.states == HeadingUnit::other)
+            refuse_line(table.heading_line,
+                        "the column " + in_quotes(heading.written) + " is in another unit",
+                        "fractions by weight or by volume: [wt%], [vol%], [ppm], [1]");
+        weight = weight || heading.role == Role::weight || heading.states == HeadingUnit::weight;
+        volume = volume || heading.role == Role::volume || heading.states == HeadingUnit::volume;
+    }
+    if (weight && volume)
+        refuse_line(table.heading_line, "there are fractions by weight and by volume", "one of the two");
+    return volume;
 }
 
 std::vector<Entry> entries_of(const Table& table, Layout layout) {

@@ -38,10 +38,20 @@ enum class RowMeaning { phase, total, crystalline_total };
 /// Whether the numbers under a heading are per cent or fractions.
 enum class Scale { not_stated, per_cent, fraction, ppm };
 
+/// What the unit of a heading states of the numbers under it.
+enum class HeadingUnit {
+    none,      ///< there is no unit
+    fraction,  ///< "%", "1": of weight or volume
+    weight,    ///< "wt%", "ppm"
+    volume,    ///< "vol%"
+    other,     ///< "Mol-%", "counts", "mg/g"
+};
+
 /// The parts of a heading: "Weight [wt.%]" is a weight in per cent.
 struct Heading {
     std::string text;  ///< without unit and coverage
     std::string unit;  ///< without its brackets; may be empty
+    HeadingUnit states = HeadingUnit::none;
     Role role = Role::other;
     Scale scale = Scale::not_stated;
     bool of_crystalline = false;  ///< "wt% (crystalline)": fractions of the crystalline part
@@ -98,7 +108,11 @@ enum class Layout {
 [[nodiscard]] bool has_heading(const TextLines& file);
 
 /// Cuts a file into heading and rows. Errors: InputError at the line.
-[[nodiscard]] Table parse_table(const TextLines& file);
+[[nodiscard]] Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal);
+
+/// Whether the amounts are fractions by volume. Errors: InputError at the heading for amounts in other units,
+/// and for fractions of both kinds.
+[[nodiscard]] bool by_volume(const Table& table, Layout layout);
 
 /// The layout of a table, from its headings. Errors: InputError at the heading.
 [[nodiscard]] Layout layout_of(const Table& table);

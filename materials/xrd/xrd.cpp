@@ -65,24 +65,24 @@ struct Reader {
     XrdResult (*read)(const TextLines&);
 };
 
-/// Tried in this order: the formats that are recognised most reliably come first.
+/// Tried in this order: the formats that are recognised most reliably come first, tables last.
 constexpr std::array readers{
     Reader{xrd::looks_like_json, xrd::read_json},   Reader{xrd::looks_like_bgmn, xrd::read_bgmn},
     Reader{xrd::looks_like_gsas2, xrd::read_gsas2}, Reader{xrd::looks_like_fullprof, xrd::read_fullprof},
-    Reader{xrd::looks_like_topas, xrd::read_topas}, Reader{xrd::looks_like_table, xrd::read_table},
+    Reader{xrd::looks_like_topas, xrd::read_topas},
 };
 
 constexpr TextLimits xrd_limits{.content = "an XRD result", .bytes = longest_xrd_file};
 
 /// Reads a table in a spreadsheet; messages name rows and cells.
-XrdResult read_from_workbook(std::string_view bytes, std::string_view sheet) {
-    const ChosenSheet chosen(bytes, {.name = std::string(sheet),
+XrdResult read_from_workbook(std::string_view bytes, const TableOptions& options) {
+    const ChosenSheet chosen(bytes, {.name = options.sheet,
                                      .option = "the name of a sheet (--sheet, in a case \"xrd_sheet\")",
                                      .code = xrd_code,
                                      .limits = xrd_limits,
                                      .holds_table = xrd::looks_like_table});
     return chosen.read([&](const TextLines& lines) {
-        XrdResult result = xrd::read_table(lines);
+        XrdResult result = xrd::read_table(lines, options.decimal);
         result.warnings.insert(result.warnings.begin(), chosen.findings().begin(), chosen.findings().end());
         for (XrdSample& sample : result.samples) {
             for (Finding& warning : sample.warnings) warning.text = in_rows(warning.text);
@@ -92,27 +92,33 @@ XrdResult read_from_workbook(std::string_view bytes, std::string_view sheet) {
     });
 }
 
-XrdResult read(std::string_view text, std::string_view sheet) {
-    if (is_workbook(text)) return read_from_workbook(text, sheet);
-    if (!sheet.empty())
-        throw InputError("a sheet is named, and the file is no spreadsheet", "an .xlsx or .ods");
-    const TextLines file(text, xrd_limits);
+XrdResult read_text(const TextLines& file, std::optional<DecimalMark> decimal) {
     for (const Reader& reader : readers) {
         if (!reader.recognises(file)) continue;
-        XrdResult result = reader.read(file);
-        if (file.was_latin1())
-            result.warnings.push_back(
-                {xrd_code, Severity::background, "the file is not UTF-8 and was read as Latin-1"});
-        return result;
+        if (decimal) throw InputError("a decimal mark is stated, and the file is no table", "a table");
+        return reader.read(file);
     }
+    if (xrd::looks_like_table(file)) return xrd::read_table(file, decimal);
     refuse_line(1, "the format is not known", xrd::known_formats);
+}
+
+XrdResult read(std::string_view text, const TableOptions& options) {
+    if (is_workbook(text)) return read_from_workbook(text, options);
+    if (!options.sheet.empty())
+        throw InputError("a sheet is named, and the file is no spreadsheet", "an .xlsx or .ods");
+    const TextLines file(text, xrd_limits);
+    XrdResult result = read_text(file, options.decimal);
+    if (file.was_latin1())
+        result.warnings.push_back(
+            {xrd_code, Severity::background, "the file is not UTF-8 and was read as Latin-1"});
+    return result;
 }
 
 }  // namespace
 
-XrdResult read_xrd(std::string_view text, std::string_view name, std::string_view sheet) {
+XrdResult read_xrd(std::string_view text, std::string_view name, const TableOptions& options) {
     return at_place(FileName{std::string(name)}, [&] {
-        XrdResult result = read(text, sheet);
+        XrdResult result = read(text, options);
         for (XrdSample& sample : result.samples)
             if (sample.name.empty()) sample.name = xrd::file_stem(name);
         return result;

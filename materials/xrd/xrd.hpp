@@ -10,6 +10,7 @@
 
 #include "core/json/view.hpp"
 #include "core/quantities/names.hpp"
+#include "core/tables/number_marks.hpp"
 #include "materials/composition.hpp"
 
 namespace ashimpact {
@@ -51,7 +52,8 @@ struct XrdResult {
 ///
 /// A table may be a sheet of a spreadsheet (.xlsx, .ods): the one of that name, else the only one that holds
 /// a table; places in messages are then `sheet "XRD", cell B7`.
-[[nodiscard]] XrdResult read_xrd(std::string_view text, std::string_view name, std::string_view sheet = {});
+[[nodiscard]] XrdResult read_xrd(std::string_view text, std::string_view name,
+                                 const TableOptions& options = {});
 
 /// Rescales a sample to which a known weight of a standard was added before the measurement: w_i = w_s
 /// c_i/c_s in the mixture, divided by 1 - w_s in the sample; the rest is amorphous. The standard is taken out

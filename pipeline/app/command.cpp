@@ -8,10 +8,13 @@
 #include <filesystem>
 #include <iostream>
 #include <sstream>
+#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
+#include <pthread.h>
 #include <spdlog/spdlog.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "core/text/error.hpp"
@@ -271,6 +274,13 @@ void Command::add_allow_outside_flag() {
     add_flag("--allow-outside", "the case may name files outside of its own folder");
 }
 
+void Command::add_table_options() {
+    add("--sheet", "NAME", "of a spreadsheet with several tables");
+    add("--decimal", "MARK",
+        "point or comma, before the decimals of all numbers of the table; default: by the numbers "
+        "themselves");
+}
+
 void Command::add_sphere_options() {
     add("--radius", "Q", "of the sphere, \"44 um\"; or its --diameter");
     add("--diameter", "Q", "of the sphere, \"88 um\"; or its --radius");
@@ -307,12 +317,37 @@ void Command::add_damping_option() {
     add("--damping", "Q", "\"0.0141 kg/s\"; default: none");
 }
 
+TableOptions table_options(const CommandOptions& options) {
+    TableOptions table{.sheet = options["--sheet"]};
+    if (options.has("--decimal"))
+        table.decimal = at_place("--decimal", [&] { return named<DecimalMark>(options["--decimal"]); });
+    return table;
+}
+
 CLI::Validator number_within(double least, double most) {
     return within(least, most, "number");
 }
 
 CLI::Validator whole_number(std::size_t least, std::size_t most) {
     return within(least, most, "whole number");
+}
+
+int with_enough_stack(const std::function<int()>& program) {
+#ifdef __GLIBC__
+    constexpr std::size_t needed = std::size_t{8} << 20;
+    rlimit limit{};
+    if (getrlimit(RLIMIT_STACK, &limit) == 0 && limit.rlim_cur < needed) {
+        pthread_attr_t attributes;
+        pthread_attr_init(&attributes);
+        pthread_attr_setstacksize(&attributes, needed);
+        pthread_setattr_default_np(&attributes);
+        pthread_attr_destroy(&attributes);
+        int status = defect;
+        std::thread([&] { status = program(); }).join();
+        return status;
+    }
+#endif
+    return program();
 }
 
 int run_program(int argc, const char* const* argv, const CommandBody& sweep, const CommandBody& exporter) {

@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/tables/number_marks.hpp"
 #include "pipeline/app/contact/single_contact.hpp"
 #include "pipeline/present/export/folder.hpp"
 
@@ -36,6 +37,8 @@ class Command {
     void add_json_flag();
     void add_case_argument();
     void add_allow_outside_flag();
+    /// What a table of a file needs to be read: --sheet, --decimal.
+    void add_table_options();
     /// The size and the mass of a sphere: --radius, --diameter, --density, --mass.
     void add_sphere_options();
     /// The options that describe a contact. @param required whether the command cannot do without
@@ -72,6 +75,9 @@ void add_calibrate(const CommandLine& line);
 void add_cross_check(const CommandLine& line);
 void add_document_commands(const CommandLine& line);
 
+/// The options of a table.
+[[nodiscard]] TableOptions table_options(const CommandOptions& options);
+
 /// Checks that an argument is a whole number from @p least to @p most.
 [[nodiscard]] CLI::Validator whole_number(std::size_t least, std::size_t most);
 
@@ -81,6 +87,10 @@ void add_document_commands(const CommandLine& line);
 /// `ashimpact export`: writes a folder that runs in another code. @param image makes the HDF5 file of tables
 /// @throws InputError with the reason if the code cannot do the subject; then nothing is written
 void run_export_command(const CommandOptions& options, const TableImage& image, std::ostream& out);
+
+/// Runs a program, if `ulimit -s` leaves less stack than it needs on a thread that has it; threads get as
+/// much.
+[[nodiscard]] int with_enough_stack(const std::function<int()>& program);
 
 /// Parses the command line, runs one command, turns errors into one line and an exit status.
 /// @param sweep, exporter bodies of `ashimpact sweep` and `ashimpact export`

@@ -41,7 +41,7 @@ double read_size_scatter(const CommandOptions& options) {
 /// The impacts of the file, with camera and bins where they are asked for.
 MeasurementSet read_impacts(const CommandOptions& options) {
     MeasurementSet set =
-        read_measurements(read_file(options["--impacts"]), options["--impacts"], options["--sheet"]);
+        read_measurements(read_file(options["--impacts"]), options["--impacts"], table_options(options));
     warn_of(set.warnings, options["--impacts"]);
     if (options.has("--frame-rate") != options.has("--pixel-size"))
         throw InputError("one of the two is missing", "both or neither").at("--frame-rate, --pixel-size");
@@ -205,9 +205,10 @@ void run_damping_command(const CommandOptions& options, std::ostream& out) {
         return;
     }
     if (options.has("--frame-rate") || options.has("--pixel-size") || options.has("--bin") ||
-        options.has("--frames") || options.has("--size-scatter") || options.has("--sheet"))
+        options.has("--frames") || options.has("--size-scatter") || options.has("--sheet") ||
+        options.has("--decimal"))
         throw InputError("belong to a table of impacts", "--impacts FILE")
-            .at("--frame-rate, --pixel-size, --frames, --size-scatter, --bin, --sheet");
+            .at("--frame-rate, --pixel-size, --frames, --size-scatter, --bin, --sheet, --decimal");
     const ContactChoice choice = read_contact(options);
     const DampingProblem problem{.law = choice.law,
                                  .detachment = choice.detachment,
@@ -241,7 +242,7 @@ void add_damping(const CommandLine& line) {
     command.add("--impacts", "FILE",
                 "instead of one impact a table of many (CSV, .xlsx, .ods), with a heading such as "
                 "\"v_in [m/s], v_r [m/s]\": damping of each, fits, critical velocity with its interval");
-    command.add("--sheet", "NAME", "of a spreadsheet with several tables");
+    command.add_table_options();
     command.add("--frame-rate", "X", "of the camera, frames per second");
     command.add("--pixel-size", "Q", "of the camera, in the object, \"2 um\"");
     command.add("--frames", "N", "positions that each velocity is the slope of; default 2")

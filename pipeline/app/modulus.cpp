@@ -241,7 +241,7 @@ void run_modulus_command(const CommandOptions& options, std::ostream& out) {
     const MixtureRule rule = at_place("--rule", [&] { return named<MixtureRule>(options["--rule"]); });
     const PhaseCatalogue catalogue = catalogue_of(options);
     const XrdResult result =
-        read_xrd(read_start(options["file"], longest_xrd_file + 1), options["file"], options["--sheet"]);
+        read_xrd(read_start(options["file"], longest_xrd_file + 1), options["file"], table_options(options));
     warn_of(result.warnings, options["file"]);
 
     std::vector<SampleEstimate> estimates;
@@ -285,7 +285,7 @@ void add_modulus(const CommandLine& line) {
                 "standard that was added and refined; the amorphous part follows");
     command.add("--added-fraction", "X", "its weight over that of the mixture");
     command.add("--sample", "NAME", "of a file with several; default: all");
-    command.add("--sheet", "NAME", "of a spreadsheet with several tables");
+    command.add_table_options();
     command.add("--phase-set", "NAME", "phase set to look in first: literature, dong2013");
     command.add("--phases", "CASE.json", "case file whose own phases come before all others");
     command.add("--rule", "NAME", "mixture rule of the modulus", "parallel");

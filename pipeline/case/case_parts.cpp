@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 #include "core/quantities/checks.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
 #include "materials/xrd/xrd.hpp"
 #include "solver/motion/impact.hpp"
@@ -79,9 +81,9 @@ XrdSample chosen_sample(const View& node, const XrdResult& result) {
 ReadAnalysis read_xrd_analysis(const View& node, InputFiles& files) {
     const View file = node.at("xrd");
     const std::string name = file.text();
-    const auto sheet = node.find("xrd_sheet");
-    const XrdResult& result = at_place(file.pointer(), [&]() -> const XrdResult& {
-        return files.xrd(name, sheet ? sheet->text() : std::string());
+    const XrdResult result = at_place(file.pointer(), [&] {
+        return read_xrd(files.read(name), files.shown(name),
+                        read_table_options(node, "xrd_sheet", "xrd_decimal"));
     });
     XrdSample sample = chosen_sample(node, result);
     for (PhaseFraction& phase : sample.analysis.phases)
@@ -171,6 +173,43 @@ Stated read_positive(const View& node, std::string_view name, Dimension dimensio
     return stated;
 }
 
+Stated read_diameter(const View& node, std::vector<Finding>& notes) {
+    static const std::regex meshes(
+        "^ *([0-9.]+) *([a-zA-Z\u00b5\u03bc]*) *(?:-|\u2013|to|bis) *([0-9.]+) *([a-zA-Z\u00b5\u03bc]+) *$");
+    std::smatch match;
+    const std::string text = node.json().is_string() ? node.text() : "";
+    const auto end = [&](std::size_t number, std::size_t unit) {
+        return parse_quantity(match.str(number) + " " + match.str(unit), Dimension::length);
+    };
+    try {
+        return read_positive(node, "diameter", Dimension::length);
+    } catch (const InputError&) {
+        if (!std::regex_match(text, match, meshes)) throw;
+    }
+    return at_place(node.pointer(), [&] {
+        const double from = end(1, match.length(2) > 0 ? 2 : 4);
+        const double to = end(3, 4);
+        require_positive("diameter", from, Dimension::length);
+        if (!(from < to)) throw InputError("the meshes " + in_quotes(text) + " do not rise", "\"80-100 um\"");
+        // Of an even distribution; source: JCGM 100:2008, 4.3.7.
+        const Quantity diameter =
+            make_quantity((from + to) / 2, Dimension::length, (to - from) / std::sqrt(12.0));
+        const double scatter = *diameter.standard_uncertainty / diameter.value;
+        notes.push_back({"sieve", Severity::remark,
+                         "diameter " + in_quotes(text) +
+                             " is taken as evenly distributed between the meshes, " + readable(diameter) +
+                             "; \"size_scatter\" under \"fit\" would be " + readable_number(scatter, 2)});
+        return Stated{.quantity = diameter, .source = "evenly distributed between the meshes " + text};
+    });
+}
+
+TableOptions read_table_options(const View& node, std::string_view sheet, std::string_view decimal) {
+    TableOptions options;
+    if (const auto name = node.find(sheet)) options.sheet = name->text();
+    if (const auto mark = node.find(decimal)) options.decimal = named<DecimalMark>(mark->text());
+    return options;
+}
+
 Stated read_poisson_ratio(const View& node) {
     Stated stated = read_stated(node, Dimension::fraction);
     at_place(node.pointer(), [&] { require_poisson_ratio("Poisson's ratio", stated.value()); });
@@ -257,7 +296,7 @@ ReadAnalysis read_analysis(const View& node, InputFiles& files) {
     } else {
         read.analysis = xrd::read_fractions_json(node);
         for (PhaseFraction& phase : read.analysis.phases) phase.place.erase(0, node.pointer().size());
-        for (const auto* key : {"xrd_sample", "xrd_sheet"})
+        for (const auto* key : {"xrd_sample", "xrd_sheet", "xrd_decimal"})
             if (const auto stray = node.find(key)) stray->fail("belongs to an XRD file", "xrd beside it");
     }
     read.analysis = xrd::completed_by_json(std::move(read.analysis), node);
@@ -273,8 +312,9 @@ RestitutionSource read_restitution(const View& node, const std::optional<Publish
     const bool columns = count_of(node, {"velocity", "restitution", "rebound_velocity"}) > 0;
     if (others + (columns ? 1 : 0) != 1 || (columns && !points))
         node.fail("the restitution data are incomplete or given in more than one way", allowed);
-    if (const auto sheet = node.find("sheet"); sheet && !node.has("file"))
-        sheet->fail("belongs to a file of impacts", "file beside it");
+    for (const auto* key : {"sheet", "decimal"})
+        if (const auto stray = node.find(key); stray && !node.has("file"))
+            stray->fail("belongs to a file of impacts", "file beside it");
     if (!columns)
         for (const auto* key : {"velocity_uncertainty", "rebound_uncertainty", "restitution_uncertainty",
                                 "velocity_correlation", "impacts"})

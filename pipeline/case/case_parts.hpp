@@ -20,6 +20,13 @@ namespace ashimpact {
 /// A quantity with its origin, which must be positive.
 [[nodiscard]] Stated read_positive(const View& node, std::string_view name, Dimension dimension);
 [[nodiscard]] Stated read_poisson_ratio(const View& node);
+/// The diameter of particles: a positive quantity, or the meshes of two sieves, "80-100 um". Between those,
+/// diameters are taken as evenly distributed, which @p notes says.
+[[nodiscard]] Stated read_diameter(const View& node, std::vector<Finding>& notes);
+
+/// What the case states of a table beside its file. @param sheet, decimal the keys
+[[nodiscard]] TableOptions read_table_options(const View& node, std::string_view sheet,
+                                              std::string_view decimal);
 
 [[nodiscard]] Wall read_wall(const View& node);
 /// Diameter, and density or mass, of a second sphere.

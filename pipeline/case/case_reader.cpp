@@ -13,7 +13,9 @@
 #include "core/json/document.hpp"
 #include "core/plausibility.hpp"
 #include "core/quantities/checks.hpp"
+#include "core/tables/workbook/workbook.hpp"
 #include "core/text/text.hpp"
+#include "materials/xrd/xrd.hpp"
 #include "pipeline/case/case_parts.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/schema.hpp"
@@ -65,8 +67,10 @@ void set_particle(const View& own, const std::optional<View>& otherwise, Sample&
 
 Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files,
                    std::vector<SampleFinding>& findings) {
-    Sample sample{.name = node.at("name").text(),
-                  .diameter = read_positive(node.at("diameter"), "diameter", Dimension::length)};
+    Sample sample{.name = node.at("name").text(), .diameter = {}};
+    std::vector<Finding> notes;
+    sample.diameter = read_diameter(node.at("diameter"), notes);
+    add_findings(notes, sample.name, findings);
     auto analysis = read_analysis(node.at("composition"), files);
     add_findings(analysis.warnings, sample.name, findings);
     sample.analysis = std::move(analysis.analysis);
@@ -348,6 +352,36 @@ std::vector<std::string> example_remains(const Json& ours, std::string_view text
     return remains;
 }
 
+/// Refuses a table in the place of a case, with what to do with it. @throws InputError
+void refuse_table(std::string_view bytes, const std::string& name) {
+    const auto is_read = [](auto&& read) {
+        try {
+            static_cast<void>(read());
+            return true;
+        } catch (const InputError&) {
+            return false;
+        }
+    };
+    const std::string file = std::filesystem::path(name).filename().string();
+    const std::string ending = lower_case(std::filesystem::path(file).extension().string());
+    if (trimmed(bytes).starts_with('{') || trimmed(bytes).starts_with('/')) return;
+    const bool impacts = is_read([&] { return read_measurements(bytes, name); });
+    const bool xrd = !impacts && is_read([&] { return read_xrd(bytes, name); });
+    if (!impacts && !xrd && !is_workbook(bytes) && ending != ".csv" && ending != ".tsv") return;
+    const std::string restitution = "\"restitution\": {\"file\": " + in_quotes(file) + "}";
+    const std::string composition = "\"composition\": {\"xrd\": " + in_quotes(file) + "}";
+    throw InputError(std::string("this is a table") +
+                         (impacts ? " of impacts"
+                          : xrd   ? " of XRD results"
+                                  : "") +
+                         ", not a case",
+                     "a case with " +
+                         (impacts ? restitution
+                          : xrd   ? composition
+                                  : composition + " or " + restitution) +
+                         " in a sample; `ashimpact init DIR` writes one to start from");
+}
+
 }  // namespace
 
 std::vector<Law> default_laws() {
@@ -374,6 +408,7 @@ LoadedCase load_case(const std::optional<std::string>& file, bool allow_outside)
     if (allow_outside) files.allow_outside();
     const std::string text = files.read_case();
     return at_place(FileName{files.case_name()}, [&] {
+        refuse_table(text, files.case_name());
         const Json document = parse_json(text);
         require_schema_version(document, false);
         validate_document(document, "case");

@@ -120,10 +120,9 @@ MeasuredRestitution read_measured(const View& node, InputFiles& files, const std
     if (const auto file = node.find("file")) {
         const std::string name = file->text();
         data.source = name;
-        const auto sheet = node.find("sheet");
         data.impacts = at_place(file->pointer(), [&] {
             return read_measurements(files.read(name), files.shown(name),
-                                     sheet ? sheet->text() : std::string());
+                                     read_table_options(node, "sheet", "decimal"));
         });
     } else {
         data.impacts = read_measurement_columns(node);

@@ -273,6 +273,12 @@ TEST_CASE("marks in numbers have one reading, by the other numbers of the table,
                 }
             }
     }
+    const NumberMarks by_comma(DecimalMark::comma);  // as --decimal states
+    CHECK(by_comma.read("1,234", 0)->value == 1.234);
+    CHECK(by_comma.read("1.234", 0)->value == 1234);
+    CHECK(by_comma.read("1.234,5", 0)->value == 1234.5);
+    CHECK(contains(input_error_of([&] { static_cast<void>(by_comma.read("12.5", 0)); }),
+                   "another decimal mark than the stated one; allowed: numbers with a decimal comma"));
     const NumberMarks marks;
     CHECK(marks.read("12,3 \u00b1 0,4", 0)->standard_uncertainty == 0.4);
     for (const char* junk : {"1.2.3", "1,2,3.4", "12.3 456", "2024 123", "1,23,4.5"}) {
@@ -281,6 +287,26 @@ TEST_CASE("marks in numbers have one reading, by the other numbers of the table,
     }
     CHECK(contains(input_error_of([&] { static_cast<void>(marks.read("1,234", 0)); }),
                    "\"1,234\" is 1.234 or 1234"));
+}
+
+TEST_CASE("a second heading line holds units, and lines of one text behind a blank one are notes") {
+    TableRow heading{.line = 1, .cells = {"Nr.", "v_in", "v_r"}};
+    const auto unit = [](std::string_view text) { return text == "m/s" || text == "1"; };
+    for (const auto& cells : std::vector<std::vector<std::string>>{{"1", "m/s", "m/s"},
+                                                                   {"", "", "-"},
+                                                                   {"", "m/s", "kg"},
+                                                                   {"", "1", "m/s"},
+                                                                   {"", "m/s", "m/s", "m/s"}})
+        CHECK_FALSE(take_units(heading, {.line = 2, .cells = cells}, unit));
+    CHECK(take_units(heading, {.line = 2, .cells = {"-", "(m/s)", "m/s"}}, unit));
+    CHECK(heading.cells == std::vector<std::string>{"Nr.", "v_in [m/s]", "v_r [m/s]"});
+    CHECK_FALSE(take_units(heading, {.line = 3, .cells = {"", "m/s"}}, unit));
+    const TextLines file("a;b\n1;\nx;\n\n* lost;\n\nQuelle: NN\n", {});
+    auto lines = lines_with_content(file);
+    const auto notes = take_notes(lines, 1, ';', "code");
+    REQUIRE(notes.size() == 2);
+    CHECK(notes[0].text == "line 5 below the table is not read: \"* lost;\"");
+    CHECK(lines.size() == 3);
 }
 
 TEST_CASE("what is wrong in a spreadsheet is said with its sheet and cell") {
@@ -304,11 +330,12 @@ TEST_CASE("what is wrong in a spreadsheet is said with its sheet and cell") {
 TEST_CASE("of several sheets the one with a table is read, or the one that is named") {
     const std::string two = data("opendocument.ods");
     CHECK(read_xrd(two, "a.ods").samples[0].analysis.phases.size() == 4);
-    CHECK(read_xrd(two, "a.ods", "Phasen").samples[0].analysis.phases.size() == 4);
-    CHECK(contains(input_error_of([&] { return read_xrd(two, "a.ods", "Phase"); }),
+    CHECK(read_xrd(two, "a.ods", {.sheet = "Phasen"}).samples[0].analysis.phases.size() == 4);
+    CHECK(contains(input_error_of([&] { return read_xrd(two, "a.ods", {.sheet = "Phase"}); }),
                    "there is no sheet \"Phase\"; allowed: \"Phasen\", \"St\u00f6\u00dfe\""));
-    CHECK(contains(input_error_of([&] { return read_xrd("phase,weight\nQuartz,1\n", "a.csv", "S"); }),
-                   "a sheet is named, and the file is no spreadsheet"));
+    CHECK(contains(
+        input_error_of([&] { return read_xrd("phase,weight\nQuartz,1\n", "a.csv", {.sheet = "S"}); }),
+        "a sheet is named, and the file is no spreadsheet"));
     const std::string table =
         "<table:table-row><table:table-cell><text:p>phase</text:p></table:table-cell>"
         "<table:table-cell><text:p>weight</text:p></table:table-cell></table:table-row>";
@@ -333,6 +360,36 @@ TEST_CASE("files that are no spreadsheet, or a damaged or huge one, are refused"
     CHECK(contains(refused(xlsx(std::string(20U << 20U, ' '))), "unpacks to more than 8 MB"));
     CHECK(contains(refused(xlsx("<row r='1'><c r='XFD1'><v>1</v></c></row>")),
                    "has a text in row 1, column 16384"));
+    // Some kilobytes that unpack to gigabytes: many parts, a long text that is repeated, and one that is
+    // nested.
+    const std::string eight(8U << 20U, ' ');
+    Parts parts{{"_rels/.rels", "<Relationships><Relationship Id='r' Type='" + office +
+                                    "officeDocument' Target='w.xml'/></Relationships>"}};
+    std::string sheets;
+    std::string targets;
+    for (const std::string name : {"1", "2", "3", "4", "5", "6", "7", "8", "9"}) {
+        sheets += "<sheet name='" + name + "' id='" + name + "'/>";
+        targets += "<Relationship Id='" + name + "' Type='" + office + "worksheet' Target='" + name + "'/>";
+        parts.emplace_back(name, "<w>" + eight.substr(20) + "</w>");
+    }
+    parts.emplace_back("w.xml", "<workbook><sheets>" + sheets + "</sheets></workbook>");
+    parts.emplace_back("_rels/w.xml.rels", "<Relationships>" + targets + "</Relationships>");
+    CHECK(contains(refused(archive_of(parts)), "all parts to more than 64 MB"));
+    CHECK(contains(refused(ods("<table:table-row table:number-rows-repeated='900'><table:table-cell "
+                               "table:number-columns-repeated='900'><text:p>" +
+                               eight.substr(0, 1000) + "x</text:p></table:table-cell></table:table-row>")),
+                   "the sheet \"S\" is too large; allowed: 1000000 cells and 128 MB in all"));
+    std::string nested = "x";
+    for (int i = 0; i < 16; ++i) nested = "<text:span>" + nested + "</text:span>";
+    std::string deep(100'000 * 11, ' ');
+    for (std::size_t i = 0; i < 100'000; ++i) deep.replace(11 * i, 11, "<text:span>");
+    for (int i = 0; i < 100'000; ++i) deep += "</text:span>";
+    const auto cell = [](const std::string& text) {
+        return ods("<table:table-row><table:table-cell><text:p>" + text +
+                   "</text:p></table:table-cell></table:table-row>");
+    };
+    CHECK(text_of(cell(nested)) == "x\n");
+    CHECK(contains(refused(cell(deep)), "nested too deeply"));
     CHECK(contains(refused(ods("<table:table-row table:number-rows-repeated='1048576'><table:table-cell "
                                "table:number-columns-repeated='900'><text:p>x</text:p></table:table-cell>"
                                "</table:table-row>")),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/case/case.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <doctest/doctest.h>
@@ -135,18 +136,25 @@ TEST_CASE("units: a string, an object and a bare SI number say the same") {
     }
 }
 
-TEST_CASE("the scatter of sizes is a fraction, as on the command line") {
-    for (const Json& scatter : {Json(0.05), Json("5 %"), Json{{"value", 5}, {"unit", "%"}}}) {
-        CAPTURE(scatter.dump());
-        CHECK(loaded(test::edited(test::example_case(), "/fit = " + Json{{"size_scatter", scatter}}.dump()))
-                  .data.fit.size_scatter == 0.05);
+TEST_CASE("the meshes of two sieves are a distribution of diameters between them, and a note says so") {
+    Json document = test::example_case();
+    for (const char* meshes : {"80-100 um", "0.08 to 0.1 mm", "80 um \u2013 100 um"}) {
+        document["samples"][1]["diameter"] = meshes;
+        const LoadedCase read = loaded(document);
+        const Stated& diameter = read.data.samples[1].diameter;
+        CAPTURE(meshes);
+        CHECK(relative_difference(diameter.value(), 90e-6) < 1e-14);
+        CHECK(relative_difference(*diameter.quantity.standard_uncertainty, 20e-6 / std::sqrt(12.0)) < 1e-13);
+        CHECK(std::ranges::any_of(read.findings, [](const SampleFinding& each) {
+            return each.finding.code == "sieve" && each.finding.text.ends_with("would be 0.064");
+        }));
     }
-    for (const char* wrong : {"\"60 %\"", "0", "\"5 +- 1 %\"", "\"5 um\""}) {
-        CAPTURE(wrong);
-        const Json document =
-            test::edited(test::example_case(), std::string("/fit = {\"size_scatter\": ") + wrong + "}");
-        CHECK(test::contains(test::input_error_of([&] { return loaded(document); }), "/fit/size_scatter: "));
+    for (const char* wrong : {"100-80 um", "80-100", "-100 um", "0-100 um", "80-100 kg", "1e-6-2e-6 m"}) {
+        document["samples"][1]["diameter"] = wrong;
+        CHECK_THROWS_AS(static_cast<void>(loaded(document)), InputError);
     }
+    document["samples"][1]["diameter"] = "9e-5 m";
+    CHECK(loaded(document).data.samples[1].diameter.value() == 9e-5);
 }
 
 TEST_CASE("what a sample does not state it takes from the case") {

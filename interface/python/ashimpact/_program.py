@@ -126,6 +126,7 @@ def modulus(
     added_fraction: Union[float, str, None] = None,
     sample: Optional[str] = None,
     sheet: Optional[str] = None,
+    decimal: Optional[str] = None,
     phase_set: Optional[str] = None,
     phases: Optional[PathLike] = None,
     rule: Optional[str] = None,
@@ -139,6 +140,7 @@ def modulus(
     Args:
         file: BGMN/Profex or GSAS-II .lst, CSV, TSV or JSON.
         amorphous_fraction: weight fraction of the whole, such as 0.42, "42 +- 2 %", "none", "remainder".
+        decimal: "point" or "comma", of all numbers of a table; without, the numbers decide.
 
     Returns:
         {"phases": [...], "young_modulus": {"value", "unit"}, "bounds": {...}, ...}; a file with several samples
@@ -264,6 +266,7 @@ def analyse_impacts(
     robust: bool = False,
     bin: Optional[int] = None,
     sheet: Optional[str] = None,
+    decimal: Optional[str] = None,
     **parameters: Optional[float],
 ) -> Document:
     """What measured impacts say of damping and critical velocity; as `ashimpact damping --impacts --json`.
@@ -283,6 +286,7 @@ def analyse_impacts(
         robust: bisquare weights in that polynomial.
         bin: rebounds to be put into one point.
         sheet: of a spreadsheet with several tables.
+        decimal: "point" or "comma", of all numbers of a file; without, the numbers decide.
         {law parameters}
 
     Returns:

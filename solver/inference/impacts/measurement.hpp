@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/finding.hpp"
+#include "core/tables/number_marks.hpp"
 
 namespace ashimpact {
 
@@ -121,14 +122,15 @@ struct Binning {
 /// @throws InputError unless exactly one option is given
 [[nodiscard]] MeasurementSet binned(const MeasurementSet& set, const Binning& binning);
 
-/// Reads a table of measured impacts: comma, semicolon or tab; a heading with units, then one impact a line.
+/// Reads a table of measured impacts: comma, semicolon or tab; a heading with units, which may stand in a
+/// second line, then one impact a line.
 ///
 ///     v_in [m/s]; v_r (mm/s); u(v_in) [m/s]; u(v_r) [m/s]
 ///     1,95; 120; 0,02; 0,02
 ///
 /// Columns, under several names: the incident velocity v_in, and the rebound velocity v_r (a magnitude) or
 /// the restitution e_n; their standard uncertainties u(...), or "1.95 ± 0.02" in the cell. e_n may be in per
-/// cent. A decimal comma is understood where the comma does not separate.
+/// cent. NumberMarks decides what points and commas in numbers are.
 ///
 /// A column "outcome" holds rebound, capture or unknown. If it is empty or missing the reading decides: v_r =
 /// 0, or a word for it such as "captured", is a capture; an empty cell or "unknown" is not known, and such an
@@ -136,11 +138,11 @@ struct Binning {
 /// standard uncertainties, or without those within a tenth of v_in. A column "correlation" holds that of the
 /// errors of v_in and v_r.
 /// Uncertainties of one velocity only are taken for the other, too; those of v_in and e_n as independent.
-/// Other columns are left out with a warning, lines that begin with # without one.
-/// The table may be a sheet of a spreadsheet (.xlsx, .ods): the one of that name, else the only one that
-/// holds one. Errors: InputError "NAME: line N: problem; allowed: ..." for anything that is not that; of a
-/// spreadsheet the place is `sheet "S", cell B7`.
+/// Other columns, rows such as "Mittel" and notes below the table are left out with a warning, lines that
+/// begin with # without one. The table may be a sheet of a spreadsheet (.xlsx, .ods): the one of that name,
+/// else the only one that holds one. Errors: InputError "NAME: line N: problem; allowed: ..." for anything
+/// that is not that; of a spreadsheet the place is `sheet "S", cell B7`.
 [[nodiscard]] MeasurementSet read_measurements(std::string_view text, std::string_view name,
-                                               std::string_view sheet = {});
+                                               const TableOptions& options = {});
 
 }  // namespace ashimpact

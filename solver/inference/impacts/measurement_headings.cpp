@@ -242,11 +242,6 @@ bool announces_remarks(std::string_view heading) {
     return words.holds(text);
 }
 
-bool is_summary(std::string_view cell) {
-    static const WordLists words("summary rows");
-    return words.holds(trimmed(cell));
-}
-
 bool names_incident_velocity(const std::vector<std::string>& cells) {
     return std::any_of(cells.begin(), cells.end(), [](const std::string& cell) {
         const StatedCoverage coverage = read_coverage(cell);

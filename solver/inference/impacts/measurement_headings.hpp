@@ -81,9 +81,6 @@ struct MeasurementHeading {
     }
 };
 
-/// Whether a cell names a row that sums up others: "Mittel", "mean", "SD", "Total".
-[[nodiscard]] bool is_summary(std::string_view cell);
-
 /// Whether a line may be the heading: one of its cells names the incident velocity.
 [[nodiscard]] bool names_incident_velocity(const std::vector<std::string>& cells);
 

@@ -11,6 +11,7 @@
 #include "core/tables/workbook/workbook.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
+#include "core/units/units.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 #include "solver/inference/impacts/measurement_headings.hpp"
 
@@ -28,18 +29,18 @@ struct Entry {
 class TableCells {
   public:
     /// @param lines of the table below its heading
-    TableCells(const MeasurementHeading& heading, std::span<const TextLine> lines, char separator)
-        : heading_(heading) {
-        std::vector<std::size_t> columns;
+    TableCells(const MeasurementHeading& heading, std::span<const TextLine> lines, char separator,
+               std::optional<DecimalMark> decimal)
+        : heading_(heading), marks_(decimal) {
+        std::vector<bool> holds_numbers(heading.columns, false);
         for (const auto* all : {&heading.value, &heading.uncertainty})
             for (const auto& column : *all)
-                if (column) columns.push_back(column->position);
-        if (heading.correlation) columns.push_back(*heading.correlation);
-        for (const TextLine& line : lines) {
-            const TableRow row = cut_row(line, separator);
-            for (const std::size_t column : columns)
-                if (column < row.cells.size()) marks_.see(row.cells[column], column);
-        }
+                if (column) holds_numbers[column->position] = true;
+        if (heading.correlation) holds_numbers[*heading.correlation] = true;
+        for (const TextLine& line : lines)
+            for_each_cell(line, separator, [&](std::string_view cell, std::size_t column) {
+                if (column < heading.columns && holds_numbers[column]) marks_.see(cell, column);
+            });
     }
 
     [[nodiscard]] Entry entry(const TableRow& row, MeasuredQuantity quantity) const {
@@ -98,7 +99,7 @@ class TableCells {
     }
 
     const MeasurementHeading& heading_;
-    NumberMarks marks_{};
+    NumberMarks marks_;
 };
 
 void require_cells(const MeasurementHeading& heading, TableRow& row) {
@@ -244,7 +245,7 @@ std::vector<Finding> warnings_of(const MeasurementHeading& heading) {
     std::vector<Finding> warnings = heading.notes;
     for (const TextColumn& column : heading.unused)
         warnings.push_back(
-            {impacts_code, Severity::background, "column " + in_quotes(column.name) + " is not used"});
+            {impacts_code, Severity::remark, "column " + in_quotes(column.name) + " is not used"});
     for (const auto* columns : {&heading.value, &heading.uncertainty}) {
         for (const auto& column : *columns)
             if (column && !column->unit_given)
@@ -358,41 +359,31 @@ std::string summary_in(const MeasurementHeading& heading, const TableRow& row, b
     return {};
 }
 
-/// Puts the doubt about the velocity that is furthest outside of its range before the other warnings.
-void add_implausible(const MeasuredColumn& column, MeasurementSet& set) {
-    if (set.points.empty()) return;
-    const PlausibleRange& range = *plausible_range("velocity");
-    const auto [slowest, fastest] = std::ranges::minmax_element(set.points, {}, &Measurement::velocity);
-    const Measurement& point = fastest->velocity > range.greatest ? *fastest : *slowest;
-    Writing written{point.velocity};
-    if (!column.unit_given) written.number = point.velocity;
-    const std::string place = at_line(point.line);
-    if (auto doubt = at_place(place, [&] { return implausible(range, written); })) {
-        doubt->text.insert(0, place + ": v_in: ");
-        set.warnings.insert(set.warnings.begin(), *std::move(doubt));
-    }
-}
-
-MeasurementSet read_table(const TextLines& file, std::string_view name) {
-    const auto lines = lines_with_content(file);
+MeasurementSet read_table(const TextLines& file, std::string_view name, std::optional<DecimalMark> decimal) {
+    auto lines = lines_with_content(file);
     if (lines.empty()) throw InputError("the file holds no table", "a heading and one line an impact");
     const std::size_t place = heading_place(lines);
     const char separator = separator_of(lines[place].text);
-    const MeasurementHeading heading = at_place(at_line(lines[place].number), [&] {
-        return read_measurement_heading(cut_row(lines[place], separator).cells);
-    });
+    TableRow headings = cut_row(lines[place], separator);
+    std::size_t first = place + 1;  // of the rows
+    const auto is_unit = [](std::string_view text) { return read_unit(ascii_unit(text)).has_value(); };
+    if (first < lines.size() && take_units(headings, cut_row(lines[first], separator), is_unit)) ++first;
+    const MeasurementHeading heading =
+        at_place(at_line(lines[place].number), [&] { return read_measurement_heading(headings.cells); });
     for (std::size_t i = 0; i < place; ++i) require_unit_of_title(lines[i], heading);
-    const TableCells cells(heading, std::span(lines).subspan(place + 1), separator);
     MeasurementSet set{.source = std::string(name), .points = {}, .warnings = warnings_of(heading)};
+    for (Finding& note : take_notes(lines, first, separator, impacts_code))
+        set.warnings.push_back(std::move(note));
+    const TableCells cells(heading, std::span(lines).subspan(first), separator, decimal);
     if (place > 0)
         set.warnings.push_back(
             {impacts_code, Severity::background, counted(place, "line") + " above the heading not read"});
     Unread unread(heading);
     std::size_t footer = lines.size();
-    while (footer > place + 1 && !summary_in(heading, cut_row(lines[footer - 1], separator), true).empty())
+    while (footer > first && !summary_in(heading, cut_row(lines[footer - 1], separator), true).empty())
         --footer;
-    if (footer == place + 1) footer = lines.size();  // such words are then the names of all rows
-    for (std::size_t i = place + 1; i < lines.size(); ++i) {
+    if (footer == first) footer = lines.size();  // such words are then the names of all rows
+    for (std::size_t i = first; i < lines.size(); ++i) {
         TableRow row = cut_row(lines[i], separator);
         at_place(at_line(row.line), [&] {
             require_cells(heading, row);
@@ -430,14 +421,15 @@ bool holds_impacts(const TextLines& file) {
 }
 
 /// Reads a table in a spreadsheet; messages name rows and cells.
-MeasurementSet read_from_workbook(std::string_view bytes, std::string_view name, std::string_view sheet) {
-    const ChosenSheet chosen(bytes, {.name = std::string(sheet),
+MeasurementSet read_from_workbook(std::string_view bytes, std::string_view name,
+                                  const TableOptions& options) {
+    const ChosenSheet chosen(bytes, {.name = options.sheet,
                                      .option = "the name of a sheet (--sheet, in a case \"sheet\")",
                                      .code = impacts_code,
                                      .limits = impact_table,
                                      .holds_table = holds_impacts});
     return chosen.read([&](const TextLines& lines) {
-        MeasurementSet set = read_table(lines, name);
+        MeasurementSet set = read_table(lines, name, options.decimal);
         for (Finding& warning : set.warnings) warning.text = in_rows(std::move(warning.text));
         set.warnings.insert(set.warnings.begin(), chosen.findings().begin(), chosen.findings().end());
         validate(set);
@@ -447,13 +439,13 @@ MeasurementSet read_from_workbook(std::string_view bytes, std::string_view name,
 
 }  // namespace
 
-MeasurementSet read_measurements(std::string_view text, std::string_view name, std::string_view sheet) {
+MeasurementSet read_measurements(std::string_view text, std::string_view name, const TableOptions& options) {
     return at_place(FileName{std::string(name)}, [&] {
-        if (is_workbook(text)) return read_from_workbook(text, name, sheet);
-        if (!sheet.empty())
+        if (is_workbook(text)) return read_from_workbook(text, name, options);
+        if (!options.sheet.empty())
             throw InputError("a sheet is named, and the file is no spreadsheet", "an .xlsx or .ods");
         if (trimmed(text).empty()) throw InputError("the file is empty", "a table of impacts").at("line 1");
-        MeasurementSet set = read_table(TextLines(text, impact_table), name);
+        MeasurementSet set = read_table(TextLines(text, impact_table), name, options.decimal);
         validate(set);
         return set;
     });

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "core/text/text.hpp"
 #include "materials/modulus.hpp"
 #include "tests/materials/catalogue.hpp"
 #include "tests/support/checks.hpp"
@@ -251,14 +252,15 @@ TEST_CASE("headings of fractions are read as what they state, and what is no fra
                             amounts.substr(half + 1) + "\n",
                         "t.csv");
     };
-    for (const char* heading :
-         {"Volumen-%", "V%", "% v/v", "Vol.-%", "Gehalt [Vol.-%]", "Volumenanteil [%]"}) {
+    for (const char* heading : {"Volumen-%", "V%", "% v/v", "Vol.-%", "Gehalt [Vol.-%]", "Volumenanteil [%]",
+                                "content, vol%", "Anteil in Vol.-%", "FA1 vol%"}) {
         CAPTURE(heading);
         const XrdResult result = of(heading);
         CHECK(result.samples.front().analysis.basis == FractionBasis::volume);
         CHECK(digest(result.samples.front()) == "Quartz 6000, Mullite 4000");
     }
-    for (const char* heading : {"wt%", "Gew.-%", "Massen-%", "Gehalt [wt%]", "w [%]"}) {
+    for (const char* heading : {"wt%", "Gew.-%", "Massen-%", "Gehalt [wt%]", "w [%]", "Massenanteil in %",
+                                "FA1 [wt%]", "w [g/100 g]", "Probe 1 (Gew.-%)"}) {
         CAPTURE(heading);
         CHECK(of(heading).samples.front().analysis.basis == FractionBasis::weight);
     }
@@ -266,8 +268,29 @@ TEST_CASE("headings of fractions are read as what they state, and what is no fra
     const XrdResult crystalline = of("wt% (crystalline)", "59,8;40,1");
     CHECK(relative_difference(crystalline.samples.front().analysis.phases[0].fraction, 59.8 / 99.9) < 1e-14);
     CHECK(contains(crystalline.samples.front().warnings.front().text, "the crystalline part"));
-    for (const char* heading : {"Mol-%", "mol%", "at.%", "Gehalt [Mol-%]", "counts", "FWHM", "g", "log wt%",
-                                "d [\u00c5]", "\u0394 wt%", "Stoffmengenanteil"}) {
+    for (const char* heading : {"Mol-%",
+                                "mol%",
+                                "at.%",
+                                "Gehalt [Mol-%]",
+                                "counts",
+                                "FWHM",
+                                "g",
+                                "log wt%",
+                                "d [\u00c5]",
+                                "\u0394 wt%",
+                                "Stoffmengenanteil",
+                                "Gehalt [Fl\u00e4chen-%]",
+                                "Gehalt in Mol-%",
+                                "Gehalt [J]",
+                                "Volume [cm3]",
+                                "FA1 mol%",
+                                "FA1 [at.%]",
+                                "mg/g",
+                                "Gehalt [\u2030]",
+                                "wt\u2030",
+                                "St\u00fcck-%",
+                                "cts",
+                                "ppm (v/v)"}) {
         CAPTURE(heading);
         CHECK(contains(input_error_of([&] { static_cast<void>(of(heading)); }),
                        "no weight or volume fractions"));
@@ -279,11 +302,62 @@ TEST_CASE("headings of fractions are read as what they state, and what is no fra
     }
 }
 
+TEST_CASE("a heading that is not known is no sample, and the units of all samples and phases count") {
+    const auto refusal = [](const std::string& table) {
+        return input_error_of([&] { static_cast<void>(read_xrd(table, "t.csv")); });
+    };
+    const std::string amounts = "\nQuartz;20;20\nMullite;80;80\n";
+    CHECK(contains(
+        refusal("Phase;Messwert\nQuartz;20\nMullite;80\n"),
+        "\"Messwert\" may be a sample, or a quantity that is not known here; allowed: \"weight %\""));
+    CHECK(read_xrd("Phase;A;B" + amounts, "t.csv").samples.size() == 2);
+    CHECK(contains(refusal("Phase;A [mol%];B [mol%]" + amounts), "no weight or volume fractions"));
+    CHECK(contains(refusal("Phase;A [wt%];B [vol%]" + amounts), "fractions by weight and by volume"));
+    for (const char* unit : {" [mol%]", " mol%", " [counts]", " (mg/g)", " [Fl\u00e4chen-%]"}) {
+        CAPTURE(unit);
+        CHECK(contains(refusal(std::string("Sample;Quartz") + unit + ";Mullite" + unit + "\nA;20;80\n"),
+                       "is in another unit; allowed: fractions by weight or by volume"));
+    }
+    CHECK(read_xrd("Sample;Quartz vol%;Mullite vol%\nA;20;80\n", "t.csv").samples[0].analysis.basis ==
+          FractionBasis::volume);
+}
+
+TEST_CASE("units in a second line, rows that sum up samples, and notes below a table") {
+    for (const auto& [unit, basis] :
+         {std::pair{"Gew.-%", FractionBasis::weight}, std::pair{"[Vol.-%]", FractionBasis::volume}}) {
+        const XrdResult result = read_xrd(
+            "Phase;Gehalt;Fehler\n;" + std::string(unit) + ";\nQuarz;20;1\nMullit;80;1\n\nGesamt;100;\n",
+            "t.csv");
+        CHECK(result.samples[0].analysis.basis == basis);
+        CHECK(digest(result.samples[0]) == "Quarz 2000, Mullit 8000");
+    }
+    CHECK(contains(input_error_of([] { return read_xrd("Phase;Gehalt\n;mol%\nQuarz;20\n", "t.csv"); }),
+                   "no weight or volume fractions"));
+    const XrdResult wide = read_xrd(
+        "Probe;Quarz;Mullit\n;wt%;wt%\nA;20;80\ns;22;78\nB;tr.;100\n\nMittel;14;86\ns;1;1\n\n* n.d.: "
+        "nichts\n",
+        "t.csv");
+    REQUIRE(wide.samples.size() == 3);
+    CHECK(wide.samples[1].name == "s");
+    CHECK(digest(wide.samples[2]) == "Mullit 10000");
+    const std::string told = joined(texts_of(wide.warnings));
+    CHECK_MESSAGE(contains(told, "line 7 is no sample and left out: \"Mittel\", line 8"), told);
+    CHECK_MESSAGE(contains(told, "line 10 below the table is not read"), told);
+}
+
 TEST_CASE("numbers of an XRD table that may be grouped are refused with both readings") {
     const auto read = [](const std::string& table) { return read_xrd(table, "t.csv"); };
     CHECK(contains(
         input_error_of([&] { static_cast<void>(read("phase;wt%\nQuartz;12,345\nMullite;57,120\n")); }),
         "\"12,345\" is 12.345 or 12345"));
+    CHECK(digest(
+              read_xrd("phase;wt%\nQuartz;12,345\nMullite;57,120\n", "t.csv", {.decimal = DecimalMark::comma})
+                  .samples.front()) == "Quartz 1235, Mullite 5712");
+    CHECK(contains(input_error_of([] {
+                       return read_xrd(file_text(ASHIMPACT_TEST_DATA "/xrd/fa07-corundum.lst"), "a.lst",
+                                       {.decimal = DecimalMark::point});
+                   }),
+                   "the file is no table"));
     CHECK(digest(read("phase;wt%\nQuartz;12,345\nMullite;57,12\n").samples.front()) ==
           "Quartz 1235, Mullite 5712");
     CHECK(contains(input_error_of([&] { static_cast<void>(read("phase,wt%\n#N/A,12\nQuartz,60\n")); }),

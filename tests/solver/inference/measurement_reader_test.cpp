@@ -202,6 +202,7 @@ TEST_CASE("a heading of a square, a root or a difference is not the quantity") {
     const MeasurementSet set = read_measurements("v_in;v_r;u\u00b2(v_in)\n2;0,5;0,1\n", "t.csv");
     CHECK_FALSE(set.has_noise());
     CHECK(contains(warnings_of(set), "\"u\u00b2(v_in)\" is not used"));
+    CHECK(set.warnings.front().severity == Severity::remark);  // on the screen of `run`
 }
 
 TEST_CASE("a quantity over its unit, and velocities before and after") {
@@ -237,6 +238,22 @@ TEST_CASE("velocities that may be grouped are refused, unless another number of 
     CHECK_THROWS_AS(static_cast<void>(first("1,234;567\n2,345;600\n")), InputError);
     CHECK(first("1.234;567,5\n2.345;600\n") == 1.234);
     CHECK(first("1,234;0,567\n") == doctest::Approx(1.234e-3));
+    CHECK(contains(input_error_of([&] { static_cast<void>(first("1,234;567\n")); }),
+                   "--decimal point or comma"));
+    for (const auto& [mark, velocity] :
+         {std::pair{DecimalMark::point, 1.234}, {DecimalMark::comma, 1.234e-3}})
+        CHECK(read_measurements("v_in [mm/s];v_r [mm/s]\n1,234;1\n", "t.csv", {.decimal = mark})
+                  .points.front()
+                  .velocity == doctest::Approx(velocity));
+}
+
+TEST_CASE("units in a second heading line, and a note below the table") {
+    const MeasurementSet set =
+        read_measurements("Nr.;v_in;v_r\n;[mm/s];mm/s\n1;2000;500\n\nMessung: NN\n", "t.csv");
+    REQUIRE(set.points.size() == 1);
+    CHECK(set.points.front().rebound == doctest::Approx(0.5));
+    CHECK(contains(warnings_of(set), "line 5 below the table is not read: \"Messung: NN\""));
+    CHECK_FALSE(contains(warnings_of(set), "no unit"));
 }
 
 TEST_CASE("a contact model is the solver's impact: its restitution and contact time at the model's damping") {
