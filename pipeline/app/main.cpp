@@ -22,10 +22,12 @@ void hand_over(char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    return ashimpact::run_program(
-        argc, argv, [argv](const ashimpact::CommandOptions&, std::ostream&) { hand_over(argv); },
-        [argv](const ashimpact::CommandOptions& options, std::ostream& out) {
-            if (options["code"] == "table") hand_over(argv);  // HDF5
-            ashimpact::run_export_command(options, {}, out);
-        });
+    return ashimpact::with_enough_stack([&] {
+        return ashimpact::run_program(
+            argc, argv, [argv](const ashimpact::CommandOptions&, std::ostream&) { hand_over(argv); },
+            [argv](const ashimpact::CommandOptions& options, std::ostream& out) {
+                if (options["code"] == "table") hand_over(argv);  // HDF5
+                ashimpact::run_export_command(options, {}, out);
+            });
+    });
 }

@@ -138,6 +138,36 @@ TEST_CASE("a limit on the size of files is an error of the write and leaves noth
     for (const auto& file : sandbox.everything()) CHECK_MESSAGE(file.first == "out", file.first);
 }
 
+TEST_CASE("a small stack is enough, whatever its limit" * doctest::skip(test::sanitized)) {
+    const Sandbox sandbox;
+    test::write_example(sandbox, test::with_one_sample(test::example_case(), {"hertz", "jkr"}));
+    for (const char* limit : {"64", "256"})
+        for (const char* arguments : {"--version", "run case.json -o out",
+                                      "impact --law jkr --radius 44e-6 --density 2600 --contact-modulus 9e10 "
+                                      "--work-of-adhesion 0.3 --velocity 2"}) {
+            CAPTURE(limit);
+            CAPTURE(arguments);
+            const std::string command = "cd '" + sandbox.folder().string() + "' && ulimit -s " + limit +
+                                        " && '" + ASHIMPACT_PROGRAM "' " + arguments + " >/dev/null 2>&1";
+            CHECK(std::system(command.c_str()) == 0);
+        }
+}
+
+TEST_CASE("a table in the place of a case is refused with what to do with it") {
+    const Sandbox sandbox;
+    sandbox.write("ash.csv", "Phase;Gew.-%\nQuarz;20,5\nMullit;79,5\n");
+    sandbox.write("impacts.csv", "v_in [m/s],v_r [m/s]\n2,0.5\n");
+    sandbox.write("odd.csv", "v_in [mm/s],v_r [mm/s]\n\"2,000\",500\n");
+    std::filesystem::copy_file(ASHIMPACT_TEST_DATA "/workbooks/kessel2.xlsx", sandbox.path("both.xlsx"));
+    check_refused(sandbox, "run ash.csv",
+                  "ash.csv: this is a table of XRD results, not a case; allowed: a case with "
+                  "\"composition\": {\"xrd\": \"ash.csv\"} in a sample; `ashimpact init DIR` writes one");
+    check_refused(sandbox, "run impacts.csv",
+                  "of impacts, not a case; allowed: a case with \"restitution\": {\"file\"");
+    check_refused(sandbox, "run odd.csv", "odd.csv: this is a table, not a case");
+    check_refused(sandbox, "run both.xlsx", "both.xlsx: this is a table");
+}
+
 TEST_CASE("without ashimpact-sweep beside it the error names what is missing") {
     const Sandbox sandbox;
     std::filesystem::copy_file(ASHIMPACT_PROGRAM, sandbox.path("alone"));
