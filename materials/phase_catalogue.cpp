@@ -165,10 +165,11 @@ bool is_formula(std::string_view name) {
     return name.size() < 40 && std::regex_match(std::string(name), symbols);
 }
 
-/// Whether a text names another form of a phase than that of the catalogue, or its melt.
+/// Whether a text names another form of a phase than that of the catalogue, or its melt, or is a
+/// spreadsheet's mark of a name that does not count.
 bool names_other_form(std::string_view text) {
-    constexpr std::array<std::string_view, 7> forms{"high", "hoch",  "beta",    "gamma",
-                                                    "hp",   "fused", "vitreous"};
+    constexpr std::array<std::string_view, 8> forms{"high", "hoch",  "beta",     "gamma",
+                                                    "hp",   "fused", "vitreous", "struckout"};
     return std::ranges::find(forms, phase_key(text)) != forms.end();
 }
 

@@ -72,8 +72,10 @@ void split_unit(Heading& heading, std::string_view text) {
         if (open == '[' || is_unit_in_brackets(inside)) return split(start, inside);
     }
     const auto blank = text.find_last_of(" /");
-    if (blank != std::string_view::npos && holds_per_cent(key_of(text.substr(blank + 1))))
-        split(blank + (text[blank] == '/' ? 0 : 1), text.substr(blank + 1));
+    if (blank == std::string_view::npos || !holds_per_cent(key_of(text.substr(blank + 1)))) return;
+    const std::string_view name = trimmed(text.substr(0, blank));
+    const bool is_quotient = text[blank] == '/' || name.ends_with('/');  // "w/%", but not "1/wt%"
+    if (!is_quotient || role_of(key_of(name)) != Role::other) split(blank, text.substr(blank + 1));
 }
 
 HeadingUnit unit_of(std::string_view text) {

@@ -83,6 +83,7 @@ XrdResult read_from_workbook(std::string_view bytes, const TableOptions& options
                                      .holds_table = xrd::looks_like_table});
     return chosen.read([&](const TextLines& lines) {
         XrdResult result = xrd::read_table(lines, options.decimal);
+        for (Finding& warning : result.warnings) warning.text = in_rows(warning.text);
         result.warnings.insert(result.warnings.begin(), chosen.findings().begin(), chosen.findings().end());
         for (XrdSample& sample : result.samples) {
             for (Finding& warning : sample.warnings) warning.text = in_rows(warning.text);

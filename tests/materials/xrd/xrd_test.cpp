@@ -260,7 +260,7 @@ TEST_CASE("headings of fractions are read as what they state, and what is no fra
         CHECK(digest(result.samples.front()) == "Quartz 6000, Mullite 4000");
     }
     for (const char* heading : {"wt%", "Gew.-%", "Massen-%", "Gehalt [wt%]", "w [%]", "Massenanteil in %",
-                                "FA1 [wt%]", "w [g/100 g]", "Probe 1 (Gew.-%)"}) {
+                                "FA1 [wt%]", "w [g/100 g]", "Weight fraction/ %", "Probe 1 (Gew.-%)"}) {
         CAPTURE(heading);
         CHECK(of(heading).samples.front().analysis.basis == FractionBasis::weight);
     }
@@ -277,6 +277,8 @@ TEST_CASE("headings of fractions are read as what they state, and what is no fra
                                 "g",
                                 "log wt%",
                                 "d [\u00c5]",
+                                "1/wt%",
+                                "1 / wt%",
                                 "\u0394 wt%",
                                 "Stoffmengenanteil",
                                 "Gehalt [Fl\u00e4chen-%]",

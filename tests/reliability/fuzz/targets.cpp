@@ -227,6 +227,10 @@ void feed_solver(std::string_view bytes) {
     require(std::abs(with_turn.maximum_overlap[0] / alone.maximum_overlap - 1.0) <= 1e-8, "overlaps agree");
 }
 
+XrdResult read_undecided_table(const TextLines& file) {
+    return xrd::read_table(file, std::nullopt);
+}
+
 }  // namespace
 
 const std::map<std::string, FuzzTarget>& fuzz_targets() {
@@ -236,7 +240,7 @@ const std::map<std::string, FuzzTarget>& fuzz_targets() {
         {"xrd-gsas2", feed_reader<xrd::looks_like_gsas2, xrd::read_gsas2>},
         {"xrd-fullprof", feed_reader<xrd::looks_like_fullprof, xrd::read_fullprof>},
         {"xrd-topas", feed_reader<xrd::looks_like_topas, xrd::read_topas>},
-        {"xrd-table", feed_reader<xrd::looks_like_table, xrd::read_table>},
+        {"xrd-table", feed_reader<xrd::looks_like_table, read_undecided_table>},
         {"xrd-json", feed_reader<xrd::looks_like_json, xrd::read_json>},
         {"xrd", [](std::string_view bytes) { check_xrd(read_xrd(bytes, "input")); }},
         {"workbook", feed_workbook},
