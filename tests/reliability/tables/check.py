@@ -22,6 +22,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import types
 import zipfile
 from decimal import Decimal as D
 
@@ -71,38 +72,28 @@ def settle(columns):
     marks = {number[1] for column in read for number in column if len(number) == 2} - {None}
     values = []
     for column in read:
-        alike = all(len(number) == 3 for number in column) and len({number[-1] for number in column}) == 1
-        values.append([])
-        for number in column:
-            if len(number) == 2 or marks == {number[2]} or (not marks and number[2] == "."):
-                values[-1].append(number[0])
-            elif len(marks) == 1 and alike:
-                values[-1].append(number[1])
-            else:
-                return None
+        alike = {number[-1] for number in column if len(number) == 3}
+        grouped = len(marks) == 1 and len(alike) == 1 and not marks & alike and all(len(number) == 3 for number in column)
+        if any(len(number) == 3 and not grouped and marks != {number[2]} and (marks or number[2] == ",") for number in column):
+            return None
+        values.append([number[int(grouped)] for number in column])
     return values
 
 
-class Table:
-    """Rows of texts, what they say, and how they are stored."""
+def table_of(kind, rows, truth, expect=READ, why="", options=()):
+    """Rows of texts, and what they say."""
+    return types.SimpleNamespace(kind=kind, rows=rows, truth=truth, expect=expect, why=why, options=options, before=[], after=[])
 
-    def __init__(self, kind, rows, truth, expect, why, options=(), before=(), after=(), separators=";\t,"):
-        self.kind, self.rows, self.truth, self.expect, self.why = kind, rows, truth, expect, why
-        self.options, self.before, self.after, self.separators = list(options), list(before), list(after), separators
 
-    def stored(self, source):
-        """Name and bytes."""
-        if any(isinstance(cell, dict) for row in self.rows for cell in row):
-            return "table.xlsx", workbook(self.rows)
-        separator = source.choice(self.separators)
-        quoted = [[f'"{cell}"' if separator in cell else cell for cell in row] for row in self.rows]
-        lines = [*self.before, *(separator.join(row) for row in quoted), *(line.replace(";", separator) for line in self.after)]
-        text = source.choice(["\n", "\r\n"]).join(lines) + source.choice(["", "\n"])
-        encoding = source.choice(["utf-8", "utf-8-sig", "latin-1"])
-        try:
-            return "table.csv", text.encode(encoding)
-        except UnicodeEncodeError:
-            return "table.csv", text.encode()
+def stored(t, source):
+    """Name and bytes of a table."""
+    if any(isinstance(cell, dict) for row in t.rows for cell in row):
+        return "table.xlsx", workbook(t.rows)
+    separator = source.choice(";\t,")
+    quoted = [[f'"{cell}"' if separator in cell else cell for cell in row] for row in t.rows]
+    lines = [*t.before, *(separator.join(row) for row in quoted), *(line.replace(";", separator) for line in t.after)]
+    text = source.choice(["\n", "\r\n"]).join(lines) + source.choice(["", "\n"])
+    return "table.csv", text.encode(source.choice(["utf-8", "utf-8-sig"]) if max(text) > "\u00ff" else source.choice(["utf-8-sig", "latin-1"]))
 
 
 def workbook(rows):
@@ -134,50 +125,57 @@ def workbook(rows):
 
 # ---- what headings hold: headings to be read, and headings that may be read or refused ----------------------------------
 
-SHARES = {  # of weights w or volumes v in units of the whole; none: anything else, to be refused
-    ("w", 100): ("wt%;wt.%;wt.-%;wt-%;wt %;Wt%;Gew.-%;Gew.%;Gew-%;Gew. %;Massen-%;Masse-%;weight %;Weight [%];mass %;weight [wt%];"
-                 "Massenanteil [%];mass fraction [%];Weight percent;Gewichtsprozent;Gehalt [Gew.-%];content [wt%];Massenanteil in %",
-                 "w [%];% w/w;Rietveld;Rietveld [wt%];Quant. [%];Content (%);Anteil [%];%;m%;% masse;% pds;viktprocent;SemiQuant [%];"
-                 "Konz. [%];wt%¹;wt% *;wt% (XRD);Weight%;Gew.-% (normiert);g/100 g;wt pct;W%;Weight (%);g;m [g]"),
-    ("w", 1): ("mass fraction;weight fraction;Massenanteil", "w;wf;w [1];mass fraction [-];weight fraction [g/g];w [kg/kg];Massenbruch"),
-    ("w", 1000): ("", "wt‰;Gew.-‰;mg/g;g/kg;w [‰]"),
-    ("w", 10**6): ("", "ppm;ppmw;mg/kg"),
-    ("v", 100): ("Vol-%;Vol.-%;vol%;vol.%;Vol %;volume %;Volumenanteil [%]", "Volumen-%;V%;% v/v;v/v %;Vol. pct;% vol;Volumenprozent;content, vol%"),
-    ("v", 1): ("", "volume fraction;Volumenanteil;φ;v/v"),
-    ("none", 100): ("Mol-%;mol%;mole fraction [%];Stoffmengenanteil [%];at.%;at%;Atom-%;Flächen-%;area %;Rel. Int. [%];rel. intensity;"
-                    "I/Imax [%];I [%];Peakfläche [%];counts;Counts [cts];FWHM;FWHM [°2Th];2θ [°];Score;Δwt%;Δ Gew.-%;(wt%)²;wt%²;√wt%;"
-                    "ln(wt%);log wt%;1/wt%;σ(wt%);esd(wt%);u²(wt%);change in wt%;wt% loss;LOI [wt%];Rwp [%];Cryst. size [nm];d [Å];"
-                    "scale factor;mol/mol;n [mol];ppmv;Gehalt [Mol-%];Gehalt [Flächen-%];Stück-%", ""),
-}
-SPREADS = {  # of uncertainties: factor to the standard one
-    1: "esd;e.s.d.;±;+/-;SD;σ;u;error;Fehler;Unsicherheit;uncertainty;std. dev.;Standardabweichung;Std. error;Standardabw.;Est. error;"
-       "Messunsicherheit;± 1σ;1σ;Standardfehler;incertitude;s;Err.;abs. error [wt%]",
-    0.5: "Fehler (2s);± 2σ;U (k=2);2σ;2 sigma;error (2σ);Unsicherheit (k = 2)", 1 / 3: "3σ;3 sigma;Fehler (3σ)",
-    None: "rel. error [%];RSD [%];CV [%];u_rel [%];variance;Varianz;σ²;esd²;u²(w);u^2;95 % CI;CI;expanded uncertainty;LOD;min;max;N;√σ;ln σ",
-}
-VELOCITIES = {  # of v_in: factor to m/s; none: to be refused
-    1: ("v_in [m/s];v_in (m/s);V_in [m/s];v_in in m/s;v_i [m/s];incident velocity [m/s];Einfallsgeschwindigkeit [m/s];"
-        "vitesse d'impact [m/s];v_ein [m/s];v_in [m s-1];v_in [m·s⁻¹];v_in [m s^-1]",
-        "v vor [m/s];v1 [m/s];v0 [m/s];v before [m/s];U_in [m/s];v_in,n [m/s];v_in m/s;v_in [m/sec];v_in;v_in / m/s;v_in/(m/s);Vin[m/s]"),
-    0.001: ("v_in [mm/s];impact velocity (mm/s)", "v_before [mm/s];v_in [mm s⁻¹];v_in in mm/s;v_in / mm/s;v_in mm/s;velocity in [mm/s]"),
-    None: ("v_in² [m²/s²];v_in^2 [m/s];v_in**2;√v_in [m/s];sqrt(v_in);ln(v_in);1/v_in [s/m];Δv [m/s];Δv_in [m/s];v_t [m/s];u(v_in) [m/s];"
-           "σ(v_in) [m/s];E_in [J];v_in [m];v_in [%];a_in [m/s²];v_in - v_r [m/s];v_in·v_r [m²/s²];v_crit [m/s];v_in,t [m/s];v_in³;"
-           "(v_in)² [m/s];-ln v_in;v_in^0.5;delta v_in [m/s]", ""),
-}
-RATIOS = {  # of e: what is written of it; none: to be refused
-    "e": ("e;e_n;COR;e [-];e_n [1];Stoßzahl;coefficient of restitution;Restitutionszahl", "e_N;Stosszahl;ε;v_r/v_in;e (normal);CoR [-];Rest."),
-    "100 * e": ("", "e [%];COR (%);e_n in %;e_n/%"),
-    "e * e": ("", "e²;e^2;e_n²;COR²;COR^2;COR2;e2;e**2;(e_n)²;e_n·e_n;e ²;e² [-];COR squared;E_r/E_in;energy restitution;Stoßzahl²"),
-    "math.sqrt(e)": ("", "√e;√e_n;sqrt(e);e^0.5;e_n^(1/2);√COR;root of e;e_n^½"), "1 - e": ("", "1-e;1−e_n"), "1 - e * e": ("", "1-e²;1−e_n²"),
-    "-math.log(e)": ("", "-ln e;-ln(e);ln(1/e)"),
-    None: ("Δe;Δe_n;Δ e;delta e;e_t;e_tot;u(e);σ(e_n);SD(e);e³;log e;u²(e);N(e);tangential e;1/e", ""),
-}
+# What they hold: headings to be read (none: to be refused) || headings that may be read or refused.
+SHARES = """
+w 100: wt%;wt.%;wt.-%;wt-%;wt %;Wt%;Gew.-%;Gew.%;Gew-%;Gew. %;Massen-%;Masse-%;Ma.-%;weight %;Weight [%];mass %;weight [wt%];Massenanteil [%];
+ mass fraction [%];Weight percent;Gewichtsprozent;Gehalt [Gew.-%];content [wt%];Massenanteil in % || w [%];% w/w;Rietveld;Rietveld [wt%];
+ Quant. [%];Content (%);Anteil [%];%;m%;% masse;% pds;viktprocent;SemiQuant [%];Konz. [%];wt%¹;wt% *;wt% (XRD);Weight%;Gew.-% (normiert);
+ g/100 g;wt pct;W%;Weight (%);g;m [g]
+w 1: mass fraction;weight fraction;Massenanteil || w;wf;w [1];mass fraction [-];weight fraction [g/g];w [kg/kg];Massenbruch
+w 1000:  || wt‰;Gew.-‰;mg/g;g/kg;w [‰]
+w 1000000:  || ppm;ppmw;mg/kg
+v 100: Vol-%;Vol.-%;vol%;vol.%;Vol %;volume %;Volumenanteil [%] || Volumen-%;V%;% v/v;v/v %;Vol. pct;% vol;Volumenprozent;content, vol%
+v 1:  || volume fraction;Volumenanteil;φ;v/v
+none 100: Mol-%;mol%;mole fraction [%];Stoffmengenanteil [%];at.%;at%;Atom-%;Flächen-%;area %;Rel. Int. [%];rel. intensity;I/Imax [%];I [%];
+ Peakfläche [%];counts;Counts [cts];FWHM;FWHM [°2Th];2θ [°];Score;Δwt%;Δ Gew.-%;(wt%)²;wt%²;√wt%;ln(wt%);log wt%;1/wt%;σ(wt%);esd(wt%);
+ u²(wt%);change in wt%;wt% loss;LOI [wt%];Rwp [%];Cryst. size [nm];d [Å];scale factor;mol/mol;n [mol];ppmv;Gehalt [Mol-%];
+ Gehalt [Flächen-%];Stück-% ||
+"""  # w, weights, or v, volumes, in units of the whole; none: anything else
+SPREADS = """
+1:  || esd;e.s.d.;±;+/-;SD;σ;u;error;Fehler;Unsicherheit;uncertainty;std. dev.;Standardabweichung;Std. error;Standardabw.;Est. error;
+ Messunsicherheit;± 1σ;1σ;Standardfehler;incertitude;s;Err.;abs. error [wt%]
+0.5:  || Fehler (2s);± 2σ;U (k=2);2σ;2 sigma;error (2σ);Unsicherheit (k = 2)
+1/3:  || 3σ;3 sigma;Fehler (3σ)
+none:  || rel. error [%];RSD [%];CV [%];u_rel [%];variance;Varianz;σ²;esd²;u²(w);u^2;95 % CI;CI;expanded uncertainty;LOD;min;max;N;√σ;ln σ
+"""  # uncertainties: factor to the standard one
+VELOCITIES = """
+1: v_in [m/s];v_in (m/s);V_in [m/s];v_in in m/s;v_i [m/s];incident velocity [m/s];Einfallsgeschwindigkeit [m/s];vitesse d'impact [m/s];
+ v_ein [m/s];v_in [m s-1];v_in [m·s⁻¹];v_in [m s^-1] || v vor [m/s];v1 [m/s];v0 [m/s];v before [m/s];U_in [m/s];v_in,n [m/s];v_in m/s;
+ v_in [m/sec];v_in;v_in / m/s;v_in/(m/s);Vin[m/s]
+0.001: v_in [mm/s];impact velocity (mm/s) || v_before [mm/s];v_in [mm s⁻¹];v_in in mm/s;v_in / mm/s;v_in mm/s;velocity in [mm/s]
+none: v_in² [m²/s²];v_in^2 [m/s];v_in**2;√v_in [m/s];sqrt(v_in);ln(v_in);1/v_in [s/m];Δv [m/s];Δv_in [m/s];v_t [m/s];u(v_in) [m/s];
+ σ(v_in) [m/s];E_in [J];v_in [m];v_in [%];a_in [m/s²];v_in - v_r [m/s];v_in·v_r [m²/s²];v_crit [m/s];v_in,t [m/s];v_in³;(v_in)² [m/s];
+ -ln v_in;v_in^0.5;delta v_in [m/s] ||
+"""  # v_in: factor to m/s
+RATIOS = """
+e: e;e_n;COR;e [-];e_n [1];Stoßzahl;coefficient of restitution;Restitutionszahl || e_N;Stosszahl;ε;v_r/v_in;e (normal);CoR [-];Rest.
+100 * e:  || e [%];COR (%);e_n in %;e_n/%
+e * e:  || e²;e^2;e_n²;COR²;COR^2;COR2;e2;e**2;(e_n)²;e_n·e_n;e ²;e² [-];COR squared;E_r/E_in;energy restitution;Stoßzahl²
+math.sqrt(e):  || √e;√e_n;sqrt(e);e^0.5;e_n^(1/2);√COR;root of e;e_n^½
+1 - e:  || 1-e;1−e_n
+1 - e * e:  || 1-e²;1−e_n²
+-math.log(e):  || -ln e;-ln(e);ln(1/e)
+none: Δe;Δe_n;Δ e;delta e;e_t;e_tot;u(e);σ(e_n);SD(e);e³;log e;u²(e);N(e);tangential e;1/e ||
+"""  # e: what is written of it
 
 
 def headings(lists):
     """(what a heading holds, heading, expectation), in an order that looks random."""
-    all_of = [(holds, heading, READ if i == 0 and holds is not None and "none" not in str(holds) else REFUSE if i == 0 else EITHER)
-              for holds, two in lists.items() for i, words in enumerate([two] if isinstance(two, str) else two) for heading in words.split(";") if heading]
+    all_of = []
+    for entry in re.split(r"\n(?=\S)", lists.strip()):
+        holds, both = entry.replace("\n ", "").split(": ", 1)
+        for expect, words in zip((REFUSE if holds.startswith("none") else READ, EITHER), both.split("||")):
+            all_of += [(holds, heading.strip(), expect) for heading in words.split(";") if heading.strip()]
     random.Random(5).shuffle(all_of)
     return itertools.cycle(all_of)
 
@@ -206,38 +204,30 @@ class Corpus:
         """Velocities in a national form, with groups, or with three decimals between which other numbers decide or do not."""
         form, way = FORMS[turn % len(FORMS)], self.random.choice(["groups", "groups", "three", "three and others", "all grouped", "conflict"])
         other = PLAIN if form[0] == "," else COMMA
-        unit, factor = "m/s", D(1)
+        unit, factor = ("mm/s", D("0.001")) if way in ("groups", "all grouped") else ("m/s", D(1))
         pairs = self.velocities(1.1, 9.9, 3)
-        columns = [[written(v, form, 3) for v, _ in pairs], [written(r, form, 3) for _, r in pairs]]
+        columns = [[written(x, form, 3) for x in column] for column in zip(*pairs)]
         if way == "groups":
-            unit, factor = "mm/s", D("0.001")
             columns = [[written(1000 * x, form, 1) for x in column] for column in zip(*pairs)]
-        elif way == "three and others":
-            columns[1] = [written(r, form, 2) for _, r in pairs]
         elif way == "all grouped":
-            unit, factor = "mm/s", D("0.001")
             columns[1] = [written(1000 * r, other, 1) for _, r in pairs]
-        elif way == "conflict":
-            columns[1] = [written(r, (form, other)[i % 2], 2) for i, (_, r) in enumerate(pairs)]
-        rows = [[f"v_in [{unit}]", f"v_r [{unit}]"], *map(list, zip(*columns))]
+        elif way != "three":
+            columns[1] = [written(r, other if way == "conflict" and i % 2 else form, 2) for i, (_, r) in enumerate(pairs)]
         values = settle(columns)
         truth = values and [(v * factor, r * factor) for v, r in zip(*values)]
-        blank = form[1] == " " and way != "groups"
-        return Table("impacts", rows, truth, REFUSE if values is None else EITHER if blank else READ, f"numbers, {way}, in the form {form}")
+        expect = REFUSE if values is None else EITHER if form[1] == " " and way != "groups" else READ
+        return table_of("impacts", [[f"v_in [{unit}]", f"v_r [{unit}]"], *map(list, zip(*columns))], truth, expect, f"numbers, {way}, in the form {form}")
 
     def peaks(self, turn):
         """Intensities with groups beside reference intensity ratios."""
-        form = FORMS[turn % len(FORMS)]
-        names = self.random.sample(PHASES[:-1], 3)
-        decimals = self.random.choice([0, 0, 1])
-        columns = [[written(D(self.random.randint(1001, 999999)), form, decimals) for _ in names],
-                   [written(D(self.random.randint(51, 499)).scaleb(-2), form, 2) for _ in names]]
+        form, names, decimals = FORMS[turn % len(FORMS)], self.random.sample(PHASES[:-1], 3), self.random.choice([0, 0, 1])
+        columns = [[written(D(self.random.randint(low, high)).scaleb(-places), form, shown) for _ in names]
+                   for low, high, places, shown in ((1001, 999999, 0, decimals), (51, 499, 2, 2))]
         values = settle(columns)
         total = values and sum(i / r for i, r in zip(*values))
         truth = values and {"": {"w": {name: i / r / total for name, i, r in zip(names, *values)}}}
-        mixed = form[1] in (",", ".") and len({len(t) > 3 for t in columns[0]}) == 2
-        return Table("xrd", [["Phase", "Intensity", "RIR"], *map(list, zip(names, *columns))], truth, REFUSE if values is None else EITHER if mixed else READ,
-                     f"intensities in the form {form}", ["--amorphous-fraction", "none"])
+        return table_of("xrd", [["Phase", "Intensity", "RIR"], *map(list, zip(names, *columns))], truth, REFUSE if values is None else READ,
+                        f"intensities in the form {form}", ["--amorphous-fraction", "none"])
 
     def xrd_heading(self, turn):
         form = self.random.choice([PLAIN, COMMA])
@@ -246,36 +236,37 @@ class Corpus:
             shares, spreads = self.shares(), [D(self.random.randint(2, 19)).scaleb(-1) for _ in PHASES]
             rows = [["Phase", "wt%", heading], *([name, written(x, form), written(u, form)] for (name, x), u in zip(shares.items(), spreads))]
             truth = {"": {"w": {name: x / 100 for name, x in shares.items()}}}
-            truth["u"] = None if factor is None else {name: float(u) * factor / 100 for name, u in zip(shares, spreads)}
-            return Table("xrd", rows, truth, EITHER, f"{heading!r} beside wt%: times {factor}")
-        (what, scale), heading, expect = next(self.shares_of)
+            truth["u"] = factor != "none" and {name: float(u) * eval(factor) / 100 for name, u in zip(shares, spreads)}
+            return table_of("xrd", rows, truth, EITHER, f"{heading!r} beside wt%: times {factor}")
+        holds, heading, expect = next(self.shares_of)
+        what, scale = holds.split()
         shares = self.shares()
-        rows = [["Phase", heading], *([name, written(x * scale / 100, form)] for name, x in shares.items())]
+        rows = [["Phase", heading], *([name, written(x * int(scale) / 100, form)] for name, x in shares.items())]
         truth = {"": {what: {name: x / 100 for name, x in shares.items()}}}
-        return Table("xrd", rows, truth, expect, f"{heading!r} holds {what}, whole {scale}")
+        return table_of("xrd", rows, truth, expect, f"{heading!r} holds {holds}")
 
     def impact_heading(self, turn):
         form, pairs = self.random.choice([PLAIN, COMMA]), self.velocities()
         if turn % 2:
             factor, heading, expect = next(self.velocities_of)
-            rows = [[heading, "v_r [m/s]"], *([written(v / D(str(factor or 1)), form), written(r, form)] for v, r in pairs)]
-            return Table("impacts", rows, pairs, expect, f"{heading!r} for v_in, times {factor}")
+            rows = [[heading, "v_r [m/s]"], *([written(v / D(factor.replace("none", "1")), form), written(r, form)] for v, r in pairs)]
+            return table_of("impacts", rows, pairs, expect, f"{heading!r} for v_in, times {factor}")
         holds, heading, expect = next(self.ratios_of)
         ratios = [D(self.random.randint(20, 80)).scaleb(-2) for _ in pairs]
-        cells = [D(repr(round(eval(holds or "e", {"e": float(e), "math": math}), 9))) for e in ratios]
+        cells = [D(repr(round(eval(holds.replace("none", "e"), {"e": float(e), "math": math}), 9))) for e in ratios]
         rows = [["v_in [m/s]", heading], *([written(v, form), written(x, form)] for (v, _), x in zip(pairs, cells))]
-        return Table("impacts", rows, [(v, v * e) for (v, _), e in zip(pairs, ratios)], expect, f"{heading!r} holds {holds}")
+        return table_of("impacts", rows, [(v, v * e) for (v, _), e in zip(pairs, ratios)], expect, f"{heading!r} holds {holds}")
 
     def edited(self, turn):
         """A right table with one thing more or less; see XRD_EDITS and IMPACT_EDITS."""
         form = self.random.choice([PLAIN, COMMA])
         if turn % 2:
             pairs = self.velocities()
-            table = Table("impacts", [["v_in [m/s]", "v_r [m/s]"], *([written(v, form), written(r, form)] for v, r in pairs)], pairs, READ, "")
+            table = table_of("impacts", [["v_in [m/s]", "v_r [m/s]"], *([written(v, form), written(r, form)] for v, r in pairs)], pairs)
         else:
             shares = self.shares()
             rows = [["Phase", "Gew.-%"], *([name, written(x, form)] for name, x in shares.items())]
-            table = Table("xrd", rows, {"": {"w": {name: x / 100 for name, x in shares.items()}}}, READ, "")
+            table = table_of("xrd", rows, {"": {"w": {name: x / 100 for name, x in shares.items()}}})
         table.why, table.expect, edit = next(self.edits[table.kind])
         edit(table, self.random.randrange(1, len(table.rows)), self.random, form)
         return table
@@ -413,7 +404,7 @@ class Checker:
 
     def complaint(self, number, table, source):
         """What is wrong with how the program takes a table; None if nothing is."""
-        name, content = table.stored(source)
+        name, content = stored(table, source)
         status, out, err = self.run(table.kind, f"{number}-{name}", content, table.options)
         if status == 2:
             return f"refused: {err.strip()}" if table.expect == READ else None
