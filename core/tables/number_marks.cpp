@@ -162,9 +162,6 @@ std::optional<PrintedNumber> NumberMarks::read(std::string_view cell, std::size_
                               (marks == Marks::point_may_group && is_decimal('.', number, column)) ||
                               (marks == Marks::comma_may_group && !is_decimal(',', number, column));
         if (marks != Marks::none) {
-            if (decimal_ && is_point != (*decimal_ == DecimalMark::point))
-                throw InputError(in_quotes(number) + " has another decimal mark than the stated one",
-                                 "numbers with a decimal " + std::string(name_of(*decimal_)));
             std::erase(number, is_point ? ',' : '.');
             std::ranges::replace(number, ',', '.');
         }

@@ -33,13 +33,12 @@ struct TableOptions {
 /// Blanks and apostrophes between digits group them: "1 234", "1'234,5".
 class NumberMarks {
   public:
-    /// @param decimal the mark that the user states; then nothing else decides
+    /// @param decimal the mark that the user states; then it decides between two readings
     explicit NumberMarks(std::optional<DecimalMark> decimal = {}) : decimal_(decimal) {}
 
     /// Takes the numbers of a cell into account. @param column of the cell, any number
     void see(std::string_view cell, std::size_t column);
-    /// Reads a cell as read_number(). @throws InputError with both readings where nothing decides,
-    /// or if the number has another mark than the stated one
+    /// Reads a cell as read_number(). @throws InputError with both readings where nothing decides
     [[nodiscard]] std::optional<PrintedNumber> read(std::string_view cell, std::size_t column) const;
 
   private:

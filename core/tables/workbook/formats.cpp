@@ -59,9 +59,14 @@ std::optional<std::string> attribute_of(const pugi::xml_node& node, std::string_
     return std::nullopt;
 }
 
-/// A number as a spreadsheet shows it: 15 significant digits at most, which hides that 0.1 is binary.
+/// A number as a spreadsheet shows it: 15 significant digits at most, which hides that 0.1 is binary. One
+/// with three decimals gets a fourth, or its point might be taken for one that groups digits.
 std::string shown_number(double value) {
-    return fmt::format("{:.15g}", value);
+    std::string text = fmt::format("{:.15g}", value);
+    const auto point = text.find('.');
+    const bool may_group = point != std::string::npos && text.size() - point == 4 && std::abs(value) >= 1;
+    if (may_group && text.find('e') == std::string::npos) text += '0';
+    return text;
 }
 
 /// The same for a cell in the format of per cent: "21.3 %" for 0.213.

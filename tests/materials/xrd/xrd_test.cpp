@@ -259,8 +259,9 @@ TEST_CASE("headings of fractions are read as what they state, and what is no fra
         CHECK(result.samples.front().analysis.basis == FractionBasis::volume);
         CHECK(digest(result.samples.front()) == "Quartz 6000, Mullite 4000");
     }
-    for (const char* heading : {"wt%", "Gew.-%", "Massen-%", "Ma.-%", "Gehalt [wt%]", "w [%]", "Massenanteil in %",
-                                "FA1 [wt%]", "w [g/100 g]", "Weight fraction/ %", "Probe 1 (Gew.-%)"}) {
+    for (const char* heading :
+         {"wt%", "Gew.-%", "Massen-%", "Ma.-%", "Gehalt [wt%]", "w [%]", "Massenanteil in %", "FA1 [wt%]",
+          "w [g/100 g]", "Weight fraction/ %", "Probe 1 (Gew.-%)"}) {
         CAPTURE(heading);
         CHECK(of(heading).samples.front().analysis.basis == FractionBasis::weight);
     }

@@ -149,8 +149,8 @@ def cases():
         "a rigid partner": pair({"diameter": "200 um", "mass": "30 ug", "rigid": True}),
         "a partner with E*": pair({"diameter": "200 um", "density": 7800, "contact_modulus": "90 GPa"}),
         "workbook": case(
-            sample(composition={"xrd": "ash.xlsx", "xrd_sheet": "Phasen"},
-                   restitution={"file": "ash.xlsx", "sheet": "Stöße"}, work_of_adhesion="0.3 J/m2"),
+            sample(composition={"xrd": "ash.xlsx", "xrd_sheet": "Phasen", "xrd_decimal": "point"},
+                   restitution={"file": "ash.xlsx", "sheet": "Stöße", "decimal": "point"}, work_of_adhesion="0.3 J/m2"),
             laws=["dmt"]),
         "reconstructed": case(
             sample(restitution={"reconstruct": {"from": 0.05, "to": 0.5, "points": 5, "reference_law": "dmt",
