@@ -20,6 +20,7 @@ constexpr std::array ranges{
     PlausibleRange{Dimension::length, 10e-9, 5e-3, "10 nm to 5 mm", {"um", "nm", "mm"}, "diameter"},
     PlausibleRange{
         Dimension::length, 5e-9, 2.5e-3, "5 nm to 2.5 mm", {"um", "nm", "mm"}, "radius effective_radius"},
+    PlausibleRange{Dimension::length, 1e-11, 1e-6, "0.01 nm to 1 um", {"nm", "um", "pm"}, "roughness"},
     PlausibleRange{Dimension::pressure,
                    10e6,
                    1.2e12,
@@ -82,7 +83,7 @@ std::optional<Writing> writing_of(const Json& node, Dimension dimension) {
 /// The doubts about the values under the key of a quantity.
 class Doubts {
   public:
-    explicit Doubts(std::vector<Finding>& findings) : findings_(findings) {}
+    Doubts(std::vector<Finding>& findings, bool bare) : findings_(findings), bare_(bare) {}
 
     void walk(const Json& node, const std::string& pointer) {
         if (node.is_array())
@@ -116,6 +117,7 @@ class Doubts {
     }
 
     void take_quantity(const PlausibleRange& range, Json node, const std::string& place) {
+        if (!bare_ && node.is_number()) return;
         if (node.is_object())
             for (const char* key :
                  {"origin", "source", "range", "citations", "assumed", "interval", "method"})
@@ -126,6 +128,7 @@ class Doubts {
     /// @param unit of the numbers; empty: SI
     void take_column(const PlausibleRange& range, const Json& values, const std::string& unit,
                      const std::string& place) {
+        if (!bare_ && unit.empty()) return;
         std::optional<Writing> worst;
         std::string where;
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -150,6 +153,7 @@ class Doubts {
     }
 
     std::vector<Finding>& findings_;
+    bool bare_;  ///< whether numbers without a unit are quantities
 };
 
 }  // namespace
@@ -187,9 +191,9 @@ std::vector<Finding> implausible_text(std::string_view option, const std::string
     return {*std::move(doubt)};
 }
 
-std::vector<Finding> implausible_values(const Json& document, const std::string& pointer) {
+std::vector<Finding> implausible_values(const Json& document, const std::string& pointer, bool bare) {
     std::vector<Finding> findings;
-    Doubts(findings).walk(document, pointer);
+    Doubts(findings, bare).walk(document, pointer);
     return findings;
 }
 

@@ -45,8 +45,10 @@ struct Writing {
 [[nodiscard]] std::vector<Finding> implausible_text(std::string_view option, const std::string& text);
 
 /// The doubts about all quantities of a document, which are found by their keys; the JSON pointer of each is
-/// in its text. Of a column the value that is furthest outside counts.
-[[nodiscard]] std::vector<Finding> implausible_values(const Json& document, const std::string& pointer = {});
+/// in its text. Of a column the value that is furthest outside counts. @param bare whether numbers without a
+/// unit are quantities in SI, as in a case; in an artifact they are not
+[[nodiscard]] std::vector<Finding> implausible_values(const Json& document, const std::string& pointer = {},
+                                                      bool bare = true);
 
 /// The greatest critical velocity that the models here are meant for [m/s].
 inline constexpr double fastest_in_model = 500;

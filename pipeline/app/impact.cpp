@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <initializer_list>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -154,11 +155,20 @@ ElasticBody read_body(const CommandOptions& options, const char* young, const ch
             .poisson_ratio = options.number(poisson, Dimension::fraction)};
 }
 
+/// Refuses options that say in another way what @p option says.
+void refuse_beside(const CommandOptions& options, const std::string& option,
+                   std::initializer_list<const char*> others) {
+    for (const char* other : others)
+        if (options.has(other))
+            throw InputError("both are given", "one of the two").at(option + ", " + other);
+}
+
 /// E*, given or of both bodies by Eq. 7 [Pa].
 double read_contact_modulus(const CommandOptions& options) {
     if (options.has("--contact-modulus")) {
-        if (options.has("--young-modulus"))
-            throw InputError("both are given", "one of the two").at("--contact-modulus, --young-modulus");
+        refuse_beside(options, "--contact-modulus",
+                      {"--young-modulus", "--poisson-ratio", "--wall-young-modulus", "--wall-poisson-ratio",
+                       "--rigid-wall"});
         return options.positive("--contact-modulus", Dimension::pressure);
     }
     if (!options.has("--young-modulus"))
@@ -166,8 +176,10 @@ double read_contact_modulus(const CommandOptions& options) {
                          "E* of the pair, or Young's modulus with --poisson-ratio and those of the wall")
             .at("--contact-modulus, --young-modulus");
     const ElasticBody particle = read_body(options, "--young-modulus", "--poisson-ratio");
-    if (options.has("--rigid-wall"))
+    if (options.has("--rigid-wall")) {
+        refuse_beside(options, "--rigid-wall", {"--wall-young-modulus", "--wall-poisson-ratio"});
         return at_place("--poisson-ratio", [&] { return contact_modulus(particle, RigidWall{}); });
+    }
     if (!options.has("--wall-young-modulus"))
         throw InputError("neither is given", "Young's modulus of the wall, or --rigid-wall")
             .at("--wall-young-modulus, --rigid-wall");
@@ -181,8 +193,9 @@ double read_work_of_adhesion(const CommandOptions& options) {
         return options.number(option, Dimension::energy_per_area);
     };
     if (options.has("--work-of-adhesion")) {
-        if (options.has("--surface-energy"))
-            throw InputError("both are given", "one of the two").at("--work-of-adhesion, --surface-energy");
+        refuse_beside(
+            options, "--work-of-adhesion",
+            {"--surface-energy", "--wall-surface-energy", "--interfacial-energy", "--adhesion-rule"});
         return energy("--work-of-adhesion");
     }
     if (!options.has("--surface-energy"))

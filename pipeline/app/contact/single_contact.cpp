@@ -63,18 +63,19 @@ std::optional<Sphere> read_partner(const CommandOptions& options) {
     return std::nullopt;
 }
 
-/// The share of the work of adhesion that roughness leaves.
-double read_roughness(const CommandOptions& options, double effective_radius) {
-    if (!options.has("--roughness")) return 1;
-    const double rms = options.number("--roughness", Dimension::length);
-    return at_place("--roughness", [&] { return roughness_reduction(effective_radius, {.rms = rms}); });
-}
-
 /// Whether an option is given although it changes nothing with the law, which is warned of.
 bool is_idle(const CommandOptions& options, const std::string& option, Law law, std::string_view name) {
     const auto reason = options.has(option) ? idle_reason(law, name) : std::nullopt;
     if (reason) spdlog::warn("warning: {}: {}", option, *reason);
     return reason.has_value();
+}
+
+/// The share of the work of adhesion that roughness leaves.
+double read_roughness(const CommandOptions& options, Law law, double effective_radius) {
+    if (!options.has("--roughness")) return 1;
+    static_cast<void>(is_idle(options, "--roughness", law, "work_of_adhesion"));
+    const double rms = options.number("--roughness", Dimension::length);
+    return at_place("--roughness", [&] { return roughness_reduction(effective_radius, {.rms = rms}); });
 }
 
 double read_work_of_adhesion(const CommandOptions& options, Law law) {
@@ -245,7 +246,7 @@ ContactChoice read_contact(const CommandOptions& options) {
     const ContactPair contact{.mass = mass,
                               .effective_radius = radius,
                               .contact_modulus = options.positive("--contact-modulus", Dimension::pressure),
-                              .work_of_adhesion = smooth_adhesion * read_roughness(options, radius),
+                              .work_of_adhesion = smooth_adhesion * read_roughness(options, law, radius),
                               .yield_pressure = read_yield_pressure(options, law),
                               .parameters = read_parameters(options, law)};
     return {law, detachment, contact, sphere, partner};
