@@ -4,6 +4,8 @@
 #include <map>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "core/json/document.hpp"
 #include "core/quantities/checks.hpp"
 #include "core/text/text.hpp"
@@ -19,12 +21,17 @@ namespace {
 double scale_of(const Table& table, const std::vector<Entry>& entries, std::vector<Finding>& warnings) {
     bool per_cent = false;
     bool fraction = false;
+    bool ppm = false;
     for (const Heading& heading : table.headings) {
-        if (heading.role == Role::standard) continue;
+        if (heading.role == Role::standard || !heading.coverage.problem.empty()) continue;
         per_cent = per_cent || heading.scale == Scale::per_cent;
         fraction = fraction || heading.scale == Scale::fraction;
-        if (heading.scale == Scale::ppm) return 1e-6;
+        ppm = ppm || heading.scale == Scale::ppm;
     }
+    if (ppm && (per_cent || fraction))
+        refuse_line(table.heading_line, "some columns are in ppm, others are not",
+                    "one unit for all columns");
+    if (ppm) return 1e-6;
     double largest = 0;
     for (const Entry& entry : entries) {
         if (!entry.amount) continue;
@@ -107,6 +114,12 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
                         "0 % to 100 %");
         auto uncertainty = entry.uncertainty ? entry.uncertainty : entry.amount->standard_uncertainty;
         if (uncertainty) *uncertainty *= scale;
+        if (uncertainty && *uncertainty > fraction && fraction > 0.01)
+            sample.warnings.push_back(
+                {xrd_code, Severity::doubt,
+                 fmt::format("the uncertainty of {} (line {}), {}, is above its amount, {}: is it one?",
+                             in_quotes(entry.phase), entry.line, per_cent(*uncertainty),
+                             per_cent(fraction))});
         const RowMeaning meaning = meaning_of_row(entry.phase);
         if (meaning == RowMeaning::total) {
             check_total(sum, fraction, entry);

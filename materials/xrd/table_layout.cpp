@@ -186,6 +186,26 @@ bool is_uncertainty(const Heading& heading) {
     return heading.role == Role::uncertainty || heading.role == Role::ratio_uncertainty;
 }
 
+/// Leaves out uncertainties in another unit than the fractions, such as [rel.%].
+void check_units_of_uncertainties(Table& table) {
+    if (table.has(Role::intensity)) return;
+    const auto amounts = std::ranges::find_if(table.headings, [](const Heading& heading) {
+        return heading.role == Role::weight || heading.role == Role::volume ||
+               (heading.role == Role::other && !heading.unit.empty());
+    });
+    for (Heading& heading : table.headings) {
+        if (heading.role != Role::uncertainty || heading.unit.empty()) continue;
+        const bool known = amounts != table.headings.end();
+        const bool is_volume =
+            known && (amounts->role == Role::volume || amounts->states == HeadingUnit::volume);
+        const bool scaled_alike =
+            !known || amounts->scale == Scale::not_stated || amounts->scale == heading.scale;
+        if (heading.states == HeadingUnit::other || !scaled_alike ||
+            heading.states == (is_volume ? HeadingUnit::weight : HeadingUnit::volume))
+            heading.coverage.problem = "they are in another unit than the fractions";
+    }
+}
+
 /// The number of a cell, with uncertainties as standard ones; nothing if the cell states that there is none.
 std::optional<PrintedNumber> number_in(const TableRow& row, std::size_t column, const Table& table) {
     const std::string& cell = row.cells[column];
@@ -193,6 +213,17 @@ std::optional<PrintedNumber> number_in(const TableRow& row, std::size_t column, 
     auto number = at_place(at_cell(row.line, column), [&] { return table.marks.read(cell, column); });
     if (!number) throw InputError("cannot read " + in_quotes(cell), "a number").at(at_cell(row.line, column));
     const Heading& heading = table.headings[column];
+    if (number->per_cent && (heading.scale == Scale::fraction || heading.scale == Scale::ppm))
+        throw InputError(in_quotes(cell) + " is per cent, and the heading " + in_quotes(heading.written) +
+                             " states another unit",
+                         "one of the two")
+            .at(at_cell(row.line, column));
+    const auto states_per_cent = [](const Heading& each) { return each.scale == Scale::per_cent; };
+    if (heading.role == Role::uncertainty && number->per_cent &&
+        std::ranges::any_of(table.headings, states_per_cent) && !states_per_cent(heading))
+        throw InputError(in_quotes(cell) + " may be per cent of the whole, or of the value before it",
+                         "the number alone, or the unit in the heading of the column")
+            .at(at_cell(row.line, column));
     if (!heading.coverage.problem.empty()) {  // parse_table() has added a warning
         number->standard_uncertainty.reset();
         return is_uncertainty(heading) ? std::nullopt : number;
@@ -342,7 +373,8 @@ Heading read_heading(std::string_view text) {
     if (holds_per_cent(key) || holds_per_cent(unit) || unit == "g100g") heading.scale = Scale::per_cent;
     if (key.ends_with("ppm") || unit.ends_with("ppm")) heading.scale = Scale::ppm;
     if (key.ends_with("fraction") && heading.scale == Scale::not_stated) heading.scale = Scale::fraction;
-    if (unit == "1" || unit == "gg" || unit == "kgkg" || unit == "m3m3" || unit == "cm3cm3")
+    if (unit == "1" || heading.unit == "-" || unit == "gg" || unit == "kgkg" || unit == "m3m3" ||
+        unit == "cm3cm3")
         heading.scale = Scale::fraction;
     return heading;
 }
@@ -409,6 +441,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     if (first < lines.size() && take_units(headings, cut_row(lines[first], table.separator), is_unit))
         ++first;
     table.headings = headings_of(headings);
+    check_units_of_uncertainties(table);
     for (std::size_t i = 0; i < *heading; ++i) require_unit_of_title(lines[i], table);
     if (*heading > 0)
         table.warnings.push_back(
@@ -474,6 +507,11 @@ Layout layout_of(const Table& table) {
 }
 
 bool by_volume(const Table& table, Layout layout) {
+    if (const auto standard = table.column(Role::standard);
+        standard && table.headings[*standard].states == HeadingUnit::other)
+        refuse_line(table.heading_line,
+                    "the column " + in_quotes(table.headings[*standard].written) + " is in another unit",
+                    "the weight fraction of the standard in the mixture: [wt%], [1]");
     bool weight = false;
     bool volume = false;
     for (const Heading& heading : table.headings) {

@@ -60,13 +60,34 @@ TEST_CASE("uncertainties of a table that are multiples of standard ones are read
     CHECK(relative_difference(
               uncertainty("Sample,Quartz %,Quartz (2s),Mullite %,Mullite (2s)\nA,20,0.8,80,1.2\n"), 0.004) <
           1e-12);
-    for (const auto& [heading, why] : {std::pair{"95 % CI", "half-widths"},
-                                       std::pair{"erweiterte Unsicherheit", "needs its coverage factor"}}) {
+    for (const auto& [heading, why] :
+         {std::pair{"95 % CI", "half-widths"},
+          std::pair{"erweiterte Unsicherheit", "needs its coverage factor"},
+          std::pair{"U", "needs its coverage factor"}, std::pair{"Fehler [rel.%]", "another unit"},
+          std::pair{"uncertainty [vol%]", "another unit"}, std::pair{"uncertainty [ppm]", "another unit"}}) {
         const XrdResult result = read_xrd(with_column(heading), "t.csv");
         CHECK_FALSE(result.samples[0].analysis.phases[0].standard_uncertainty);
         CHECK_MESSAGE(result.warnings.front().text.find(why) != std::string::npos,
                       result.warnings.front().text);
     }
+    CHECK_THROWS_WITH_AS(
+        static_cast<void>(read_xrd("Phase,wt%,error\nQuartz,20,3%\nMullite,80,1%\n", "t.csv")),
+        "t.csv: line 2, cell 3: \"3%\" may be per cent of the whole, or of the value before "
+        "it; allowed: the number alone, or the unit in the heading of the column",
+        InputError);
+    for (const char* wrong : {"Phase,wt%,standard [g]\nQuartz,80,\nCorundum,20,0.1\n",
+                              "Phase,weight fraction [1]\nQuartz,0.2 +- 3 %\nMullite,0.8\n",
+                              "Sample,Quartz [wt%],Mullite [wt%],Magnetite [ppm]\nA,20,80,500\n"}) {
+        CAPTURE(wrong);
+        CHECK_THROWS_AS(static_cast<void>(read_xrd(wrong, "t.csv")), InputError);
+    }
+    CHECK_FALSE(read_xrd("Phase,wt%,error [-]\nQuartz,20,0.004\nMullite,80,0\n", "t.csv")
+                    .samples[0]
+                    .analysis.phases[0]
+                    .standard_uncertainty);
+    const XrdSample doubled = read_xrd("Phase,wt%\nQuartz,2.6 (6.5)\nMullite,90 (1)\n", "t.csv").samples[0];
+    REQUIRE(doubled.warnings.size() == 1);
+    CHECK(doubled.warnings[0].severity == Severity::doubt);
     // Names of samples that look like it.
     const XrdResult named = read_xrd("Phase;Probe 2S;Probe 3S\nQuarz;20;30\nMullit;80;70\n", "t.csv");
     CHECK(named.samples.size() == 2);
