@@ -77,8 +77,9 @@ NameAndUnit split(std::string_view cell) {
         const auto open = cell.rfind(pair[0]);
         if (open == std::string_view::npos) continue;
         const std::string_view name = trimmed(cell.substr(0, open));
-        if (pair == "[]" || meaning_of(name) || is_uncertainty_word(name))
-            return {name, trimmed(cell.substr(open + 1, cell.size() - open - 2))};
+        const std::string_view inside = trimmed(cell.substr(open + 1, cell.size() - open - 2));
+        if (pair == "[]" || ((meaning_of(name) || is_uncertainty_word(name)) && !meaning_of(inside)))
+            return {name, inside};
     }
     // "e_n/%" and "v_r/(m/s)": a quantity over its unit.
     if (const auto slash = cell.find('/');

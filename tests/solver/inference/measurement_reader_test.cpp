@@ -132,7 +132,8 @@ TEST_CASE("uncertainties of impacts that are multiples of standard ones are read
     }
     for (const char* heading : {"Unsicherheit (95 %)", "U95", "error (95%) [m/s]", "± 95 % CI"})
         CHECK(noise_of_incident(table(heading, "0,06")) == doctest::Approx(0.06 / 1.95996).epsilon(1e-4));
-    for (const char* heading : {"Unsicherheit", "Fehler (1s)", "u(v_in) [m/s]", "1 sigma", "σ", "±", "s.u."})
+    for (const char* heading :
+         {"Unsicherheit", "Fehler (1s)", "u(v_in) [m/s]", "u(v_in)", "1 sigma", "σ", "±", "s.u."})
         CHECK(noise_of_incident(table(heading, "0,06")) == doctest::Approx(0.06).epsilon(1e-12));
     CHECK(noise_of_incident(table("u(v_in) [mm/s] (2s)", "60")) == doctest::Approx(0.03).epsilon(1e-12));
     CHECK(noise_of_incident("v_in ± 2s [m/s];v_r [m/s]\n2,1 ± 0,06;0,4\n2,2 ± 0,06;0,5\n") ==
