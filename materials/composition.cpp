@@ -271,8 +271,8 @@ Composition compose(const Analysis& given, const PhaseCatalogue& catalogue, cons
             component(given.phases[i], std::move(resolved[i]), composition.notes));
         composition.components.back().place = i;
     }
-    std::ranges::stable_sort(composition.components, std::ranges::greater(),
-                             [](const Component& c) { return std::string_view(c.phase.name); });
+    std::stable_sort(composition.components.begin(), composition.components.end(),
+                     [](const Component& a, const Component& b) { return a.phase.name > b.phase.name; });
     Analysis analysis = given;
     for (std::size_t i = 0; i < resolved.size(); ++i)
         analysis.phases[i] = given.phases[composition.components[i].place];

@@ -17,6 +17,7 @@
 #include <spdlog/spdlog.h>
 
 #include "core/json/document.hpp"
+#include "core/json/view.hpp"
 #include "core/plausibility.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
@@ -232,9 +233,8 @@ Json laws_json() {
 }
 
 /// Restitution at `velocities` [m/s] and critical velocity of one contact; other keys as above. `dampings`,
-/// one for each velocity, are linear between velocities, which then have to increase, and constant beyond
-/// them; v_c is where restitution leaves zero. Without `damping` a guess replaces it: scaled coefficient 1 at
-/// 1 m/s.
+/// one for each velocity, replace `damping` in restitutions. Without `damping` a guess does: scaled
+/// coefficient 1 at 1 m/s.
 /// @return `restitution`, `critical_velocity` (null if there is none), `outside_model` (words in its place,
 /// or null), `always_captured`, `damping`
 Json curve_json(const Json& contact) {
@@ -248,6 +248,9 @@ Json curve_json(const Json& contact) {
                                                          .contact = impact.contact});
     Json curve{{"restitution", Json::array()},
                {"critical_velocity", critical.value ? Json(*critical.value) : Json(nullptr)},
+               {"outside_model", critical.value && outside_model(*critical.value)
+                                     ? Json(critical_velocity_text(*critical.value, ""))
+                                     : Json(nullptr)},
                {"damping", impact.damping.coefficient},
                {"always_captured", critical.verdict == CaptureVerdict::always_captured}};
     const auto velocities = View(contact).at("velocities").column(Dimension::velocity);
@@ -261,14 +264,7 @@ Json curve_json(const Json& contact) {
         validate(impact);
         curve["restitution"].push_back(restitution_of(impact));
     }
-    const CriticalVelocity critical = critical_velocity_on(course, restitution, impact);
-    return {{"restitution", restitution},
-            {"critical_velocity", critical.value ? Json(*critical.value) : Json(nullptr)},
-            {"outside_model", critical.value && outside_model(*critical.value)
-                                  ? Json(critical_velocity_text(*critical.value, ""))
-                                  : Json(nullptr)},
-            {"damping", damping},
-            {"always_captured", critical.verdict == CaptureVerdict::always_captured}};
+    return curve;
 }
 
 }  // namespace

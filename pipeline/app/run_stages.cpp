@@ -300,7 +300,7 @@ void summarize(const std::vector<Artifact>& all, RunSummary& summary) {
             artifact.document->at("result").contains("samples"))
             summary.samples = artifact.document->at("result").at("samples").size();
     }
-    std::ranges::stable_partition(summary.remarks, [](const Remark& remark) {
+    std::stable_partition(summary.remarks.begin(), summary.remarks.end(), [](const Remark& remark) {
         return remark.note.code == implausible_code || remark.note.code == outside_model_code;
     });
 }

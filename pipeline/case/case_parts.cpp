@@ -81,9 +81,8 @@ XrdSample chosen_sample(const View& node, const XrdResult& result) {
 ReadAnalysis read_xrd_analysis(const View& node, InputFiles& files) {
     const View file = node.at("xrd");
     const std::string name = file.text();
-    const XrdResult result = at_place(file.pointer(), [&] {
-        return read_xrd(files.read(name), files.shown(name),
-                        read_table_options(node, "xrd_sheet", "xrd_decimal"));
+    const XrdResult& result = at_place(file.pointer(), [&]() -> const XrdResult& {
+        return files.xrd(name, read_table_options(node, "xrd_sheet", "xrd_decimal"));
     });
     XrdSample sample = chosen_sample(node, result);
     for (PhaseFraction& phase : sample.analysis.phases)

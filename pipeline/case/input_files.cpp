@@ -42,9 +42,9 @@ std::string InputFiles::read_built_in(const std::string& path) {
     return record(built_in_mark + path, std::string(*bytes));
 }
 
-const XrdResult& InputFiles::xrd(const std::string& name, const std::string& sheet) {
-    const auto [known, is_new] = xrd_.try_emplace({name, sheet});
-    if (is_new) known->second = read_xrd(read(name), shown(name), sheet);
+const XrdResult& InputFiles::xrd(const std::string& name, const TableOptions& options) {
+    const auto [known, is_new] = xrd_.try_emplace({name, options.sheet, options.decimal});
+    if (is_new) known->second = read_xrd(read(name), shown(name), options);
     return known->second;
 }
 

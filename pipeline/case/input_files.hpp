@@ -3,8 +3,9 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "materials/xrd/xrd.hpp"
@@ -37,7 +38,7 @@ class InputFiles {
     [[nodiscard]] std::string read_built_in(const std::string& path);
 
     /// The XRD result in a file, which is read once, however many samples it holds. @throws InputError
-    [[nodiscard]] const XrdResult& xrd(const std::string& name, const std::string& sheet);
+    [[nodiscard]] const XrdResult& xrd(const std::string& name, const TableOptions& options);
 
     /// What a message calls a file.
     [[nodiscard]] std::string shown(const std::string& name) const;
@@ -54,7 +55,8 @@ class InputFiles {
     bool is_built_in_;
     bool may_leave_ = false;
     std::vector<InputFile> used_;
-    std::map<std::pair<std::string, std::string>, XrdResult> xrd_;  ///< by file and sheet
+    /// By file, sheet and decimal mark.
+    std::map<std::tuple<std::string, std::string, std::optional<DecimalMark>>, XrdResult> xrd_;
 };
 
 }  // namespace ashimpact

@@ -176,11 +176,16 @@ Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view f
         std::vector<Finding> doubts;
         if (edited) {
             require_possible_result(document);
-            if (file != histories_artifact) doubts = implausible_values(document.at("result"), "/result");
+            if (file != histories_artifact)
+                doubts = implausible_values(document.at("result"), "/result", false);
             spdlog::warn("warning: {}: was edited after ashimpact wrote it; its values count", path.string());
         }
-        return Artifact{std::string(file), std::make_shared<const Json>(std::move(document)),
-                        std::move(bytes), path.string(), edited};
+        return Artifact{std::string(file),
+                        std::make_shared<const Json>(std::move(document)),
+                        std::move(bytes),
+                        path.string(),
+                        edited,
+                        std::move(doubts)};
     });
 }
 
@@ -239,17 +244,6 @@ void require_one_run(const std::vector<Artifact>& artifacts) {
 
 void require_possible_result(const Json& document) {
     require_possible_part(document.at("result"), "/result");
-}
-
-std::vector<std::string> outdated(const std::vector<Artifact>& artifacts) {
-    std::vector<std::string> sentences;
-    for (const Artifact& artifact : artifacts)
-        for (const Json& input : artifact.document->at("provenance").at("inputs"))
-            for (const Artifact& other : artifacts)
-                if (other.file == input.at("file") && sha256(other.bytes) != input.at("sha256"))
-                    sentences.push_back(artifact.file + " was computed from another " + other.file +
-                                        " than the one beside it");
-    return sentences;
 }
 
 }  // namespace ashimpact

@@ -138,7 +138,7 @@ std::string allowed_edits(std::string_view file) {
 }  // namespace
 
 void require_edits_to_count(const Artifact& edited, const Stage& stage, const Json& computed) {
-    const Json& samples = edited.document.at("result").at("samples");
+    const Json& samples = edited.document->at("result").at("samples");
     const Json& others = computed.at("samples");
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const auto same = std::ranges::find_if(
@@ -159,12 +159,12 @@ void require_edits_to_count(const Artifact& edited, const Stage& stage, const Js
 void require_up_to_date(const std::vector<Artifact>& all, const Artifacts& read) {
     for (const Artifact& artifact : all) {
         if (!read.has(artifact.file)) continue;
-        for (const Json& input : artifact.document.at("provenance").at("inputs"))
+        for (const Json& input : artifact.document->at("provenance").at("inputs"))
             for (const Artifact& other : all)
                 if (other.file == input.at("file") && !has_hash(other, input.at("sha256")))
                     throw InputError(
                         "was computed from another " + other.file + " than the one beside it",
-                        fmt::format("--from {}", artifact.document.at("stage").get<std::string>()))
+                        fmt::format("--from {}", artifact.document->at("stage").get<std::string>()))
                         .at(FileName{artifact.place});
     }
 }

@@ -136,6 +136,20 @@ TEST_CASE("units: a string, an object and a bare SI number say the same") {
     }
 }
 
+TEST_CASE("the scatter of sizes is a fraction, as on the command line") {
+    for (const Json& scatter : {Json(0.05), Json("5 %"), Json{{"value", 5}, {"unit", "%"}}}) {
+        CAPTURE(scatter.dump());
+        CHECK(loaded(test::edited(test::example_case(), "/fit = " + Json{{"size_scatter", scatter}}.dump()))
+                  .data.fit.size_scatter == 0.05);
+    }
+    for (const char* wrong : {"\"60 %\"", "0", "\"5 +- 1 %\"", "\"5 um\""}) {
+        CAPTURE(wrong);
+        const Json document =
+            test::edited(test::example_case(), std::string("/fit = {\"size_scatter\": ") + wrong + "}");
+        CHECK(test::contains(test::input_error_of([&] { return loaded(document); }), "/fit/size_scatter: "));
+    }
+}
+
 TEST_CASE("the meshes of two sieves are a distribution of diameters between them, and a note says so") {
     Json document = test::example_case();
     for (const char* meshes : {"80-100 um", "0.08 to 0.1 mm", "80 um \u2013 100 um"}) {

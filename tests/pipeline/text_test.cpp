@@ -193,6 +193,8 @@ TEST_CASE("the summary begins with what sticks, or with what is known of it") {
         {{Law::of<Dmt>(), VelocityEstimate{.value = 0.55}, bounds},
          "stick below 0.550 m/s (0.500 to 0.600), by dmt."},
         {{{}, VelocityEstimate{.value = 0.55}, {}}, "stick below 0.550 m/s."},
+        {{{}, VelocityEstimate{.value = 7e8}, {}},
+         ": the critical velocity is above 500 m/s, outside the model."},
         {{{}, {}, Bounds{0.5, {}}}, "stick below 0.500 m/s at least."},
         {{{}, {}, Bounds{{}, 0.6}}, "rebound above 0.600 m/s at least."},
         {{}, ": no critical velocity."}};

@@ -181,6 +181,12 @@ def _warn_of_doubts(arrays: Mapping[str, Numbers]) -> None:
                 warnings.warn(doubt, UserWarning, stacklevel=5)
 
 
+def _require_positive(name: str, values: Numbers) -> None:
+    wrong = values[~(values > 0.0)]
+    if wrong.size:
+        raise _core.InputError(f"{name} is {wrong.flat[0]}; allowed: > 0")
+
+
 def _mass(arrays: Mapping[str, Numbers], whose: str = "") -> Numbers:
     if f"{whose}mass" in arrays:
         return arrays[f"{whose}mass"]
@@ -220,7 +226,7 @@ def _call(arguments: dict[str, Any], *numbers: str) -> tuple[_core.Call, tuple[i
     needed = ("contact_modulus", "work_of_adhesion", *numbers)
     own = [name for name in _core.law_parameters() if name in given]
     spheres = [name for name in ("density", "mass", "partner_radius", "partner_density", "partner_mass") if name in given]
-    arrays, shape = _flat_arrays({name: arguments[name] for name in ("radius", *needed, *spheres, *own)})
+    arrays, shape = flat_arrays({name: arguments[name] for name in ("radius", *needed, *spheres, *own)})
     _warn_of_doubts(arrays)
     radius, mass = arrays["radius"], _mass(arrays)
     if "partner_radius" in arrays:

@@ -94,14 +94,12 @@ def _options(function: Callable[..., Any], given: Mapping[str, Any]) -> list[str
             raise _core.InputError(f"{name} is {value!r}; allowed: {'a text' if is_flag else 'True or False'}")
         option = "--" + name.replace("_", "-")
         text = repr(float(value)) if isinstance(value, (float, np.floating)) else str(value)
+        unit = "" if is_flag or isinstance(value, str) else _core.unit_of_quantity(name)  # numbers are SI here
+        text += f" {unit}" if unit else ""
         if not is_flag:
             words += [f"{option}={text}"] if text else [option, ""]
         elif value:
             words.append(option)
-            continue
-        text = repr(float(value)) if isinstance(value, (float, np.floating)) else str(value)
-        unit = "" if isinstance(value, str) else _core.unit_of_quantity(name)  # numbers are SI here
-        words += [option, f"{text} {unit}" if unit else text]
     return words
 
 

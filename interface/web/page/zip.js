@@ -59,15 +59,15 @@ async function unzipped(bytes) {
     return files;
 }
 
-// Throws as soon as there are more bytes than expected.
+// Throws once there are more than `most` bytes, before the rest is unpacked.
 async function decompressed(bytes, format, most = Infinity) {
-    const counted = new TransformStream({
-        transform(chunk, out) {
-            most -= chunk.length;
-            if (most < 0) throw new Error('too large');
-            out.enqueue(chunk);
-        },
-    });
-    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream(format)).pipeThrough(counted);
-    return new Uint8Array(await new Response(stream).arrayBuffer());
+    const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream(format)).getReader();
+    const parts = [];
+    let left = most;
+    for (let next = await reader.read(); !next.done; next = await reader.read()) {
+        left -= next.value.length;
+        if (left < 0) throw new Error('too large');
+        parts.push(next.value);
+    }
+    return new Uint8Array(await new Blob(parts).arrayBuffer());
 }

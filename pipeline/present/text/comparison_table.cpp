@@ -33,6 +33,8 @@ std::string sticking_sentence(const SampleComparison& sample) {
     std::string text = size == sample.name ? "Particles" : sample.name + ": particles";
     if (!size.empty()) text += " of " + size;
     const Answer answer = answer_of(reported);
+    if (answer.velocity > fastest_in_model)
+        return text + ": the critical velocity is " + critical_velocity_text(answer.velocity, "") + ".";
     const std::string velocity = velocity_text(answer.velocity) + " m/s";
     switch (answer.kind) {
         case Answer::Kind::none:
@@ -53,7 +55,8 @@ std::string sticking_sentence(const SampleComparison& sample) {
 std::string measured_sentence(const SampleComparison& sample) {
     if (!sample.measured) return {};
     const std::string bounds = bounds_text(sample.measured_interval);
-    return " Measured: " + velocity_text(sample.measured->value()) + " m/s" +
+    const double velocity = sample.measured->value();
+    return " Measured: " + critical_velocity_text(velocity, velocity_text(velocity) + " m/s") +
            (bounds.empty() ? "" : " (" + bounds + ")") + ".";
 }
 

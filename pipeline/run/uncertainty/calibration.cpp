@@ -2,6 +2,7 @@
 #include "pipeline/run/uncertainty/calibration.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <tuple>
 #include <variant>

@@ -359,6 +359,21 @@ std::string summary_in(const MeasurementHeading& heading, const TableRow& row, b
     return {};
 }
 
+/// Puts the doubt about the velocity that is furthest outside of its range before the other warnings.
+void add_implausible(const MeasuredColumn& column, MeasurementSet& set) {
+    if (set.points.empty()) return;
+    const PlausibleRange& range = *plausible_range("velocity");
+    const auto [slowest, fastest] = std::ranges::minmax_element(set.points, {}, &Measurement::velocity);
+    const Measurement& point = fastest->velocity > range.greatest ? *fastest : *slowest;
+    Writing written{point.velocity};
+    if (!column.unit_given) written.number = point.velocity;
+    const std::string place = at_line(point.line);
+    if (auto doubt = at_place(place, [&] { return implausible(range, written); })) {
+        doubt->text.insert(0, place + ": v_in: ");
+        set.warnings.insert(set.warnings.begin(), *std::move(doubt));
+    }
+}
+
 MeasurementSet read_table(const TextLines& file, std::string_view name, std::optional<DecimalMark> decimal) {
     auto lines = lines_with_content(file);
     if (lines.empty()) throw InputError("the file holds no table", "a heading and one line an impact");

@@ -5,7 +5,6 @@ const assert = require('node:assert/strict');
 const { spawnSync } = require('node:child_process');
 const fs = require('node:fs');
 const path = require('node:path');
-const zlib = require('node:zlib');
 const { agree } = require('./agree.cjs');
 const { downloaded, drop, launch, minute, openPage, press, settled, sidewaysScroll, tabTo, toChoose, violations, wrongTold } = require('./browser_page.cjs');
 const { agreeOnReference } = require('./reference.cjs');
@@ -212,20 +211,6 @@ async function asPeopleWrite(browser) {
     await context.close();
 }
 
-// An archive of 0.3 MB whose only file unpacks to 300 MB, and states 100 bytes.
-function lyingArchive() {
-    const packed = zlib.deflateRawSync(Buffer.alloc(300e6));
-    const sizes = Buffer.alloc(26);
-    sizes.writeUInt16LE(8, 4);
-    sizes.writeUInt32LE(packed.length, 14);
-    sizes.writeUInt32LE(100, 18);
-    sizes.writeUInt16LE(1, 22);
-    const end = Buffer.alloc(18);
-    end.writeUInt16LE(1, 6);
-    end.writeUInt32LE(31 + packed.length, 12);
-    return Buffer.concat([Buffer.from('PK\x03\x04'), sizes, Buffer.from('a'), packed, Buffer.from('PK\x01\x02\0\0'), sizes, Buffer.alloc(14), Buffer.from('a'), Buffer.from('PK\x05\x06'), end]);
-}
-
 // What first users did: units in the number, two files of one kind, files that are none, typed slips, steps taken by mistake.
 async function slips(browser) {
     const { context, page, complaints } = await openPage(browser, file, 1000);
@@ -258,7 +243,7 @@ async function slips(browser) {
         await dropAndTell([table(name, text)], name.endsWith('zip') ? `${name}: cannot be unpacked` : `${name} is neither`);
         assert.ok(await page.getByText('XRD result: ash.csv').isVisible(), `${name} displaces nothing`);
     }
-    await dropAndTell([{ name: 'six.zip', bytes: lyingArchive() }], 'six.zip: cannot be unpacked');
+    for (const stated of [60e6, 100]) await dropAndTell([{ name: `${stated}.zip`, bytes: archiveOfZeros(60e6, stated) }], `${stated}.zip: is more than 50 MB when unpacked`);
     await dropAndTell([table('three.csv', 'c1;c2\n1;0,5\n')], 'three.csv is neither');
     await page.getByRole('button', { name: 'Take three.csv as the measured impacts' }).click();
     await page.getByText('Measured impacts: three.csv').waitFor();

@@ -55,7 +55,7 @@ TEST_CASE("a sweep finds the known Sobol indices of the Ishigami function, with 
                         {"variables",
                          {{"velocity", {{"distribution", "uniform"}, {"from", 1}, {"to", 2}}},
                           {"damping", {{"distribution", "uniform"}, {"from", 1}, {"to", 2}}},
-                          {"contact_modulus", {{"distribution", "uniform"}, {"from", 1}, {"to", 2}}}}},
+                          {"contact_modulus", {{"distribution", "uniform"}, {"from", "1 Pa"}, {"to", "2 Pa"}}}}},
                         {"sampling", {{"method", method}, {"samples", 1 << 16}, {"seed", 11}}},
                         {"sensitivity", {"restitution"}}};
         const Json artifact = artifact_of(spec, ishigami);

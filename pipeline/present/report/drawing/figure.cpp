@@ -352,7 +352,7 @@ std::string horizontal_axis(const Axis& axis, const Scale& scale, const Box& plo
     std::vector<Tick> ticks = scale.ticks(std::max(4, static_cast<int>(plot.width / 40)));
     // Of labels that would touch, that of a whole decade stays, else the left one.
     if (scale.spacing == Spacing::logarithmic)
-        std::ranges::stable_partition(ticks, [](const Tick& tick) {
+        std::stable_partition(ticks.begin(), ticks.end(), [](const Tick& tick) {
             const double decade = std::log10(tick.value);
             return std::abs(decade - std::round(decade)) < rounding;
         });

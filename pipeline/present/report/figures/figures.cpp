@@ -113,7 +113,7 @@ NumberTable numbers(const RunData& run) {
 
 RowItem velocity_mark(double value, const Look& look, const std::string& name, const std::string& legend) {
     const std::string text = critical_velocity_text(value, fmt::format("{:.4g} m/s", value));
-    return mark(value, look, fmt::format("{}: {}", name, text), legend);
+    return {RowItem::Kind::mark, value, value, look, fmt::format("{}: {}", name, text), legend};
 }
 
 /// A critical velocity in a table of numbers [m/s].
@@ -330,13 +330,18 @@ Figure critical_velocity_figure(const RunData& run) {
     bool far = false;
     for (const SampleData& sample : run.samples()) {
         panel.rows.push_back({.label = sample.name(), .heading = true});
-        Row analytic{.label = "analytic, Eq. 30"};
-        if (sample.analytic->critical_velocity > 0)
-            analytic.items.push_back(velocity_mark(sample.analytic->critical_velocity, Look::plain(2, true),
-                                                   sample.name() + ", analytic", analytic.label));
-        table.rows.push_back(
-            {sample.name(), "analytic, Eq. 30", critical_cell(sample.analytic->critical_velocity), "", ""});
-        panel.rows.push_back(std::move(analytic));
+        const double analytic = sample.analytic->critical_velocity;
+        Row row{.label = "analytic, Eq. 30"};
+        // Beside an analytic velocity far below the others, the intervals of these could not be seen.
+        if (analytic > 0 && analytic < slowest / 3) {
+            far = true;
+            row.label = fmt::format("analytic: {:.3g} m/s", analytic);
+        } else if (analytic > 0) {
+            row.items.push_back(
+                velocity_mark(analytic, Look::plain(2, true), sample.name() + ", analytic", row.label));
+        }
+        table.rows.push_back({sample.name(), "analytic, Eq. 30", critical_cell(analytic), "", ""});
+        panel.rows.push_back(std::move(row));
         for (const LawData& law : sample.laws) panel.rows.push_back(law_row(sample, law, table));
         if (const auto& measured = sample.velocity->measured; measured && measured->value) {
             with_measured = true;
