@@ -26,8 +26,7 @@ inline constexpr LawParameter cohesion_energy_density{
 template <class Real>
 struct Sjkr : Hertz<Real> {
     static constexpr std::string_view name = "sjkr";
-    static constexpr std::string_view summary =
-        "attraction grows with the contact area: a fit of DEM codes";
+    static constexpr std::string_view summary = "attraction grows with the contact area: a fit of DEM codes";
     static constexpr std::array parameters{cohesion_energy_density};
 
     [[nodiscard]] static Trust trust(double /*tabor*/, bool /*yields*/) {

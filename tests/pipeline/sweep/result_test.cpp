@@ -51,13 +51,14 @@ double value(const Json& quantity) {
 TEST_CASE("a sweep finds the known Sobol indices of the Ishigami function, with honest errors") {
     for (const char* method : {"random", "quasi-random"}) {
         CAPTURE(method);
-        const Json spec{{"impact", {{"laws", {"hertz"}}, {"mass", 1e-9}, {"radius", 44e-6}}},
-                        {"variables",
-                         {{"velocity", {{"distribution", "uniform"}, {"from", 1}, {"to", 2}}},
-                          {"damping", {{"distribution", "uniform"}, {"from", 1}, {"to", 2}}},
-                          {"contact_modulus", {{"distribution", "uniform"}, {"from", "1 Pa"}, {"to", "2 Pa"}}}}},
-                        {"sampling", {{"method", method}, {"samples", 1 << 16}, {"seed", 11}}},
-                        {"sensitivity", {"restitution"}}};
+        const Json spec{
+            {"impact", {{"laws", {"hertz"}}, {"mass", 1e-9}, {"radius", 44e-6}}},
+            {"variables",
+             {{"velocity", {{"distribution", "uniform"}, {"from", 1}, {"to", 2}}},
+              {"damping", {{"distribution", "uniform"}, {"from", 1}, {"to", 2}}},
+              {"contact_modulus", {{"distribution", "uniform"}, {"from", "1 Pa"}, {"to", "2 Pa"}}}}},
+            {"sampling", {{"method", method}, {"samples", 1 << 16}, {"seed", 11}}},
+            {"sensitivity", {"restitution"}}};
         const Json artifact = artifact_of(spec, ishigami);
         const Json& indices = artifact["result"]["laws"][0]["sensitivity"][0]["indices"];
         const std::array<double, 3> first{0.3139, 0.4424, 0};
