@@ -80,6 +80,14 @@ std::optional<Writing> writing_of(const Json& node, Dimension dimension) {
     }
 }
 
+/// implausible() with a place before its text.
+std::optional<Finding> implausible_at(const std::string& place, const PlausibleRange& range,
+                                      const Writing& written) {
+    auto doubt = at_place(place, [&] { return implausible(range, written); });
+    if (doubt) doubt->text.insert(0, place + ": ");
+    return doubt;
+}
+
 /// The doubts about the values under the key of a quantity.
 class Doubts {
   public:
@@ -146,10 +154,7 @@ class Doubts {
     }
 
     void add(const PlausibleRange& range, const Writing& written, const std::string& place) {
-        auto doubt = at_place(place, [&] { return implausible(range, written); });
-        if (!doubt) return;
-        doubt->text.insert(0, place + ": ");
-        findings_.push_back(*std::move(doubt));
+        if (auto doubt = implausible_at(place, range, written)) findings_.push_back(*std::move(doubt));
     }
 
     std::vector<Finding>& findings_;
@@ -184,11 +189,8 @@ std::vector<Finding> implausible_text(std::string_view option, const std::string
     const PlausibleRange* range = plausible_range(option);
     const auto written = range == nullptr ? std::nullopt : writing_of(text, range->dimension);
     if (!written) return {};
-    const std::string place(option);
-    auto doubt = at_place(place, [&] { return implausible(*range, *written); });
-    if (!doubt) return {};
-    doubt->text.insert(0, place + ": ");
-    return {*std::move(doubt)};
+    const auto doubt = implausible_at(std::string(option), *range, *written);
+    return doubt ? std::vector{*doubt} : std::vector<Finding>{};
 }
 
 std::vector<Finding> implausible_values(const Json& document, const std::string& pointer, bool bare) {

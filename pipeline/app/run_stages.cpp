@@ -287,7 +287,7 @@ void check_edits(const std::filesystem::path& folder, Work& work) {
         Run before = read_run(inputs);
         compute_stage(stage, before, work.models);
         require_edits_to_count(work.artifacts.at(stage.file), stage,
-                               parse_json(write_json(result_json(before, stage.file))));
+                               as_read_back(result_json(before, stage.file)));
     }
 }
 

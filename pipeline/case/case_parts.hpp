@@ -21,7 +21,7 @@ namespace ashimpact {
 [[nodiscard]] Stated read_positive(const View& node, std::string_view name, Dimension dimension);
 [[nodiscard]] Stated read_poisson_ratio(const View& node);
 /// The diameter of particles: a positive quantity, or the meshes of two sieves, "80-100 um". Between those,
-/// diameters are taken as evenly distributed, which @p notes says.
+/// diameters are taken as evenly distributed; a note on that is added to @p notes.
 [[nodiscard]] Stated read_diameter(const View& node, std::vector<Finding>& notes);
 
 /// What the case states of a table beside its file. @param sheet, decimal the keys

@@ -150,7 +150,7 @@ TEST_CASE("the scatter of sizes is a fraction, as on the command line") {
     }
 }
 
-TEST_CASE("the meshes of two sieves are a distribution of diameters between them, and a note says so") {
+TEST_CASE("two sieves give evenly distributed diameters between their meshes, with a note") {
     Json document = test::example_case();
     for (const char* meshes : {"80-100 um", "0.08 to 0.1 mm", "80 um \u2013 100 um"}) {
         document["samples"][1]["diameter"] = meshes;

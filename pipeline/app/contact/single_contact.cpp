@@ -63,8 +63,8 @@ std::optional<Sphere> read_partner(const CommandOptions& options) {
     return std::nullopt;
 }
 
-/// Whether an option is given although it changes nothing with the law, which is warned of.
-bool is_idle(const CommandOptions& options, const std::string& option, Law law, std::string_view name) {
+/// Warns of an option that is given and changes nothing with the law. @return whether it is one
+bool warn_if_idle(const CommandOptions& options, const std::string& option, Law law, std::string_view name) {
     const auto reason = options.has(option) ? idle_reason(law, name) : std::nullopt;
     if (reason) spdlog::warn("warning: {}: {}", option, *reason);
     return reason.has_value();
@@ -73,14 +73,14 @@ bool is_idle(const CommandOptions& options, const std::string& option, Law law, 
 /// The share of the work of adhesion that roughness leaves.
 double read_roughness(const CommandOptions& options, Law law, double effective_radius) {
     if (!options.has("--roughness")) return 1;
-    static_cast<void>(is_idle(options, "--roughness", law, "work_of_adhesion"));
+    warn_if_idle(options, "--roughness", law, "work_of_adhesion");
     const double rms = options.number("--roughness", Dimension::length);
     return at_place("--roughness", [&] { return roughness_reduction(effective_radius, {.rms = rms}); });
 }
 
 double read_work_of_adhesion(const CommandOptions& options, Law law) {
     constexpr auto option = "--work-of-adhesion";
-    static_cast<void>(is_idle(options, option, law, "work_of_adhesion"));
+    warn_if_idle(options, option, law, "work_of_adhesion");
     if (!law.uses_work_of_adhesion() && !options.has(option)) return 0;
     const double value = options.number(option, Dimension::energy_per_area);
     return at_place(option, [&] {
@@ -91,7 +91,7 @@ double read_work_of_adhesion(const CommandOptions& options, Law law) {
 
 double read_yield_pressure(const CommandOptions& options, Law law) {
     if (law.is_plastic()) return options.positive("--yield-pressure", Dimension::pressure);
-    static_cast<void>(is_idle(options, "--yield-pressure", law, "yield_pressure"));
+    warn_if_idle(options, "--yield-pressure", law, "yield_pressure");
     return std::numeric_limits<double>::infinity();
 }
 
@@ -110,7 +110,7 @@ ParameterValues<double> read_parameters(const CommandOptions& options, Law law) 
     ParameterValues<double> values;
     for (const LawParameter& parameter : law_parameters()) {
         const std::string option = option_of(parameter);
-        if (!options.has(option) || is_idle(options, option, law, parameter.name)) continue;
+        if (!options.has(option) || warn_if_idle(options, option, law, parameter.name)) continue;
         const double value = options.number(option, parameter.dimension);
         at_place(option, [&] { require_allowed(parameter, value); });
         values.set(parameter.name, value);

@@ -209,6 +209,21 @@ std::vector<CurveKnot> knots_of(const CurveSources& in) {
     return knots;
 }
 
+/// The curve of the points that @p add_points adds, with their shares; empty where one has no impact.
+template <class AddPoints>
+ModelCurve solved_curve(const SearchedContact& contact, const AddPoints& add_points) {
+    ModelCurve curve;
+    try {
+        add_points(curve);
+        add_shares(contact, curve);
+    } catch (const InputError&) {
+        curve.clear();
+    } catch (const ConvergenceError&) {
+        curve.clear();
+    }
+    return curve;
+}
+
 /// The impacts along the estimate's curve of damping; none if it is of another v_c, as after an edit.
 ModelCurve estimated_curve(const Case& data, const CurveSources& in) {
     constexpr double same = 1e-3;
@@ -221,8 +236,7 @@ ModelCurve estimated_curve(const Case& data, const CurveSources& in) {
     const SearchedContact contact{in.choice, data.damping_law, *in.contact};
     const Values damping = from_second(known->damping);
     const Values velocity = from_second(known->velocity);
-    ModelCurve curve;
-    try {
+    return solved_curve(contact, [&](ModelCurve& curve) {
         const ImpactBatchResult found = impacts_at(contact, damping, velocity);
         for (Eigen::Index i = 0; i < velocity.size(); ++i)
             if (found.restitution[i] > 0)
@@ -232,13 +246,7 @@ ModelCurve estimated_curve(const Case& data, const CurveSources& in) {
                                  .restitution = found.restitution[i],
                                  .damping = damping[i],
                                  .contact_time = found.contact_time[i]});
-        add_shares(contact, curve);
-    } catch (const InputError&) {  // a damping or velocity that has no impact: no curve
-        curve.clear();
-    } catch (const ConvergenceError&) {
-        curve.clear();
-    }
-    return curve;
+    });
 }
 
 ModelCurve curve_of(const Case& data, const CurveSources& in) {
@@ -320,16 +328,15 @@ std::optional<std::pair<double, double>> median_impact(const DampingSeries& seri
 }
 
 ModelCurve model_curve(const CurveProblem& problem) {
-    ModelCurve curve;
     if (!restitution_rises(problem.damping_law) || !(problem.greatest_restitution > 0) ||
         problem.knots.empty())
-        return curve;
+        return {};
     const int points = is_cohesive(problem.choice.law, problem.contact) ? costly_curve_points : curve_points;
     Values e(points);
     for (int i = 0; i < points; ++i) e[i] = problem.greatest_restitution * std::pow((i + 1.0) / points, 1.6);
     const Values eta = e.unaryExpr([&](double each) { return problem.damping_fit(each); });
-    if (!(eta > 0).all()) return curve;
-    try {
+    if (!(eta > 0).all()) return {};
+    return solved_curve(contact_of(problem), [&](ModelCurve& curve) {
         const Band band = band_at(problem, e);
         const auto& [velocity, contact_time] = band.impacts;
         for (int i = 0; i < points; ++i)
@@ -342,13 +349,7 @@ ModelCurve model_curve(const CurveProblem& problem) {
                                  .restitution = e[i],
                                  .damping = eta[i],
                                  .contact_time = contact_time[i]});
-        add_shares(contact_of(problem), curve);
-    } catch (const InputError&) {  // a damping or velocity that has no impact: no curve
-        curve.clear();
-    } catch (const ConvergenceError&) {
-        curve.clear();
-    }
-    return curve;
+    });
 }
 
 void add_curves(const Case& data, const ContactResult& contacts, const DampingStageResult& dampings,
