@@ -52,6 +52,29 @@ void check_fractions(const Analysis& analysis) {
                          std::to_string(most_phases) + " or fewer")
             .at(analysis.phases[most_phases].place);
     for (const PhaseFraction& phase : analysis.phases) at_place(phase.place, [&] { check_fraction(phase); });
+    for (const PhaseFraction& phase : analysis.phases)
+        if (phase.is_standard)
+            throw InputError(
+                in_quotes(phase.name) +
+                    " is called an internal standard: the fractions are those of the mixture with "
+                    "it, or those of the sample beside it",
+                "the weight fraction that was added, --internal-standard " + phase.name +
+                    " --added-fraction \"10 %\" (in a case \"internal_standard\"); or a file without " +
+                    phase.name)
+                .at(phase.place);
+}
+
+/// Refuses an amorphous phase among fractions of the crystalline part. @throws InputError
+void require_crystalline(const Analysis& analysis, const std::vector<Component>& components) {
+    if (!analysis.of_crystalline_part) return;
+    for (std::size_t i = 0; i < components.size(); ++i)
+        if (components[i].phase.amorphous)
+            throw InputError(
+                "the heading states fractions of the crystalline part, and " + in_quotes(components[i].name) +
+                    " is none: it may be a fraction of the whole",
+                "a heading without \"crystalline\" for fractions of the whole, or a file without " +
+                    in_quotes(components[i].name))
+                .at(analysis.phases[i].place);
 }
 
 Component component(const PhaseFraction& line, ResolvedPhase resolved, std::vector<Finding>& notes) {
@@ -276,6 +299,7 @@ Composition compose(const Analysis& given, const PhaseCatalogue& catalogue, cons
     Analysis analysis = given;
     for (std::size_t i = 0; i < resolved.size(); ++i)
         analysis.phases[i] = given.phases[composition.components[i].place];
+    require_crystalline(analysis, composition.components);
     composition.model =
         Closing(analysis, holds_amorphous_phase(composition.components), how_to_state).model();
     if (composition.model.kind != FractionModel::Kind::closed) {

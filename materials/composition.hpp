@@ -24,6 +24,7 @@ struct PhaseFraction {
     std::optional<double> standard_uncertainty{};  ///< [1]
     std::optional<double> density{};  ///< [kg/m3] the file's own x-ray density; wins over the catalogue
     std::string place{};              ///< where the file has it, "line 12"; for messages, may be empty
+    bool is_standard = false;         ///< the file calls it an internal standard
 };
 
 /// How the amorphous part is given. An analysis that does not state it is refused; it is never assumed.
@@ -57,6 +58,7 @@ struct Analysis {
     Amorphous amorphous = AmorphousNotStated{};
     std::string amorphous_phase = "glass";  ///< name under which the amorphous part is looked up
     double closure_tolerance = default_closure_tolerance;
+    bool of_crystalline_part = false;  ///< the file states that the fractions are those of its phases alone
 };
 
 /// How the fractions of the whole follow from independent inputs; kept for the propagation of uncertainty.
@@ -106,7 +108,8 @@ inline constexpr const char* how_to_state_amorphous =
 
 /// Resolves the phases, closes the fractions and converts them both ways.
 /// Errors: InputError for unknown or repeated phases, negative fractions, more than 100 %, fractions that do
-/// not close within the tolerance, and an amorphous part that is stated twice, or that is missing, with
+/// not close within the tolerance, an internal standard whose weight is not stated, and an amorphous part
+/// that is stated twice, or that is missing, with
 /// @p how_to_state it.
 [[nodiscard]] Composition compose(const Analysis& analysis, const PhaseCatalogue& catalogue,
                                   const std::string& how_to_state = how_to_state_amorphous);

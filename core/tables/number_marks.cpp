@@ -2,6 +2,7 @@
 #include "core/tables/number_marks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -105,10 +106,41 @@ void for_each_number(std::string_view text, const Visitor& visitor) {
     }
 }
 
+/// Reads a number, also "(12.3 ± 0.4) %". @throws InputError for "12.3 ± 3 %"
+std::optional<PrintedNumber> read_with_uncertainty(std::string_view text) {
+    text = trimmed(text);
+    if (text.starts_with('(')) {
+        const auto close = text.rfind(')');
+        if (close == std::string_view::npos) return std::nullopt;
+        const std::string_view unit = trimmed(text.substr(close + 1));
+        auto number = read_number(text.substr(1, close - 1));
+        if (!number || number->per_cent || !number->standard_uncertainty || (!unit.empty() && unit != "%"))
+            return std::nullopt;
+        number->per_cent = !unit.empty();
+        return number;
+    }
+    const auto number = read_number(text);
+    if (!number || !number->per_cent || !number->standard_uncertainty) return number;
+    const auto sign = text.find('%');
+    if (sign + 1 < text.size() || text.find_first_of("+\xb1", 1) == std::string_view::npos) return number;
+    const std::string uncertainty = shortest(*number->standard_uncertainty);
+    throw InputError("in " + in_quotes(text) + " the uncertainty is " + uncertainty + " % of " +
+                         shortest(number->value) + ", or " + uncertainty + " in the unit of the value",
+                     "the uncertainty in the unit of the value: " + shortest(number->value) + " \u00b1 " +
+                         shortest(std::abs(number->value) * *number->standard_uncertainty / 100) + ", or " +
+                         shortest(number->value) + " \u00b1 " + uncertainty);
+}
+
 }  // namespace
 
 void NumberMarks::see(std::string_view cell, std::size_t column) {
-    if (cell.find_first_of(".,") == std::string_view::npos) return;
+    if (cell.find_first_of(".,") == std::string_view::npos) {
+        const auto found = columns_.find(column);
+        if (found != columns_.end() && found->second.thousands &&
+            read_number(cell).value_or(PrintedNumber{}).value != 0)
+            ++found->second.whole;
+        return;
+    }
     std::string changed;
     const std::string_view text = without_blanks_in_numbers(cell, changed);
     for_each_number(text, [&](std::size_t first, std::size_t count) {
@@ -126,12 +158,17 @@ bool NumberMarks::is_decimal(char mark, std::string_view number, std::size_t col
     if (decimal_) return is_point == (*decimal_ == DecimalMark::point);
     const bool stated = is_point ? has_decimal_point_ : has_decimal_comma_;
     const bool contradicted = is_point ? has_decimal_comma_ : has_decimal_point_;
-    if (stated && !contradicted) return true;
-    if (is_point && !stated && !contradicted) return true;  // the mark of most programs
     const auto found = columns_.find(column);
+    const bool thousands = found != columns_.end() && found->second.thousands;
+    // "1.753" beside "540" may have a group, whatever other columns show.
+    const bool beside_whole = thousands && found->second.whole > 0 && found->second.others == 0;
+    if (stated && !contradicted && !beside_whole) return true;
+    if (is_point && !stated && !contradicted && !thousands) return true;  // the mark of most programs
     if (contradicted && !stated && found != columns_.end()) {
-        const auto& [points, commas, others] = found->second;
-        if (others == 0 && (is_point ? points > 1 && commas == 0 : commas > 1 && points == 0)) return false;
+        const auto points = found->second.point_may_group;
+        const auto commas = found->second.comma_may_group;
+        if (found->second.others == 0 && (is_point ? points > 1 && commas == 0 : commas > 1 && points == 0))
+            return false;
     }
     const std::string decimal = [&] {
         std::string text(number);
@@ -150,7 +187,7 @@ bool NumberMarks::is_decimal(char mark, std::string_view number, std::size_t col
 std::optional<PrintedNumber> NumberMarks::read(std::string_view cell, std::size_t column) const {
     std::string changed;
     const std::string_view text = without_blanks_in_numbers(cell, changed);
-    if (text.find_first_of(".,") == std::string_view::npos) return read_number(text);
+    if (text.find_first_of(".,") == std::string_view::npos) return read_with_uncertainty(text);
     std::string plain;
     std::size_t done = 0;
     for_each_number(text, [&](std::size_t first, std::size_t count) {
@@ -168,7 +205,7 @@ std::optional<PrintedNumber> NumberMarks::read(std::string_view cell, std::size_
         plain += number;
     });
     plain += text.substr(done);
-    return read_number(plain);
+    return read_with_uncertainty(plain);
 }
 
 }  // namespace ashimpact

@@ -36,9 +36,14 @@ class NumberMarks {
     /// @param decimal the mark that the user states; then it decides between two readings
     explicit NumberMarks(std::optional<DecimalMark> decimal = {}) : decimal_(decimal) {}
 
+    /// States, before its cells are seen, that numbers of a column may be thousands: "1.234" alone, or beside
+    /// whole numbers, then has two readings. Of other columns, as of fractions or of velocities in m/s, it is
+    /// a little above one.
+    void may_hold_thousands(std::size_t column) { columns_[column].thousands = true; }
     /// Takes the numbers of a cell into account. @param column of the cell, any number
     void see(std::string_view cell, std::size_t column);
-    /// Reads a cell as read_number(). @throws InputError with both readings where nothing decides
+    /// Reads a cell as read_number(). @throws InputError with both readings where nothing decides, and for an
+    /// uncertainty in per cent of a value that is not: "12.3 ± 3 %"
     [[nodiscard]] std::optional<PrintedNumber> read(std::string_view cell, std::size_t column) const;
 
   private:
@@ -47,6 +52,8 @@ class NumberMarks {
         std::size_t point_may_group = 0;
         std::size_t comma_may_group = 0;
         std::size_t others = 0;  ///< with a mark that separates decimals for certain
+        bool thousands = false;  ///< numbers may be so great
+        std::size_t whole = 0;   ///< numbers without a mark, counted if they may be thousands
     };
     [[nodiscard]] bool is_decimal(char mark, std::string_view number, std::size_t column) const;
 

@@ -184,7 +184,20 @@ bool says_no_number(std::string_view text) {
 
 bool is_summary(std::string_view text) {
     static const WordLists words("summary rows");
-    return words.holds(trimmed(text));
+    text = trimmed(text);
+    if (words.holds(text)) return true;
+    // "SD (n=3)", "n = 3", "Mean ± SD", "Mittel 1-5", but not "S (dry)" and "S 1", which may be samples.
+    for (const std::string_view sign : {"(", "[", "\u00b1", "+-", "+/-", "=", ":", "%"}) {
+        const auto at = text.find(sign);
+        if (at == std::string_view::npos || at == 0) continue;
+        const std::string_view before = trimmed(text.substr(0, at));
+        return (before.size() > 1 || sign == "=") && is_summary(before);
+    }
+    const std::string_view word = text.substr(0, text.find(' '));
+    const std::string_view rest = trimmed(text.substr(word.size()));
+    constexpr std::size_t shortest_word = 4;
+    const bool numbered = !rest.empty() && (is_digit(rest.front()) || rest.starts_with("of "));
+    return numbered && (word.size() >= shortest_word || !is_ascii(word)) && words.holds(word);
 }
 
 const WordLists& uncertainty_words() {
@@ -193,7 +206,14 @@ const WordLists& uncertainty_words() {
 }
 
 StatedCoverage read_coverage(std::string_view heading) {
-    StatedCoverage coverage{.rest = std::string(heading), .stated = {}, .problem = {}};
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 7> wide_marks{{{"\uff08", "("},
+                                                                                       {"\uff09", ")"},
+                                                                                       {"\uff05", "%"},
+                                                                                       {"\uff0f", "/"},
+                                                                                       {"\u3010", "["},
+                                                                                       {"\u3011", "]"},
+                                                                                       {"\uff0c", ","}}};
+    StatedCoverage coverage{.rest = replaced(heading, wide_marks), .stated = {}, .problem = {}};
     if (heading.size() > longest_heading || is_number(heading)) return coverage;
     if (const auto multiple = multiple_in(coverage.rest)) {
         coverage.stated = coverage.rest.substr(multiple->begin, multiple->length);

@@ -49,7 +49,7 @@ inline constexpr std::string_view all_marks = " !\"#$%&'()*+,-./:;<=>?@[\\]^_`{|
 /// Whether a cell states that there is no number: "", "-", "n.d.", "n/a", "UNDEF", "ERROR", "< 0.5".
 [[nodiscard]] bool says_no_number(std::string_view text);
 
-/// Whether a cell names a row that sums up others: "Mittel", "mean", "SD", "Total".
+/// Whether a cell names a row that sums up others: "Mittel", "mean", "SD (n=3)", "Total".
 [[nodiscard]] bool is_summary(std::string_view text);
 
 /// Words that name an uncertainty and nothing else: "u", "±", "esd", "std. error", "Messunsicherheit".

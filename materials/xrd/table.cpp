@@ -16,22 +16,19 @@ namespace ashimpact::xrd {
 
 namespace {
 
-/// Factor from amounts to fractions: 0.01 for per cent, if headings or cells state it, else by the size of
-/// the amounts.
+/// Factor from amounts to fractions, if headings or cells state it, else by the size of the amounts.
 double scale_of(const Table& table, const std::vector<Entry>& entries, std::vector<Finding>& warnings) {
     bool per_cent = false;
     bool fraction = false;
-    bool ppm = false;
     for (const Heading& heading : table.headings) {
-        if (heading.role == Role::standard || !heading.coverage.problem.empty()) continue;
+        if (heading.role == Role::standard || heading.role == Role::intensity || stands_beside(heading) ||
+            !heading.coverage.problem.empty())
+            continue;
+        if (heading.scale == Scale::ppm) return 1e-6;  // by_volume() has refused other units beside it
+        if (heading.scale == Scale::per_mille) return 1e-3;
         per_cent = per_cent || heading.scale == Scale::per_cent;
         fraction = fraction || heading.scale == Scale::fraction;
-        ppm = ppm || heading.scale == Scale::ppm;
     }
-    if (ppm && (per_cent || fraction))
-        refuse_line(table.heading_line, "some columns are in ppm, others are not",
-                    "one unit for all columns");
-    if (ppm) return 1e-6;
     double largest = 0;
     for (const Entry& entry : entries) {
         if (!entry.amount) continue;
@@ -46,6 +43,25 @@ double scale_of(const Table& table, const std::vector<Entry>& entries, std::vect
                      "size they are ") +
              (seems_per_cent ? "per cent" : "fractions")});
     return seems_per_cent ? 0.01 : 1;
+}
+
+/// Refuses a chemical analysis, whose oxides are no phases. @throws InputError
+void refuse_oxides(const std::vector<Entry>& entries, std::size_t heading_line) {
+    static const WordLists words("oxides");
+    constexpr std::size_t fewest = 3;
+    std::vector<std::string> oxides;
+    std::size_t phases = 0;
+    const std::string& sample = entries.front().sample;
+    for (const Entry& entry : entries) {
+        if (entry.sample != sample || meaning_of_row(entry.phase) != RowMeaning::phase) continue;
+        ++phases;
+        if (words.holds(entry.phase)) oxides.push_back(in_quotes(entry.phase));
+    }
+    if (oxides.size() < fewest || 2 * oxides.size() <= phases) return;
+    const bool by_columns = entries.size() > 1 && entries[1].line == entries.front().line;
+    refuse_line(by_columns ? heading_line : entries.front().line,
+                joined(oxides) + " are oxides of a chemical analysis (XRF): they do not state the phases",
+                "the phases of an XRD result under their names, such as quartz and hematite");
 }
 
 /// The entries of one sample, in the order of the file.
@@ -91,10 +107,10 @@ void refuse_repeated(const std::vector<Entry>& entries) {
 
 void check_total(double sum, double stated, const Entry& entry) {
     if (std::abs(sum - stated) > default_closure_tolerance)
-        refuse_line(
-            entry.line,
-            "the total is given as " + per_cent(stated) + ", the phases above add up to " + per_cent(sum),
-            "the same within " + per_cent(default_closure_tolerance));
+        refuse_line(entry.line,
+                    "the total of " + sample_named(entry.sample) + " is given as " + per_cent(stated) +
+                        ", the phases above add up to " + per_cent(sum),
+                    "the same within " + per_cent(default_closure_tolerance));
 }
 
 /// Fractions of one sample. A stated total is checked; a stated crystalline total gives the amorphous part.
@@ -109,8 +125,16 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
             continue;
         }
         const double fraction = entry.amount->value * scale;
+        if (entry.mark == PhaseMark::not_detected && fraction > 0)
+            refuse_line(
+                entry.line,
+                in_quotes(entry.phase) + " is called not detected, and its amount is " + per_cent(fraction),
+                "one of the two");
         if (!(fraction >= 0 && fraction <= 1 + default_closure_tolerance))
-            refuse_line(entry.line, "the amount of " + in_quotes(entry.phase) + " is " + per_cent(fraction),
+            refuse_line(entry.line,
+                        "the amount of " + in_quotes(entry.phase) +
+                            (group.sample.empty() ? "" : " in " + in_quotes(group.sample)) + " is " +
+                            per_cent(fraction),
                         "0 % to 100 %");
         auto uncertainty = entry.uncertainty ? entry.uncertainty : entry.amount->standard_uncertainty;
         if (uncertainty) *uncertainty *= scale;
@@ -140,7 +164,8 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
                                           .fraction = fraction,
                                           .standard_uncertainty = uncertainty,
                                           .density = entry.density,
-                                          .place = at_line(entry.line)});
+                                          .place = at_line(entry.line),
+                                          .is_standard = entry.mark == PhaseMark::standard});
     }
     if (sample.analysis.phases.empty())
         refuse_line(group.entries.front().line, sample_named(group.sample) + " has no phase with an amount",
@@ -183,6 +208,7 @@ XrdSample sample_of_peaks(const Group& group) {
         for (std::size_t i = 0; i < peaks.size(); ++i) {
             sample.analysis.phases[i].density = group.entries[i].density;
             sample.analysis.phases[i].place = at_line(group.entries[i].line);
+            sample.analysis.phases[i].is_standard = group.entries[i].mark == PhaseMark::standard;
         }
         return sample;
     });
@@ -213,12 +239,27 @@ XrdSample standardised(const XrdSample& sample, const Group& group, const Table&
     });
 }
 
+/// Whether a layout does not use a column, other than one without a heading.
+bool is_ignored(const Heading& heading, Layout layout) {
+    const Role role = heading.role;
+    if (layout == Layout::one_column_a_phase) return stands_beside(heading);
+    if (layout == Layout::one_column_a_sample) return stands_beside(heading) && role != Role::density;
+    const bool peaks = role == Role::intensity || role == Role::ratio || role == Role::ratio_uncertainty;
+    return role == Role::other || role == Role::measure || (layout == Layout::fractions && peaks);
+}
+
 void warn_of_ignored(const Table& table, Layout layout, std::vector<Finding>& warnings) {
-    if (layout == Layout::one_column_a_phase || layout == Layout::one_column_a_sample) return;
-    for (const Heading& heading : table.headings)
-        if ((heading.role == Role::other || heading.role == Role::measure) && !heading.text.empty())
-            warnings.push_back(
-                {xrd_code, Severity::remark, "column " + in_quotes(heading.text) + " is not used"});
+    for (std::size_t k = 0; k < table.headings.size(); ++k) {
+        const Heading& heading = table.headings[k];
+        std::string column;
+        if (!heading.text.empty() && is_ignored(heading, layout)) column = in_quotes(heading.text);
+        const bool nameless = heading.text.empty() && heading.role == Role::other;
+        if (nameless &&
+            std::ranges::any_of(table.rows, [&](const TableRow& row) { return !row.cells[k].empty(); }))
+            column = std::to_string(k + 1) + ", which has no heading,";
+        if (!column.empty())
+            warnings.push_back({xrd_code, Severity::remark, "column " + column + " is not used"});
+    }
 }
 
 /// Fractions of the crystalline part, which add up to 1 whatever rounding or a scale made of them.
@@ -226,6 +267,7 @@ void take_crystalline_part(XrdSample& sample) {
     double sum = 0;
     for (const PhaseFraction& phase : sample.analysis.phases) sum += phase.fraction;
     normalise(sample.analysis.phases, sum);
+    sample.analysis.of_crystalline_part = true;
     sample.warnings.push_back({xrd_code, Severity::remark,
                                "the fractions are those of the crystalline part, as the heading states: an "
                                "amorphous part is not among them"});
@@ -246,6 +288,7 @@ XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) 
     if (layout == Layout::fractions) require_complete(file, table, entries.back());
     const double scale = layout == Layout::peaks ? 1 : scale_of(table, entries, result.warnings);
     warn_of_ignored(table, layout, result.warnings);
+    refuse_oxides(entries, table.heading_line);
     for (const Group& group : groups_of(std::move(entries))) {
         refuse_repeated(group.entries);
         XrdSample sample =

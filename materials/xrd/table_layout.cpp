@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 #include "core/quantities/checks.hpp"
@@ -15,80 +16,6 @@
 namespace ashimpact::xrd {
 
 namespace {
-
-std::string key_of(std::string_view text) {
-    return word_key(text, "%+");
-}
-
-std::string without_per_cent(std::string key) {
-    std::erase(key, '%');
-    for (const std::string_view word : {"percent", "pct", "prozent"}) {
-        const auto found = key.find(word);
-        if (found != std::string::npos) key.erase(found, word.size());
-    }
-    return key;
-}
-
-/// @param key without per cent signs; the empty one is a bare "%"
-Role role_of(const std::string& key) {
-    static const WordLists words("XRD columns", "+");
-    if (const auto role = meaning<Role>(words, key)) return *role;
-    return is_uncertainty_word(key) ? Role::uncertainty : Role::other;
-}
-
-bool holds_per_cent(const std::string& key) {
-    return without_per_cent(key) != key;
-}
-
-/// Whether a heading such as "Quartz esd" ends with a word for an uncertainty behind the name of a phase.
-bool ends_with_uncertainty_word(std::string_view heading) {
-    const auto blank = heading.find_last_of(" _");
-    return blank != std::string_view::npos &&
-           role_of(without_per_cent(key_of(heading.substr(blank + 1)))) == Role::uncertainty;
-}
-
-/// Whether brackets hold a unit, unlike those of "Mullite (3:2)".
-bool is_unit_in_brackets(std::string_view text) {
-    const std::string key = key_of(text);
-    return holds_per_cent(key) || key.find("m3") != std::string::npos || key == "wt" || key == "vol" ||
-           key.find("pp") == 0 || (text.find('/') != std::string_view::npos && read_unit(ascii_unit(text)));
-}
-
-/// "Weight [wt.%]", "content, vol%" and "Gehalt in Mol-%" into text and unit.
-void split_unit(Heading& heading, std::string_view text) {
-    heading.text = std::string(text);
-    const auto split = [&](std::size_t end, std::string_view unit) {
-        std::string_view name = trimmed(text.substr(0, end));
-        while (name.ends_with(',') || name.ends_with(';') || name.ends_with('/'))
-            name = trimmed(name.substr(0, name.size() - 1));
-        if (name.ends_with(" in")) name = trimmed(name.substr(0, name.size() - 3));
-        heading.text = std::string(name);
-        heading.unit = std::string(trimmed(unit));
-    };
-    for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
-        const auto start = text.rfind(open);
-        if (start == std::string_view::npos || start == 0 || !text.ends_with(close)) continue;
-        const std::string_view inside = trimmed(text.substr(start + 1, text.size() - start - 2));
-        if (open == '[' || is_unit_in_brackets(inside)) return split(start, inside);
-    }
-    const auto blank = text.find_last_of(" /");
-    if (blank == std::string_view::npos || !holds_per_cent(key_of(text.substr(blank + 1)))) return;
-    const std::string_view name = trimmed(text.substr(0, blank));
-    const bool is_quotient = text[blank] == '/' || name.ends_with('/');  // "w/%", but not "1/wt%"
-    if (!is_quotient || role_of(key_of(name)) != Role::other) split(blank, text.substr(blank + 1));
-}
-
-HeadingUnit unit_of(std::string_view text) {
-    if (text.empty()) return HeadingUnit::none;
-    const std::string key = without_per_cent(key_of(text));
-    if (key.empty() || key == "1") return HeadingUnit::fraction;
-    if (key == "gg" || key == "kgkg" || key == "g100g") return HeadingUnit::weight;
-    if (key == "m3m3" || key == "cm3cm3") return HeadingUnit::volume;
-    const Role role = role_of(key);
-    return role == Role::weight   ? HeadingUnit::weight
-           : role == Role::volume ? HeadingUnit::volume
-                                  : HeadingUnit::other;
-}
 
 /// Whether the heading of a column beside the phases may be the name of a sample: it has no unit but those of
 /// fractions, and no sign of a quantity.
@@ -103,17 +30,6 @@ bool may_name_sample(const Heading& heading) {
     return heading.states != HeadingUnit::other && !is_quotient &&
            std::none_of(signs.begin(), signs.end(),
                         [&](std::string_view sign) { return heading.text.find(sign) != std::string::npos; });
-}
-
-/// Removes "(crystalline)" or "crystalline" behind a quantity. @return whether it was there
-bool take_crystalline(std::string& text) {
-    for (const std::string_view word :
-         {"(crystalline)", "(cryst.)", "(kristallin)", "crystalline", "kristallin"}) {
-        if (text.size() <= word.size() || !lower_case(text).ends_with(word)) continue;
-        text = std::string(trimmed(std::string_view(text).substr(0, text.size() - word.size())));
-        return true;
-    }
-    return false;
 }
 
 constexpr std::string_view heading_help =
@@ -206,14 +122,29 @@ void check_units_of_uncertainties(Table& table) {
     }
 }
 
+/// The cell "12.3 wt%" as "12.3 %", if its heading states no other unit.
+std::string without_unit(const std::string& cell, const Heading& heading) {
+    const auto end = cell.find_first_not_of("+-.,()0123456789 \u00b1");
+    if (end == std::string::npos || end == 0 || heading.role == Role::uncertainty) return cell;
+    const std::string_view unit = std::string_view(cell).substr(end);
+    const HeadingUnit kind = heading.role == Role::volume || heading.states == HeadingUnit::volume
+                                 ? HeadingUnit::volume
+                                 : HeadingUnit::weight;
+    if (!holds_per_cent(unit) || unit_of(unit) != kind) return cell;
+    return cell.substr(0, end) + '%';
+}
+
 /// The number of a cell, with uncertainties as standard ones; nothing if the cell states that there is none.
 std::optional<PrintedNumber> number_in(const TableRow& row, std::size_t column, const Table& table) {
     const std::string& cell = row.cells[column];
     if (says_no_number(cell)) return std::nullopt;
-    auto number = at_place(at_cell(row.line, column), [&] { return table.marks.read(cell, column); });
-    if (!number) throw InputError("cannot read " + in_quotes(cell), "a number").at(at_cell(row.line, column));
     const Heading& heading = table.headings[column];
-    if (number->per_cent && (heading.scale == Scale::fraction || heading.scale == Scale::ppm))
+    auto number = at_place(at_cell(row.line, column), [&] {
+        const auto plain = table.marks.read(cell, column);
+        return plain ? plain : table.marks.read(without_unit(cell, heading), column);
+    });
+    if (!number) throw InputError("cannot read " + in_quotes(cell), "a number").at(at_cell(row.line, column));
+    if (number->per_cent && heading.scale != Scale::not_stated && heading.scale != Scale::per_cent)
         throw InputError(in_quotes(cell) + " is per cent, and the heading " + in_quotes(heading.written) +
                              " states another unit",
                          "one of the two")
@@ -239,11 +170,13 @@ std::optional<double> density_in(const TableRow& row, std::size_t column, const 
     if (says_no_number(cell)) return std::nullopt;
     return at_place(at_cell(row.line, column), [&] {
         if (heading.unit.empty() && read_number(cell))
-            throw InputError("the density has no unit",
+            throw InputError("column " + in_quotes(heading.written) + ": the density has no unit",
                              "density [g/cm3] as the heading, or a unit in each cell");
         const auto number = heading.unit.empty() ? std::nullopt : number_in(row, column, table);
-        const double density = number ? to_si(number->value, heading.unit, Dimension::density)
-                                      : parse_quantity(cell, Dimension::density);
+        const double density =
+            number ? at_place("column " + in_quotes(heading.written),
+                              [&] { return to_si(number->value, heading.unit, Dimension::density); })
+                   : parse_quantity(cell, Dimension::density);
         if (!(density > 0)) throw InputError("the density is not positive", "a positive density");
         return std::optional(density);
     });
@@ -265,7 +198,8 @@ std::vector<Entry> long_entries(const Table& table) {
             const auto found = number(role);
             return found ? std::optional(found->value) : std::nullopt;
         };
-        Entry entry{.sample = cell(Role::sample), .phase = cell(Role::phase), .line = row.line};
+        const MarkedPhase phase = read_phase_name(cell(Role::phase));
+        Entry entry{.sample = cell(Role::sample), .phase = phase.name, .line = row.line, .mark = phase.mark};
         if (entry.sample.empty() && !entries.empty())
             entry.sample = entries.back().sample;  // named once, above
         if (entry.phase.empty()) refuse_line(row.line, "the line names no phase", "a phase");
@@ -299,13 +233,17 @@ bool is_uncertainty_of(const Table& table, std::size_t column, const std::vector
 /// One column a phase (one row a sample), or one column a sample (one row a phase).
 std::vector<Entry> wide_entries(const Table& table, Role row_role) {
     const std::size_t label = *table.column(row_role);
+    const auto density = row_role == Role::phase ? table.column(Role::density) : std::nullopt;
     std::vector<Entry> entries;
     for (const TableRow& row : table.rows) {
-        if (row.cells[label].empty()) refuse_line(row.line, "the first cell is empty", "a name");
+        if (row.cells[label].empty())
+            refuse_line(row.line,
+                        "the cell in column " + in_quotes(table.headings[label].written) + " is empty",
+                        row_role == Role::sample ? "the name of a sample" : "the name of a phase");
         for (std::size_t i = 0; i < row.cells.size(); ++i) {
             const std::string& name = table.headings[i].text;
             const bool is_named = !name.empty() || table.headings[i].role == Role::uncertainty;
-            if (i == label || !is_named) continue;  // a column without a heading is not read
+            if (i == label || !is_named || stands_beside(table.headings[i])) continue;  // not read
             const bool uncertainty = is_uncertainty_of(table, i, entries);
             const auto number = number_in(row, i, table);
             if (uncertainty) {
@@ -317,10 +255,13 @@ std::vector<Entry> wide_entries(const Table& table, Role row_role) {
                 if (number) entries.back().uncertainty = number->value;
                 continue;
             }
+            const MarkedPhase phase = read_phase_name(row_role == Role::sample ? name : row.cells[label]);
             entries.push_back({.sample = row_role == Role::sample ? row.cells[label] : name,
-                               .phase = row_role == Role::sample ? name : row.cells[label],
+                               .phase = phase.name,
                                .line = row.line,
-                               .amount = number});
+                               .amount = number,
+                               .density = density ? density_in(row, *density, table) : std::nullopt,
+                               .mark = phase.mark});
         }
     }
     if (entries.empty())
@@ -348,42 +289,6 @@ void refuse_repeated_roles(const Table& table) {
 
 }  // namespace
 
-Heading read_heading(std::string_view text) {
-    Heading heading;
-    StatedCoverage coverage = read_coverage(trimmed(text));
-    constexpr std::string_view sign = "\u00b1";  // of "wt% ± 2s": cells hold value and uncertainty
-    if (!coverage.stated.empty() && coverage.rest.size() > sign.size() && coverage.rest.ends_with(sign))
-        coverage.rest.resize(coverage.rest.size() - sign.size());
-    heading.written = text;
-    heading.coverage = coverage;
-    heading.of_crystalline = take_crystalline(coverage.rest);
-    split_unit(heading, coverage.rest);
-    heading.states = unit_of(heading.unit);
-    const std::string key = key_of(heading.text);
-    const std::string unit = key_of(heading.unit);
-    heading.role = key.empty() ? Role::other : role_of(without_per_cent(key));
-    if (heading.role == Role::weight && heading.states == HeadingUnit::volume) heading.role = Role::volume;
-    const HeadingUnit contrary = heading.role == Role::weight ? HeadingUnit::volume : HeadingUnit::weight;
-    if ((heading.role == Role::weight || heading.role == Role::volume) &&
-        (heading.states == HeadingUnit::other || heading.states == contrary))
-        heading.role = Role::measure;
-    // "2 sigma" alone, or behind the name of a phase or sample, is the uncertainty of the column before it.
-    if (!coverage.stated.empty() && (heading.text.empty() || heading.role == Role::other))
-        heading.role = Role::uncertainty;
-    if (holds_per_cent(key) || holds_per_cent(unit) || unit == "g100g") heading.scale = Scale::per_cent;
-    if (key.ends_with("ppm") || unit.ends_with("ppm")) heading.scale = Scale::ppm;
-    if (key.ends_with("fraction") && heading.scale == Scale::not_stated) heading.scale = Scale::fraction;
-    if (unit == "1" || heading.unit == "-" || unit == "gg" || unit == "kgkg" || unit == "m3m3" ||
-        unit == "cm3cm3")
-        heading.scale = Scale::fraction;
-    return heading;
-}
-
-RowMeaning meaning_of_row(std::string_view name) {
-    static const WordLists words("XRD rows", "+");
-    return meaning<RowMeaning>(words, without_per_cent(key_of(name))).value_or(RowMeaning::phase);
-}
-
 bool has_heading(const TextLines& file) {
     return find_heading(lines_with_content(file)).has_value();
 }
@@ -407,9 +312,140 @@ void drop_summaries(Table& table) {
     });
 }
 
+/// The coverage that the label of a row of uncertainties states: "esd", "FA1 esd", "2s"; none of other rows.
+std::optional<StatedCoverage> coverage_of_row(std::string_view label, std::string_view sample) {
+    if (!sample.empty() && label.size() > sample.size() && label.starts_with(sample))
+        label.remove_prefix(sample.size());
+    StatedCoverage coverage = read_coverage(trimmed(label));
+    const bool bare = coverage.rest.empty() ? !coverage.stated.empty() : is_uncertainty_word(coverage.rest);
+    return bare ? std::optional(coverage) : std::nullopt;
+}
+
+/// Takes rows of uncertainties, one behind each sample, into the cells above them.
+void take_rows_of_uncertainties(Table& table) {
+    const std::size_t label = *table.column(Role::sample);
+    const auto label_of = [&](std::size_t i) -> const std::string& { return table.rows[i].cells[label]; };
+    std::vector<StatedCoverage> coverages;
+    for (std::size_t i = 0; i + 1 < table.rows.size(); i += 2) {
+        const auto coverage = coverage_of_row(label_of(i + 1), label_of(i));
+        if (!coverage || is_uncertainty_word(label_of(i)) || is_summary(label_of(i))) return;
+        coverages.push_back(*coverage);
+    }
+    if (2 * coverages.size() != table.rows.size()) return;
+    std::vector<TableRow> samples;
+    for (std::size_t i = 0; i < coverages.size(); ++i) {
+        samples.push_back(std::move(table.rows[2 * i]));
+        const TableRow& row = table.rows[2 * i + 1];
+        if (coverages[i].factor != 1 || !coverages[i].problem.empty()) {
+            table.warnings.push_back({xrd_code, Severity::remark,
+                                      "the uncertainties in " + at_line(row.line) + " are not read, as " +
+                                          in_quotes(row.cells[label]) + " are no standard ones"});
+            continue;
+        }
+        for (std::size_t k = 0; k < row.cells.size(); ++k)
+            if (k != label && !says_no_number(row.cells[k]) && !says_no_number(samples.back().cells[k]))
+                samples.back().cells[k] += " \u00b1 " + row.cells[k];
+    }
+    table.rows = std::move(samples);
+}
+
+/// Adds what a note below the table, "* internal standard", says of the phases with its sign: "Corundum*".
+void take_notes_on_phases(Table& table, std::span<const TextLine> notes) {
+    const std::size_t label = *table.column(Role::phase);
+    for (const TextLine& note : notes) {
+        const std::string_view text = trimmed(note.text.substr(0, note.text.find(table.separator)));
+        const auto end = text.find_first_not_of('*');
+        if (end == 0 || end == std::string_view::npos) continue;
+        const std::string_view sign = text.substr(0, end);
+        const std::string mark = " (" + std::string(trimmed(text.substr(end))) + ")";
+        if (read_phase_name("x" + mark).mark == PhaseMark::none) continue;
+        for (TableRow& row : table.rows) {
+            std::string& name = row.cells[label];
+            const bool signed_so =
+                name.ends_with(sign) && !std::string_view(name).substr(0, name.size() - end).ends_with('*');
+            if (signed_so) name.replace(name.size() - end, end, mark);
+        }
+    }
+}
+
+/// Marks columns that sum up samples, such as "Mittelwert" with its uncertainty, beside two or more samples.
+void mark_sums(Table& table) {
+    const auto sums_up = [](const Heading& heading) {
+        return heading.text.size() > 1 && is_summary(heading.text);
+    };
+    const auto is_sample = [&](const Heading& heading) {
+        return heading.role == Role::other && !heading.text.empty() && !sums_up(heading) &&
+               !ends_with_uncertainty_word(heading.text);
+    };
+    if (std::ranges::count_if(table.headings, is_sample) < 2) return;
+    bool follows = false;
+    for (Heading& heading : table.headings) {
+        const bool spread = heading.role == Role::uncertainty || is_summary(heading.text);
+        follows = sums_up(heading) ? heading.role == Role::other || follows : follows && spread;
+        heading.sums_up = follows;
+    }
+}
+
+/// Leaves out the uncertainties of intensities where fractions are stated beside them.
+void prefer_fractions(Table& table) {
+    if (!table.has(Role::intensity) || !(table.has(Role::weight) || table.has(Role::volume))) return;
+    for (std::size_t k = 0; k < table.headings.size(); ++k) {
+        const Role before = k == 0 ? Role::other : table.headings[k - 1].role;
+        if (table.headings[k].role == Role::uncertainty && before != Role::weight && before != Role::volume)
+            table.headings[k].role = Role::measure;
+    }
+}
+
+/// Removes rows of figures of merit and of other quantities among phases, such as "Rwp" and "LOI".
+void drop_measures(Table& table) {
+    const std::size_t label = *table.column(Role::phase);
+    std::erase_if(table.rows, [&](const TableRow& row) {
+        if (read_heading(row.cells[label]).role != Role::measure) return false;
+        table.warnings.push_back(
+            {xrd_code, Severity::remark,
+             at_line(row.line) + " is no phase and left out: " + in_quotes(row.cells[label])});
+        return true;
+    });
+}
+
+/// A heading over two rows: names of groups that stand over several columns, and names or units below them.
+/// Of each column the text below counts, with the group where it is a unit, and the unit of the group.
+/// @return whether the second line is one
+bool take_second_heading(TableRow& heading, const TableRow& line,
+                         const std::function<bool(std::string_view)>& is_unit) {
+    std::vector<std::string> names = heading.cells;
+    names.resize(std::max(names.size(), line.cells.size()));
+    bool merged = false;
+    std::string group;
+    for (std::size_t i = 0; i < line.cells.size(); ++i) {
+        const std::string& below = line.cells[i];
+        if (!names[i].empty()) group = names[i];
+        if (below.empty()) continue;
+        if (i == 0 && below != names[i]) return false;
+        if (says_no_number(below) || read_number(below, true) || is_digit(below.front())) return false;
+        if (i == 0) continue;
+        merged = merged || names[i].empty();
+        const std::string_view bare = std::string_view(below).find_first_of("[(") == 0 && below.size() > 2
+                                          ? trimmed(std::string_view(below).substr(1, below.size() - 2))
+                                          : std::string_view(below);
+        if (is_uncertainty_word(bare)) {
+            names[i] = group + " " + std::string(bare);
+        } else if (is_unit(bare)) {
+            names[i] = group + " [" + std::string(bare) + "]";
+        } else {
+            const Heading above = read_heading(group);
+            names[i] =
+                below +
+                (above.unit.empty() || !read_heading(below).unit.empty() ? "" : " [" + above.unit + "]");
+        }
+    }
+    if (merged) heading.cells = names;
+    return merged;
+}
+
 /// Refuses a title that states volume or mole fractions above a heading that does not. @throws InputError
 void require_unit_of_title(const TextLine& line, const Table& table) {
-    const std::string key = key_of(line.text);
+    const std::string key = word_key(line.text, "%");
     const bool by_volume = key.find("vol%") != std::string::npos || key.find("volumen%") != std::string::npos;
     const bool by_mole = key.find("mol%") != std::string::npos;
     if (by_mole || (by_volume && !table.has(Role::volume)))
@@ -435,26 +471,36 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     TableRow headings = cut_row(lines[*heading], table.separator);
     std::size_t first = *heading + 1;  // of the rows
     const auto is_unit = [](std::string_view text) {
-        return unit_of(text) != HeadingUnit::other ||
-               role_of(without_per_cent(key_of(text))) != Role::other || read_unit(ascii_unit(text));
+        return unit_of(text) != HeadingUnit::other || role_of_text(text) != Role::other ||
+               read_unit(ascii_unit(text));
     };
-    if (first < lines.size() && take_units(headings, cut_row(lines[first], table.separator), is_unit))
-        ++first;
+    if (first < lines.size()) {
+        const TableRow second = cut_row(lines[first], table.separator);
+        if (take_second_heading(headings, second, is_unit) || take_units(headings, second, is_unit)) ++first;
+    }
     table.headings = headings_of(headings);
+    if (table.has(Role::phase) && !table.has(Role::sample)) mark_sums(table);
+    prefer_fractions(table);
     check_units_of_uncertainties(table);
     for (std::size_t i = 0; i < *heading; ++i) require_unit_of_title(lines[i], table);
     if (*heading > 0)
         table.warnings.push_back(
             {xrd_code, Severity::background, counted(*heading, "line") + " above the heading not read"});
+    for (std::size_t k = 0; k < table.headings.size(); ++k)
+        if (table.headings[k].role == Role::intensity || table.headings[k].scale == Scale::ppm ||
+            table.headings[k].scale == Scale::per_mille)
+            table.marks.may_hold_thousands(k);
     std::vector<std::pair<std::string, StatedCoverage>> coverages;
     for (const Heading& each : table.headings) coverages.emplace_back(each.written, each.coverage);
     for (Finding& each : coverage_findings(xrd_code, coverages)) table.warnings.push_back(std::move(each));
+    const std::vector<TextLine> all = lines;
     for (Finding& each : take_notes(lines, first, table.separator, xrd_code))
         table.warnings.push_back(std::move(each));
     for (std::size_t i = first; i < lines.size(); ++i) {
         table.rows.push_back(checked_row(lines[i], table));
         for (std::size_t k = 0; k < table.headings.size(); ++k)
-            if (table.headings[k].role != Role::phase && table.headings[k].role != Role::sample)
+            if (table.headings[k].role != Role::phase && table.headings[k].role != Role::sample &&
+                table.headings[k].role != Role::measure)
                 table.marks.see(table.rows.back().cells[k], k);
         if (table.rows.size() * table.headings.size() > most_cells)
             refuse_line(lines[i].number, "the table is too large for an XRD result",
@@ -462,7 +508,16 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     }
     if (table.rows.empty())
         refuse_line(file.last_line(), "there are no lines below the heading", "one line a phase or a sample");
-    if (table.has(Role::sample) && !table.has(Role::phase)) drop_summaries(table);
+    if (table.has(Role::phase)) {
+        take_notes_on_phases(table, std::span(all).subspan(lines.size()));
+        drop_measures(table);
+    }
+    if (table.has(Role::sample) && !table.has(Role::phase)) {
+        take_rows_of_uncertainties(table);
+        drop_summaries(table);
+    }
+    if (table.rows.empty())
+        refuse_line(table.heading_line, "no line below the heading names a phase", "one line a phase");
     return table;
 }
 
@@ -470,17 +525,22 @@ Layout layout_of(const Table& table) {
     refuse_repeated_roles(table);
     const std::size_t line = table.heading_line;
     const bool phase = table.has(Role::phase);
-    if (phase && table.has(Role::intensity) && table.has(Role::ratio)) return Layout::peaks;
     if (phase && table.has(Role::weight) && table.has(Role::volume))
         refuse_line(line, "there are fractions by weight and by volume", "one of the two");
     if (phase && (table.has(Role::weight) || table.has(Role::volume))) return Layout::fractions;
+    if (phase && table.has(Role::intensity) && table.has(Role::ratio)) return Layout::peaks;
     if (phase && table.has(Role::intensity))
         refuse_line(line, "there are intensities without reference intensity ratios", "a column rir");
     if (phase && lower_case(table.headings[*table.column(Role::phase)].text) == "name")
         refuse_line(line, "\"name\" may be that of a phase or of a sample", "the heading phase or sample");
     if (phase && !table.has(Role::sample)) {
-        const auto other = std::ranges::find_if(table.headings, [](const Heading& heading) {
-            return !heading.text.empty() && !may_name_sample(heading);
+        const bool named = std::ranges::any_of(table.headings, [](const Heading& heading) {
+            return heading.role == Role::other && !heading.text.empty() &&
+                   heading.states != HeadingUnit::other;
+        });
+        const auto other = std::ranges::find_if(table.headings, [&](const Heading& heading) {
+            return !heading.text.empty() && !heading.sums_up && !may_name_sample(heading) &&
+                   !(named && heading.role == Role::measure);
         });
         if (other != table.headings.end())
             refuse_line(line,
@@ -514,6 +574,8 @@ bool by_volume(const Table& table, Layout layout) {
                     "the weight fraction of the standard in the mixture: [wt%], [1]");
     bool weight = false;
     bool volume = false;
+    const Heading* small = nullptr;  // in ppm or per mille
+    const Heading* other = nullptr;  // in another unit, or without one
     for (const Heading& heading : table.headings) {
         const bool amounts =
             heading.role == Role::weight || heading.role == Role::volume ||
@@ -523,11 +585,21 @@ bool by_volume(const Table& table, Layout layout) {
             refuse_line(table.heading_line,
                         "the column " + in_quotes(heading.written) + " is in another unit",
                         "fractions by weight or by volume: [wt%], [vol%], [ppm], [1]");
+        const bool is_small = heading.scale == Scale::ppm || heading.scale == Scale::per_mille;
+        if (is_small && (small == nullptr || small->scale == heading.scale))
+            small = &heading;
+        else if (!ends_with_uncertainty_word(heading.text))
+            other = &heading;
         weight = weight || heading.role == Role::weight || heading.states == HeadingUnit::weight;
         volume = volume || heading.role == Role::volume || heading.states == HeadingUnit::volume;
     }
     if (weight && volume)
         refuse_line(table.heading_line, "there are fractions by weight and by volume", "one of the two");
+    if (small != nullptr && other != nullptr)
+        refuse_line(table.heading_line,
+                    "the columns " + in_quotes(small->written) + " and " + in_quotes(other->written) +
+                        " are not in one unit",
+                    "one unit, stated in the heading of every column");
     return volume;
 }
 

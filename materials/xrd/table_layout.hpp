@@ -1,68 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "core/quantities/names.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/tables/number_marks.hpp"
 #include "core/tables/text_lines.hpp"
-#include "core/tables/vocabulary.hpp"
+#include "materials/xrd/table_headings.hpp"
 
 namespace ashimpact::xrd {
-
-/// What a column of a table contains.
-enum class Role {
-    other,
-    sample,
-    phase,
-    weight,  ///< fraction by weight
-    volume,  ///< fraction by volume
-    uncertainty,
-    density,
-    intensity,
-    ratio,  ///< reference intensity ratio
-    ratio_uncertainty,
-    standard,  ///< known weight fraction of an added internal standard
-    measure,   ///< neither a fraction nor the name of a sample: "FWHM", "counts", "Mol-%"
-};
-
-/// What a row of a table of fractions contains.
-enum class RowMeaning { phase, total, crystalline_total };
-
-/// Whether the numbers under a heading are per cent or fractions.
-enum class Scale { not_stated, per_cent, fraction, ppm };
-
-/// What the unit of a heading states of the numbers under it.
-enum class HeadingUnit {
-    none,      ///< there is no unit
-    fraction,  ///< "%", "1": of weight or volume
-    weight,    ///< "wt%", "ppm"
-    volume,    ///< "vol%"
-    other,     ///< "Mol-%", "counts", "mg/g"
-};
-
-/// The parts of a heading: "Weight [wt.%]" is a weight in per cent.
-struct Heading {
-    std::string text;  ///< without unit and coverage
-    std::string unit;  ///< without its brackets; may be empty
-    HeadingUnit states = HeadingUnit::none;
-    Role role = Role::other;
-    Scale scale = Scale::not_stated;
-    bool of_crystalline = false;  ///< "wt% (crystalline)": fractions of the crystalline part
-    std::string written{};        ///< the whole heading as in the file
-    StatedCoverage coverage{};    ///< of the uncertainties under it
-};
-
-[[nodiscard]] Heading read_heading(std::string_view text);
-
-/// What the row of a name contains: a total of all or of the crystalline phases, else a phase.
-[[nodiscard]] RowMeaning meaning_of_row(std::string_view name);
 
 /// The numbers of one phase in one sample, as written except for density; uncertainties are standard ones.
 struct Entry {
@@ -76,6 +25,7 @@ struct Entry {
     std::optional<PrintedNumber> ratio{};
     std::optional<double> ratio_uncertainty{};
     std::optional<PrintedNumber> standard{};  ///< known weight fraction
+    PhaseMark mark = PhaseMark::none;
 };
 
 /// A table cut into cells.
@@ -111,7 +61,7 @@ enum class Layout {
 [[nodiscard]] Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal);
 
 /// Whether the amounts are fractions by volume. Errors: InputError at the heading for amounts in other units,
-/// and for fractions of both kinds.
+/// for fractions of both kinds, and where some columns are in ppm or per mille and others are not.
 [[nodiscard]] bool by_volume(const Table& table, Layout layout);
 
 /// The layout of a table, from its headings. Errors: InputError at the heading.
@@ -121,18 +71,3 @@ enum class Layout {
 [[nodiscard]] std::vector<Entry> entries_of(const Table& table, Layout layout);
 
 }  // namespace ashimpact::xrd
-
-template <>
-struct ashimpact::Names<ashimpact::xrd::Role> {
-    static constexpr std::string_view kind = "column";
-    static constexpr std::array<std::string_view, 12> all{
-        "other",       "sample",  "phase",     "weight", "volume",
-        "uncertainty", "density", "intensity", "ratio",  "ratio_uncertainty",
-        "standard",    "measure"};
-};
-
-template <>
-struct ashimpact::Names<ashimpact::xrd::RowMeaning> {
-    static constexpr std::string_view kind = "row";
-    static constexpr std::array<std::string_view, 3> all{"phase", "total", "crystalline_total"};
-};

@@ -115,13 +115,50 @@ TEST_CASE("headings are found however umlauts and accents are spelled") {
     CHECK_FALSE(is_uncertainty_word("quartz"));
     CHECK(xrd::read_heading("%").role == xrd::Role::weight);
     CHECK(xrd::read_heading("+").role == xrd::Role::uncertainty);
-    CHECK(xrd::read_heading("Dichte").role == xrd::Role::other);
+    CHECK(xrd::read_heading("Dichte").role == xrd::Role::density);
     CHECK(xrd::read_heading("Density (g/cm³)").unit == "g/cm³");
     CHECK(xrd::meaning_of_row("Σ") == xrd::RowMeaning::total);
     CHECK(xrd::meaning_of_row("Total crystalline [%]") == xrd::RowMeaning::crystalline_total);
     CHECK(xrd::meaning_of_row("sigma") == xrd::RowMeaning::phase);
     CHECK(says_no_number("N.D."));
     CHECK_FALSE(says_no_number("1"));
+}
+
+TEST_CASE("labels of rows that sum up others, and of samples that look like them") {
+    for (const char* label :
+         {"Mittel", "Schnitt", "n=3", "n = 12", "SD (n=3)", "RSD %", "x\u0304", "Mean \u00b1 SD",
+          "Mittel 1-5", "\u00d8 1-5", "mean of 10", "Std. dev. (n = 4)", "\u5e73\u5747\u503c", "Max"}) {
+        CAPTURE(label);
+        CHECK(is_summary(label));
+    }
+    for (const char* label :
+         {"S (dry)", "S 1", "N3", "Meaney Power", "Mean Creek", "FA1 (n=3)", "Totalite"}) {
+        CAPTURE(label);
+        CHECK_FALSE(is_summary(label));
+    }
+}
+
+TEST_CASE("phases are named without their marks") {
+    const auto is = [](const char* text, const char* name, xrd::PhaseMark mark) {
+        CAPTURE(text);
+        const xrd::MarkedPhase read = xrd::read_phase_name(text);
+        CHECK(read.name == name);
+        CHECK(read.mark == mark);
+    };
+    using xrd::PhaseMark;
+    is("Corundum (internal standard)", "Corundum", PhaseMark::standard);
+    is("corundum (spike)", "corundum", PhaseMark::standard);
+    is("Corundum, int. std.", "Corundum", PhaseMark::standard);
+    is("Corundum [IS]", "Corundum", PhaseMark::standard);
+    is("Interner Standard (Korund)", "Korund", PhaseMark::standard);
+    is("Spike: corundum", "corundum", PhaseMark::standard);
+    is("Anhydrite (not detected)", "Anhydrite", PhaseMark::not_detected);
+    is("Lime, n.d.", "Lime", PhaseMark::not_detected);
+    is("Kalk (Spuren)", "Kalk", PhaseMark::traces);
+    is("Mullite (3:2)", "Mullite (3:2)", PhaseMark::none);
+    is("Quartz, syn", "Quartz, syn", PhaseMark::none);
+    is("Standard", "Standard", PhaseMark::none);
+    is("SiO2 (tridymite)", "SiO2 (tridymite)", PhaseMark::none);
 }
 
 TEST_CASE("spreadsheets of three programs hold the same ash") {
@@ -275,6 +312,20 @@ TEST_CASE("marks in numbers have one reading, by the other numbers of the table,
                 }
             }
     }
+    // Where thousands are possible, "1.753" alone, or beside whole numbers, has two readings.
+    const auto of_counts = [](const std::vector<std::string>& column, const std::string& other) {
+        NumberMarks counts;
+        counts.may_hold_thousands(0);
+        for (const std::string& cell : column) counts.see(cell, 0);
+        counts.see(other, 1);
+        return input_error_of([&] { static_cast<void>(counts.read(column.front(), 0)); });
+    };
+    CHECK(contains(of_counts({"1.753", "540", "45"}, "7"), "\"1.753\" is 1.753 or 1753"));
+    CHECK(contains(of_counts({"1.753", "540", "45"}, "3.4"), "\"1.753\" is 1.753 or 1753"));
+    CHECK(contains(of_counts({"1.753", "2.540"}, "7"), "\"1.753\" is 1.753 or 1753"));
+    CHECK(of_counts({"1.753", "0.540"}, "7").empty());
+    CHECK(of_counts({"1.753", "0"}, "3.4").empty());
+    CHECK(of_counts({"1.753", "540", "45.5"}, "7").empty());
     const NumberMarks by_comma(DecimalMark::comma);  // as --decimal states
     CHECK(by_comma.read("1,234", 0)->value == 1.234);
     CHECK(by_comma.read("1.234", 0)->value == 1234);
@@ -282,6 +333,10 @@ TEST_CASE("marks in numbers have one reading, by the other numbers of the table,
     CHECK(by_comma.read("12.5", 0)->value == 12.5);
     const NumberMarks marks;
     CHECK(marks.read("12,3 \u00b1 0,4", 0)->standard_uncertainty == 0.4);
+    CHECK(marks.read("(12.3 \u00b1 0.4) %", 0)->standard_uncertainty == 0.4);
+    CHECK(marks.read("12.3 % \u00b1 0.4 %", 0)->standard_uncertainty == 0.4);
+    CHECK(contains(input_error_of([&] { static_cast<void>(marks.read("12.3 \u00b1 3%", 0)); }),
+                   "the uncertainty is 3 % of 12.3, or 3 in the unit of the value"));
     for (const char* junk : {"1.2.3", "1,2,3.4", "12.3 456", "2024 123", "1,23,4.5"}) {
         CAPTURE(junk);
         CHECK_FALSE(marks.read(junk, 0));

@@ -178,13 +178,16 @@ TEST_CASE("malformed tables") {
     refuses("phase,wt%\n,12\n", "line 2: the line names no phase");
     refuses("phase,wt%\nQuartz,n.d.\n", "line 2: the sample has no phase with an amount");
     refuses("phase,wt%\nQuartz,60\nGlass,40\nTotal,99\n",
-            "line 4: the total is given as 99 %, the phases above add up to 100 %");
+            "line 4: the total of the sample is given as 99 %, the phases above add up to 100 %");
+    refuses("sample,phase,wt%\nA,Quartz,60\nA,Glass,40\nB,Quartz,60\nB,Glass,30\nB,Total,100\n",
+            "line 6: the total of the sample \"B\" is given as 100 %");
     refuses("phase,wt%,vol%\nQuartz,60,50\n", "line 1: there are fractions by weight and by volume");
     refuses("phase,wt%,content\nQuartz,60,50\n", "line 1: the columns \"wt%\" and \"content\" hold the same");
     refuses("phase,wt%,esd\nQuartz,60,-1\n", "line 2: the uncertainty is below zero");
-    refuses("phase,wt%,density\nQuartz,60,2.65\n", "line 2, cell 3: the density has no unit");
+    refuses("phase,wt%,density\nQuartz,60,2.65\n",
+            "line 2, cell 3: column \"density\": the density has no unit");
     refuses("phase,wt%,density [GPa]\nQuartz,60,2.65\n",
-            "line 2, cell 3: the unit \"GPa\" is not one of density");
+            "line 2, cell 3: column \"density [GPa]\": the unit \"GPa\" is not one of density");
     refuses("phase,wt%,density [g/cm3]\nQuartz,60,-2.65\n", "line 2, cell 3: the density is not positive");
     refuses("phase,intensity\nQuartz,60\n",
             "line 1: there are intensities without reference intensity ratios");

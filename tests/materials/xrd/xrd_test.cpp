@@ -286,7 +286,30 @@ TEST_CASE("headings of fractions are read as what they state, and what is no fra
         CAPTURE(heading);
         CHECK(of(heading).samples.front().analysis.basis == FractionBasis::weight);
     }
-    CHECK(digest(of("ppm", "600000;400000").samples.front()) == "Quartz 6000, Mullite 4000");
+    for (const char* heading : {"m%", "M.-%", "m-%", "Content (% w/w)", "Gehalt % w/w", "FA1 wt %",
+                                "wt% (n=3)", "FA1 (n = 3) [wt%]"}) {
+        CAPTURE(heading);
+        const XrdResult result = of(heading);
+        CHECK(result.samples.front().analysis.basis == FractionBasis::weight);
+        CHECK(digest(result.samples.front()) == "Quartz 6000, Mullite 4000");
+        CHECK(result.samples.front().name.find_first_of("%(") == std::string::npos);
+    }
+    for (const auto& [heading, amounts] : {std::pair{"ppm", "600000;400000"},
+                                           {"w [mg/kg]", "600000;400000"},
+                                           {"g/kg", "600;400"},
+                                           {"Gehalt in g/kg", "600;400"},
+                                           {"Gehalt [mg/g]", "600;400"},
+                                           {"kg/kg", "0.6;0.4"},
+                                           {"w [g/g]", "0.6;0.4"}}) {
+        CAPTURE(heading);
+        CHECK(digest(of(heading, amounts).samples.front()) == "Quartz 6000, Mullite 4000");
+    }
+    CHECK(of("ppm (v/v)", "600000;400000").samples.front().analysis.basis == FractionBasis::volume);
+    CHECK(digest(of("content", "60 wt%;40.0 wt.-%").samples.front()) == "Quartz 6000, Mullite 4000");
+    CHECK(contains(input_error_of([&] { static_cast<void>(of("content", "60 vol%;40 vol%")); }),
+                   "cannot read"));
+    CHECK(contains(input_error_of([&] { static_cast<void>(of("wt%", "60 \u00b1 3%;40")); }),
+                   "line 2, cell 2: in \"60 \u00b1 3%\" the uncertainty is 3 % of 60, or 3 in the unit"));
     const XrdResult crystalline = of("wt% (crystalline)", "59,8;40,1");
     CHECK(relative_difference(crystalline.samples.front().analysis.phases[0].fraction, 59.8 / 99.9) < 1e-14);
     CHECK(contains(crystalline.samples.front().warnings.front().text, "the crystalline part"));
@@ -309,12 +332,10 @@ TEST_CASE("headings of fractions are read as what they state, and what is no fra
                                 "Volume [cm3]",
                                 "FA1 mol%",
                                 "FA1 [at.%]",
-                                "mg/g",
                                 "Gehalt [\u2030]",
                                 "wt\u2030",
                                 "St\u00fcck-%",
-                                "cts",
-                                "ppm (v/v)"}) {
+                                "cts"}) {
         CAPTURE(heading);
         CHECK(contains(input_error_of([&] { static_cast<void>(of(heading)); }),
                        "no weight or volume fractions"));
@@ -337,13 +358,144 @@ TEST_CASE("a heading that is not known is no sample, and the units of all sample
     CHECK(read_xrd("Phase;A;B" + amounts, "t.csv").samples.size() == 2);
     CHECK(contains(refusal("Phase;A [mol%];B [mol%]" + amounts), "no weight or volume fractions"));
     CHECK(contains(refusal("Phase;A [wt%];B [vol%]" + amounts), "fractions by weight and by volume"));
-    for (const char* unit : {" [mol%]", " mol%", " [counts]", " (mg/g)", " [Fl\u00e4chen-%]"}) {
+    for (const char* unit : {" [mol%]", " mol%", " [counts]", " (mg/l)", " [Fl\u00e4chen-%]"}) {
         CAPTURE(unit);
         CHECK(contains(refusal(std::string("Sample;Quartz") + unit + ";Mullite" + unit + "\nA;20;80\n"),
                        "is in another unit; allowed: fractions by weight or by volume"));
     }
     CHECK(read_xrd("Sample;Quartz vol%;Mullite vol%\nA;20;80\n", "t.csv").samples[0].analysis.basis ==
           FractionBasis::volume);
+}
+
+TEST_CASE("columns and rows that are no phases are set aside, and named") {
+    const XrdResult columns = read_xrd(
+        "Sample;Quartz;Mullite;Glass;Blaine [cm2/g];Rwp;GOF;chi2;density [g/cm3];LOI "
+        "[%];\nA;20;30;50;3500;7.8;1.9;3.6;2.3;"
+        "4.1;x\n",
+        "t.csv");
+    CHECK(digest(columns.samples.front()) == "Quartz 2000, Mullite 3000, Glass 5000");
+    const std::string told = joined(texts_of(columns.warnings));
+    for (const char* name : {"\"Blaine\"", "\"Rwp\"", "\"GOF\"", "\"chi2\"", "\"density\"", "\"LOI\"",
+                             "11, which has no heading,"})
+        CHECK_MESSAGE(contains(told, "column " + std::string(name) + " is not used"), told);
+    const XrdResult rows = read_xrd(
+        "Phase;A [wt%];B [wt%];ICSD;Density [g/cm3]\nQuartz;20;30;1;2.6\nGlass;80;70;2;2.4\nRwp;7.8;8;;\n",
+        "t.csv");
+    REQUIRE(rows.samples.size() == 2);
+    CHECK(digest(rows.samples.back()) == "Quartz 3000, Glass 7000");
+    CHECK(rows.samples.back().analysis.phases.front().density == 2600);
+    CHECK(contains(joined(texts_of(rows.warnings)), "line 4 is no phase and left out: \"Rwp\""));
+    CHECK(contains(joined(texts_of(rows.warnings)), "column \"ICSD\" is not used"));
+}
+
+TEST_CASE("columns that sum up samples, and results beside the intensities they come from") {
+    const XrdResult repeats = read_xrd(
+        "Phase;FA-1;FA-2;Mittelwert;Stabw.\nQuarz;12,3;12,5;12,4;0,1\nGlas;87,7;87,5;87,6;0,1\n", "t.csv");
+    REQUIRE(repeats.samples.size() == 2);
+    CHECK(contains(joined(texts_of(repeats.warnings)), "column \"Mittelwert\" is not used"));
+    const XrdResult mean = read_xrd("Phase;Mittelwert [%];Stabw.\nQuarz;12,4;0,1\nGlas;87,6;0,1\n", "t.csv");
+    CHECK(mean.samples.front().analysis.phases.front().standard_uncertainty.value() ==
+          doctest::Approx(0.001));
+    const XrdResult jade = read_xrd(
+        "Phase ID;Formula;Wt%;esd;I/Ic;I%;esd\nQuartz, low;SiO2;12.3;0.2;3.41;100;3\nGlass;;87.7;0.3;;;\n",
+        "t.csv");
+    CHECK(digest(jade.samples.front()) == "Quartz, low 1230, Glass 8770");
+    CHECK(jade.samples.front().analysis.phases.front().standard_uncertainty.value() ==
+          doctest::Approx(0.002));
+    for (const char* name : {"\"Formula\"", "\"I/Ic\""})
+        CHECK(contains(joined(texts_of(jade.warnings)), "column " + std::string(name) + " is not used"));
+    for (const char* heading : {"Quartz/wt%,Glass/wt%", "Quartz \uff08wt%\uff09,Glass \uff08wt%\uff09"})
+        CHECK(
+            digest(read_xrd("Sample No.," + std::string(heading) + "\nA,20,80\n", "t.csv").samples.front()) ==
+            "Quartz 2000, Glass 8000");
+}
+
+TEST_CASE("a heading over two rows") {
+    const XrdResult spread =
+        read_xrd("Phase;FA1;;FA2;\n;wt%;esd;wt%;esd\nQuartz;20;0.3;30;0.4\nGlass;80;1;70;1\n", "t.csv");
+    REQUIRE(spread.samples.size() == 2);
+    CHECK(spread.samples.back().name == "FA2");
+    CHECK(digest(spread.samples.back()) == "Quartz 3000, Glass 7000");
+    CHECK(spread.samples.back().analysis.phases.front().standard_uncertainty.value() ==
+          doctest::Approx(0.004));
+    for (const char* group : {"Phase content (wt%)", "Phases [Gew.-%]"}) {
+        const XrdResult named =
+            read_xrd(std::string("Sample;") + group + "\n;Quartz;Mullite;Glass\nA;0.5;0.3;99.2\n", "t.csv");
+        CHECK(digest(named.samples.front()) == "Quartz 50, Mullite 30, Glass 9920");
+        CHECK(named.warnings.empty());
+    }
+}
+
+TEST_CASE("rows of uncertainties behind each sample") {
+    for (const auto& [first, second] :
+         {std::pair{"esd", "esd"}, {"\u00b1", "\u00b1"}, {"A esd", "B esd"}, {"A (SD)", "B (SD)"}}) {
+        const XrdResult result = read_xrd(
+            "Sample;Quartz;Glass\nA;20;80\n" + std::string(first) + ";0.3;-\nB;10;90\n" + second + ";0.4;1\n",
+            "t.csv");
+        REQUIRE(result.samples.size() == 2);
+        CHECK(result.samples[0].analysis.phases[0].standard_uncertainty.value() == doctest::Approx(0.003));
+        CHECK_FALSE(result.samples[0].analysis.phases[1].standard_uncertainty);
+        CHECK(result.samples[1].analysis.phases[1].standard_uncertainty.value() == doctest::Approx(0.01));
+    }
+    const XrdResult doubled = read_xrd("Sample;Quartz;Glass\nA;20;80\n2\u03c3;0.6;1\n", "t.csv");
+    CHECK_FALSE(doubled.samples[0].analysis.phases[0].standard_uncertainty);
+    CHECK(contains(joined(texts_of(doubled.warnings)), "the uncertainties in line 3 are not read"));
+}
+
+TEST_CASE("an internal standard that is only named, and phases that were not detected") {
+    const auto table = [](const std::string& row) {
+        return read_xrd("Phase;wt%\nQuartz;20\nMullite;30\n" + row + "\nGlass;50\n", "t.csv").samples.front();
+    };
+    const std::string marked = input_error_of([&] {
+        return compose(read_xrd("Phase;wt%\nQuartz;30\nMullite;50\nCorundum (spike);20\n", "t.csv")
+                           .samples.front()
+                           .analysis,
+                       shipped_catalogue());
+    });
+    CHECK_MESSAGE(
+        contains(marked,
+                 "line 4: \"Corundum\" is called an internal standard: the fractions are those of the "
+                 "mixture with it, or those of the sample beside it"),
+        marked);
+    CHECK(contains(marked, "--internal-standard Corundum --added-fraction"));
+    CHECK(read_xrd("Phase;wt%\nQuartz;80\nCorundum*;20\n\n* internal standard\n", "t.csv")
+              .samples.front()
+              .analysis.phases.back()
+              .is_standard);
+    const XrdSample mixture =
+        read_xrd("Phase;wt%\nQuartz;30\nMullite;50\nCorundum (spike);20\n", "t.csv").samples.front();
+    CHECK(amorphous_of(with_internal_standard(mixture, "corundum", 0.1)) ==
+          doctest::Approx(1 - 0.8 * 0.1 / 0.2 / 0.9));
+    for (const char* row :
+         {"Lime (not detected);", "Lime (n.n.);-", "Lime;n. n.", "Lime;nicht nachgewiesen"}) {
+        const XrdSample sample = table(row);
+        CHECK(digest(sample) == "Quartz 2000, Mullite 3000, Glass 5000");
+        CHECK(contains(sample.warnings.front().text, "\"Lime\" has no amount (line 4) and is left out"));
+    }
+    CHECK(digest(table("Lime (n.d.);0")) == "Quartz 2000, Mullite 3000, Lime 0, Glass 5000");
+    CHECK(
+        contains(input_error_of([&] { static_cast<void>(table("Lime (n.d.);3")); }),
+                 "line 4: \"Lime\" is called not detected, and its amount is 3 %; allowed: one of the two"));
+}
+
+TEST_CASE("what a table says of itself in two ways is refused") {
+    const auto refusal = [](const std::string& table) {
+        return input_error_of(
+            [&] { return compose(read_xrd(table, "t.csv").samples.front().analysis, shipped_catalogue()); });
+    };
+    CHECK(
+        contains(refusal("Phase;wt% (crystalline)\nQuartz;20\nAmorphous;80\n"),
+                 "line 3: the heading states fractions of the crystalline part, and \"Amorphous\" is none"));
+    CHECK(contains(refusal("Sample;Quartz [ppm];Glass\nA;200000;800000\n"),
+                   "line 1: the columns \"Quartz [ppm]\" and \"Glass\" are not in one unit"));
+    CHECK(contains(refusal("Sample;Quartz [g/kg];Glass [ppm]\nA;200;800000\n"), "are not in one unit"));
+    for (const char* table : {"Component;wt%\nSiO2;50\nAl2O3;25\nFe2O3;8\nCaO;10\nMgO;7\n",
+                              "Sample;SiO2;Al2O3;CaO;LOI\nA;60;25;11;4\n"})
+        CHECK_MESSAGE(contains(refusal(table), "are oxides of a chemical analysis (XRF)"), refusal(table));
+    CHECK(refusal("Phase;wt%\nSiO2;20\nMullite;30\nFe2O3;10\nGlass;40\n").empty());
+    CHECK(contains(refusal("Phase;Intensity;RIR\nQuartz;1.753;3\nMullite;540;2\n"),
+                   "\"1.753\" is 1.753 or 1753"));
+    CHECK(contains(refusal("Phase;ppm\nQuartz;200.000\nGlass;800.000\n"), "\"200.000\" is"));
 }
 
 TEST_CASE("units in a second line, rows that sum up samples, and notes below a table") {

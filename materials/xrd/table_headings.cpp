@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "materials/xrd/table_headings.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/text/text.hpp"
+#include "core/units/units.hpp"
+
+namespace ashimpact::xrd {
+
+namespace {
+
+std::string key_of(std::string_view text) {
+    return word_key(text, "%+");
+}
+
+std::string without_per_cent(std::string key) {
+    std::erase(key, '%');
+    for (const std::string_view word : {"percent", "pct", "prozent"}) {
+        const auto found = key.find(word);
+        if (found != std::string::npos) key.erase(found, word.size());
+    }
+    return key;
+}
+
+/// @param key from key_of(). A word such as "m%" counts with its per cent sign alone, others without it too.
+Role role_of(const std::string& key) {
+    static const WordLists words("XRD columns", "%+");
+    const std::string plain = without_per_cent(key);
+    if (plain != key)
+        if (const auto role = meaning<Role>(words, plain + '%')) return *role;
+    if (const auto role = meaning<Role>(words, plain)) return *role;
+    return is_uncertainty_word(plain) ? Role::uncertainty : Role::other;
+}
+
+/// A unit of fractions that is a quotient.
+struct FractionUnit {
+    std::string_view text;  ///< in ASCII, without blanks and brackets
+    HeadingUnit states;
+    Scale scale;
+};
+constexpr std::array fraction_units{FractionUnit{"g/g", HeadingUnit::weight, Scale::fraction},
+                                    FractionUnit{"kg/kg", HeadingUnit::weight, Scale::fraction},
+                                    FractionUnit{"w/w", HeadingUnit::weight, Scale::not_stated},
+                                    FractionUnit{"m/m", HeadingUnit::weight, Scale::not_stated},
+                                    FractionUnit{"g/100g", HeadingUnit::weight, Scale::per_cent},
+                                    FractionUnit{"g/kg", HeadingUnit::weight, Scale::per_mille},
+                                    FractionUnit{"gkg-1", HeadingUnit::weight, Scale::per_mille},
+                                    FractionUnit{"mg/g", HeadingUnit::weight, Scale::per_mille},
+                                    FractionUnit{"mgg-1", HeadingUnit::weight, Scale::per_mille},
+                                    FractionUnit{"mg/kg", HeadingUnit::weight, Scale::ppm},
+                                    FractionUnit{"mgkg-1", HeadingUnit::weight, Scale::ppm},
+                                    FractionUnit{"ug/g", HeadingUnit::weight, Scale::ppm},
+                                    FractionUnit{"v/v", HeadingUnit::volume, Scale::not_stated},
+                                    FractionUnit{"m3/m3", HeadingUnit::volume, Scale::fraction},
+                                    FractionUnit{"cm3/cm3", HeadingUnit::volume, Scale::fraction}};
+
+/// The unit of a text such as "g/kg" or "% (m/m)"; null if it is none of these.
+const FractionUnit* fraction_unit(std::string_view text) {
+    const std::string key = word_key(ascii_unit(text), "/-");
+    const auto* const found = std::ranges::find(fraction_units, key, &FractionUnit::text);
+    return found == fraction_units.end() ? nullptr : found;
+}
+
+/// Whether brackets hold a unit, unlike those of "Mullite (3:2)".
+bool is_unit_in_brackets(std::string_view text) {
+    const std::string key = key_of(text);
+    return holds_per_cent(key) || key.find("m3") != std::string::npos || key == "wt" || key == "vol" ||
+           key.find("pp") == 0 || (text.find('/') != std::string_view::npos && read_unit(ascii_unit(text)));
+}
+
+}  // namespace
+
+Role role_of_text(std::string_view text) {
+    return role_of(key_of(text));
+}
+
+bool holds_per_cent(std::string_view text) {
+    const std::string key = key_of(text);
+    return without_per_cent(key) != key;
+}
+
+HeadingUnit unit_of(std::string_view text) {
+    if (text.empty()) return HeadingUnit::none;
+    if (const FractionUnit* unit = fraction_unit(text)) return unit->states;
+    const std::string key = key_of(text);
+    const std::string plain = without_per_cent(key);
+    if (plain.empty() || plain == "1") return HeadingUnit::fraction;
+    const Role role = role_of(key);
+    return role == Role::weight   ? HeadingUnit::weight
+           : role == Role::volume ? HeadingUnit::volume
+                                  : HeadingUnit::other;
+}
+
+bool ends_with_uncertainty_word(std::string_view heading) {
+    const auto blank = heading.find_last_of(" _");
+    return blank != std::string_view::npos && role_of_text(heading.substr(blank + 1)) == Role::uncertainty;
+}
+
+namespace {
+
+bool holds_letter(std::string_view text) {
+    return text.find_first_not_of("0123456789+-/ ") != std::string_view::npos;
+}
+
+/// "Weight [wt.%]", "content, vol%" and "Gehalt in Mol-%" into text and unit.
+void split_unit(Heading& heading, std::string_view text) {
+    heading.text = std::string(text);
+    const auto split = [&](std::size_t end, std::string_view unit) {
+        std::string_view name = trimmed(text.substr(0, end));
+        while (name.ends_with(',') || name.ends_with(';') || name.ends_with('/'))
+            name = trimmed(name.substr(0, name.size() - 1));
+        if (name.ends_with(" in")) name = trimmed(name.substr(0, name.size() - 3));
+        heading.text = std::string(name);
+        heading.unit = std::string(trimmed(unit));
+    };
+    for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
+        const auto start = text.rfind(open);
+        if (start == std::string_view::npos || start == 0 || !text.ends_with(close)) continue;
+        const std::string_view inside = trimmed(text.substr(start + 1, text.size() - start - 2));
+        if (open == '[' || is_unit_in_brackets(inside)) return split(start, inside);
+    }
+    const auto last = text.find_last_of(" /");
+    for (auto at = text.find_first_of(" /"); at != std::string_view::npos;
+         at = text.find_first_of(" /", at + 1)) {
+        const std::string_view rest = trimmed(text.substr(at + 1));
+        const std::string_view name = trimmed(text.substr(0, at));
+        const bool per_cent = holds_per_cent(rest) &&
+                              (at == last || (unit_of(rest) != HeadingUnit::other && !rest.starts_with('/')));
+        const bool is_quotient = text[at] == '/' || name.ends_with('/');  // "w/%", but not "1/wt%"
+        if (!name.empty() && (per_cent || (!is_quotient && fraction_unit(rest) != nullptr)) &&
+            (!is_quotient || holds_letter(name)))
+            return split(at, rest);
+    }
+}
+
+/// Removes "(n=3)", the number of repeated measurements.
+void take_repeats(std::string& text) {
+    for (auto open = text.find_first_of("(["); open != std::string::npos;
+         open = text.find_first_of("([", open + 1)) {
+        const auto close = text.find_first_of(")]", open);
+        if (close == std::string::npos) return;
+        const std::string inside = word_key(std::string_view(text).substr(open + 1, close - open - 1), "=");
+        if (!inside.starts_with("n=") || inside.find_first_not_of("0123456789", 2) != std::string::npos)
+            continue;
+        text.erase(open, close - open + 1);
+        text = std::string(trimmed(text));
+        return;
+    }
+}
+
+/// Removes "(crystalline)" or "crystalline" behind a quantity. @return whether it was there
+bool take_crystalline(std::string& text) {
+    for (const std::string_view word :
+         {"(crystalline)", "(cryst.)", "(kristallin)", "crystalline", "kristallin"}) {
+        if (text.size() <= word.size() || !lower_case(text).ends_with(word)) continue;
+        text = std::string(trimmed(std::string_view(text).substr(0, text.size() - word.size())));
+        return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+Heading read_heading(std::string_view text) {
+    Heading heading;
+    StatedCoverage coverage = read_coverage(trimmed(text));
+    constexpr std::string_view sign = "\u00b1";  // of "wt% ± 2s": cells hold value and uncertainty
+    if (!coverage.stated.empty() && coverage.rest.size() > sign.size() && coverage.rest.ends_with(sign))
+        coverage.rest.resize(coverage.rest.size() - sign.size());
+    heading.written = text;
+    heading.coverage = coverage;
+    take_repeats(coverage.rest);
+    heading.of_crystalline = take_crystalline(coverage.rest);
+    split_unit(heading, coverage.rest);
+    if (heading.unit.empty() && fraction_unit(heading.text) != nullptr) heading.unit = heading.text;
+    heading.states = unit_of(heading.unit);
+    const std::string key = key_of(heading.text);
+    const std::string unit = key_of(heading.unit);
+    const FractionUnit* quotient = fraction_unit(heading.unit);
+    heading.role = key.empty() ? Role::other : role_of(key);
+    if (quotient != nullptr && heading.unit == heading.text)
+        heading.role = quotient->states == HeadingUnit::volume ? Role::volume : Role::weight;
+    if (heading.role == Role::weight && heading.states == HeadingUnit::volume) heading.role = Role::volume;
+    const HeadingUnit contrary = heading.role == Role::weight ? HeadingUnit::volume : HeadingUnit::weight;
+    if ((heading.role == Role::weight || heading.role == Role::volume) &&
+        (heading.states == HeadingUnit::other || heading.states == contrary))
+        heading.role = Role::measure;
+    // "2 sigma" alone, or behind the name of a phase or sample, is the uncertainty of the column before it.
+    if (!coverage.stated.empty() && (heading.text.empty() || heading.role == Role::other))
+        heading.role = Role::uncertainty;
+    if (holds_per_cent(key) || holds_per_cent(unit)) heading.scale = Scale::per_cent;
+    if (key.ends_with("ppm") || unit.ends_with("ppm")) heading.scale = Scale::ppm;
+    if (key.ends_with("fraction") && heading.scale == Scale::not_stated) heading.scale = Scale::fraction;
+    if (unit == "1" || heading.unit == "-") heading.scale = Scale::fraction;
+    if (quotient != nullptr && quotient->scale != Scale::not_stated) heading.scale = quotient->scale;
+    return heading;
+}
+
+RowMeaning meaning_of_row(std::string_view name) {
+    static const WordLists words("XRD rows", "+");
+    return meaning<RowMeaning>(words, without_per_cent(key_of(name))).value_or(RowMeaning::phase);
+}
+
+MarkedPhase read_phase_name(std::string_view text) {
+    static const WordLists words("XRD marks");
+    const auto mark_of = [](std::string_view part) {
+        return meaning<PhaseMark>(words, part).value_or(PhaseMark::none);
+    };
+    const auto marked = [&](std::string_view name, std::string_view mark) {
+        while (!name.empty() && std::string_view(" ,;:-").find(name.back()) != std::string_view::npos)
+            name.remove_suffix(1);
+        return MarkedPhase{.name = std::string(name), .mark = name.empty() ? PhaseMark::none : mark_of(mark)};
+    };
+    text = trimmed(text);
+    for (const auto& [open, close] : {std::pair{'(', ')'}, std::pair{'[', ']'}}) {
+        const auto start = text.rfind(open);
+        if (start == std::string_view::npos || !text.ends_with(close)) continue;
+        const std::string_view before = text.substr(0, start);
+        const std::string_view inside = text.substr(start + 1, text.size() - start - 2);
+        if (auto found = marked(before, inside); found.mark != PhaseMark::none) return found;
+        if (auto found = marked(trimmed(inside), before); found.mark == PhaseMark::standard) return found;
+    }
+    for (auto at = text.find_first_of(" ,:"); at != std::string_view::npos;
+         at = text.find_first_of(" ,:", at + 1)) {
+        const auto blank = text[at] == ' ' ? at : at + 1;
+        if (auto found = marked(text.substr(0, at), text.substr(blank)); found.mark != PhaseMark::none)
+            return found;
+        if (text[at] != ':') continue;
+        if (auto found = marked(trimmed(text.substr(at + 1)), text.substr(0, at));
+            found.mark == PhaseMark::standard)
+            return found;
+    }
+    return {.name = std::string(text)};
+}
+
+bool stands_beside(const Heading& heading) {
+    constexpr std::array roles{Role::measure, Role::density, Role::intensity, Role::ratio,
+                               Role::ratio_uncertainty};
+    return heading.sums_up || std::ranges::find(roles, heading.role) != roles.end();
+}
+
+}  // namespace ashimpact::xrd

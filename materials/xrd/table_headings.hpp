@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "core/quantities/names.hpp"
+#include "core/tables/vocabulary.hpp"
+
+namespace ashimpact::xrd {
+
+/// What a column of a table contains.
+enum class Role {
+    other,
+    sample,
+    phase,
+    weight,  ///< fraction by weight
+    volume,  ///< fraction by volume
+    uncertainty,
+    density,
+    intensity,
+    ratio,  ///< reference intensity ratio
+    ratio_uncertainty,
+    standard,  ///< known weight fraction of an added internal standard
+    measure,   ///< neither a fraction nor the name of a sample: "FWHM", "counts", "Mol-%"
+};
+
+/// What a row of a table of fractions contains.
+enum class RowMeaning { phase, total, crystalline_total };
+
+/// What stands behind the name of a phase: "Corundum (internal standard)", "Lime (not detected)".
+enum class PhaseMark { none, standard, not_detected, traces };
+
+/// Whether the numbers under a heading are per cent or fractions.
+enum class Scale { not_stated, per_cent, fraction, per_mille, ppm };
+
+/// What the unit of a heading states of the numbers under it.
+enum class HeadingUnit {
+    none,      ///< there is no unit
+    fraction,  ///< "%", "1": of weight or volume
+    weight,    ///< "wt%", "ppm"
+    volume,    ///< "vol%"
+    other,     ///< "Mol-%", "counts", "mg/g"
+};
+
+/// The parts of a heading: "Weight [wt.%]" is a weight in per cent.
+struct Heading {
+    std::string text;  ///< without unit and coverage
+    std::string unit;  ///< without its brackets; may be empty
+    HeadingUnit states = HeadingUnit::none;
+    Role role = Role::other;
+    Scale scale = Scale::not_stated;
+    bool of_crystalline = false;  ///< "wt% (crystalline)": fractions of the crystalline part
+    std::string written{};        ///< the whole heading as in the file
+    StatedCoverage coverage{};    ///< of the uncertainties under it
+    bool sums_up = false;         ///< a column "Mittelwert" beside those of samples, or its uncertainties
+};
+
+[[nodiscard]] Heading read_heading(std::string_view text);
+
+/// What the row of a name contains: a total of all or of the crystalline phases, else a phase.
+[[nodiscard]] RowMeaning meaning_of_row(std::string_view name);
+
+/// A phase as a table names it, without its mark.
+struct MarkedPhase {
+    std::string name;
+    PhaseMark mark = PhaseMark::none;
+};
+[[nodiscard]] MarkedPhase read_phase_name(std::string_view text);
+
+/// Whether a column stands beside those of the phases or samples and is none of them: "Rwp", "density".
+[[nodiscard]] bool stands_beside(const Heading& heading);
+
+/// What a text alone says of a column: "wt%" is a weight, "esd" an uncertainty.
+[[nodiscard]] Role role_of_text(std::string_view text);
+
+/// What a text states as the unit of fractions.
+[[nodiscard]] HeadingUnit unit_of(std::string_view text);
+
+/// Whether a text holds "%" or a word for it.
+[[nodiscard]] bool holds_per_cent(std::string_view text);
+
+/// Whether a heading such as "Quartz esd" ends with a word for an uncertainty behind the name of a phase.
+[[nodiscard]] bool ends_with_uncertainty_word(std::string_view heading);
+
+}  // namespace ashimpact::xrd
+
+template <>
+struct ashimpact::Names<ashimpact::xrd::Role> {
+    static constexpr std::string_view kind = "column";
+    static constexpr std::array<std::string_view, 12> all{
+        "other",       "sample",  "phase",     "weight", "volume",
+        "uncertainty", "density", "intensity", "ratio",  "ratio_uncertainty",
+        "standard",    "measure"};
+};
+
+template <>
+struct ashimpact::Names<ashimpact::xrd::RowMeaning> {
+    static constexpr std::string_view kind = "row";
+    static constexpr std::array<std::string_view, 3> all{"phase", "total", "crystalline_total"};
+};
+
+template <>
+struct ashimpact::Names<ashimpact::xrd::PhaseMark> {
+    static constexpr std::string_view kind = "mark of a phase";
+    static constexpr std::array<std::string_view, 4> all{"none", "standard", "not_detected", "traces"};
+};
