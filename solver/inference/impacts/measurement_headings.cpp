@@ -18,13 +18,18 @@ const WordLists& column_words() {
     return words;
 }
 
-/// ASCII letters and digits in lower case: "v_{in}" is "vin", "v_rück" is "vrueck".
+/// Letters and digits in lower case: "v_{in}" is "vin", "v_rück" is "vrueck". Signs of changes do not count.
 std::string key_of(std::string_view text) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 3> signs{
-        {{"\u00b1", "plusminus"}, {"+-", "plusminus"}, {"+/-", "plusminus"}}};
-    std::string key = word_key(replaced(text, signs));
-    std::erase_if(key, [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
-    return key;
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 9> signs{{{"\u00b1", "plusminus"},
+                                                                                  {"+-", "plusminus"},
+                                                                                  {"+/-", "plusminus"},
+                                                                                  {"\u221a", ""},
+                                                                                  {"\u00bd", ""},
+                                                                                  {"\u0394", ""},
+                                                                                  {"\u2206", ""},
+                                                                                  {"\u2202", ""},
+                                                                                  {"\u2212", ""}}};
+    return word_key(replaced(text, signs));
 }
 
 std::optional<MeasuredQuantity> quantity_of(std::string_view key) {
@@ -46,6 +51,11 @@ std::optional<Meaning> meaning_of(std::string_view name) {
             quantity = quantity_of(std::string_view(key).substr(0, key.size() - word.size()));
         if (quantity) return Meaning{*quantity, true};
     }
+    // "Einfallsgeschwindigkeit v_ein": a name and a symbol of one quantity.
+    for (auto at = name.find(' '); at != std::string_view::npos; at = name.find(' ', at + 1)) {
+        const auto quantity = quantity_of(key_of(name.substr(0, at)));
+        if (quantity && quantity == quantity_of(key_of(name.substr(at)))) return Meaning{*quantity, false};
+    }
     return std::nullopt;
 }
 
@@ -64,6 +74,15 @@ std::string_view change_in(std::string_view name) {
         if (name.find(sign) != std::string_view::npos) return change;
     return {};
 }
+
+}  // namespace
+
+bool is_velocity_unit(std::string_view text) {
+    const auto unit = read_unit(ascii_unit(text));
+    return unit && unit->powers == Unit{1, {1, 0, -1, 0}}.powers;
+}
+
+namespace {
 
 struct NameAndUnit {
     std::string_view name;
@@ -87,6 +106,12 @@ NameAndUnit split(std::string_view cell) {
         std::string_view unit = trimmed(cell.substr(slash + 1));
         if (unit.starts_with('(') && unit.ends_with(')')) unit = unit.substr(1, unit.size() - 2);
         if (read_unit(ascii_unit(unit))) return {trimmed(cell.substr(0, slash)), unit};
+    }
+    for (auto at = cell.find(' '); at != std::string_view::npos; at = cell.find(' ', at + 1)) {
+        std::string_view name = cell.substr(0, at);
+        while (name.ends_with(',') || name.ends_with(';') || name.ends_with(':')) name.remove_suffix(1);
+        const std::string_view unit = trimmed(cell.substr(at));
+        if ((meaning_of(name) || is_uncertainty_word(name)) && is_velocity_unit(unit)) return {name, unit};
     }
     if (const auto in = cell.rfind(" in "); in != std::string_view::npos && meaning_of(cell.substr(0, in)))
         if (const std::string_view unit = trimmed(cell.substr(in + 4)); read_unit(ascii_unit(unit)))
@@ -149,6 +174,7 @@ void require_columns(const MeasurementHeading& heading) {
 /// @return whether the column is one of these
 bool take_other(MeasurementHeading& heading, std::string_view name, std::size_t position) {
     const std::string key = key_of(name);
+    if (key.empty()) return false;
     const auto take = [&](std::optional<std::size_t>& column) {
         if (column) throw InputError("column " + in_quotes(name) + " stands twice", "each quantity once");
         column = position;
@@ -178,6 +204,18 @@ void take_measured(MeasurementHeading& heading, const Meaning& meaning, Measured
     place = std::move(column);
 }
 
+/// Takes a column "captured" or "haftet" for the column of outcomes if there is no other.
+void take_captured(MeasurementHeading& heading) {
+    if (heading.outcome) return;
+    const auto found = std::ranges::find_if(heading.unused, [](const TextColumn& column) {
+        return column_words().list_of(column.name) == "captured";
+    });
+    if (found == heading.unused.end()) return;
+    heading.outcome = found->position;
+    heading.outcome_is_capture = true;
+    heading.unused.erase(found);
+}
+
 /// Enters the column of one cell of the heading.
 void take_column(MeasurementHeading& heading, const std::string& cell, std::size_t position) {
     const StatedCoverage coverage = read_coverage(cell);
@@ -192,8 +230,9 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
                 {impacts_code, Severity::remark,
                  "column " + in_quotes(cell) +
                      " is not used: it does not say of which velocity; write \"u(v_in) [m/s]\""});
-        else if (!cell.empty())
+        else
             heading.unused.push_back({position, cell});
+        if (column_words().list_of(key_of(name)) == "validity") heading.validity.push_back(position);
         return;
     }
     if (const std::string_view change = change_in(name); !change.empty())
@@ -204,11 +243,12 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
     if (meaning->is_uncertainty && !coverage.problem.empty()) return;
     const bool named = meaning_of(name).has_value();
     const auto& value = heading.of(meaning->quantity);
-    MeasuredColumn column{{position, named ? std::string(name) : cell},
-                          factor_of(unit, meaning->quantity),
-                          !unit.empty() || meaning->quantity == MeasuredQuantity::restitution,
-                          meaning->quantity == MeasuredQuantity::restitution,
-                          coverage.problem.empty() ? coverage.factor : 0};
+    MeasuredColumn column{
+        {position, named ? std::string(name) : cell},
+        at_place("column " + in_quotes(cell), [&] { return factor_of(unit, meaning->quantity); }),
+        !unit.empty() || meaning->quantity == MeasuredQuantity::restitution,
+        meaning->quantity == MeasuredQuantity::restitution,
+        coverage.problem.empty() ? coverage.factor : 0};
     if (unit.empty() && !named && meaning->is_uncertainty && value) {
         column.to_si = value->to_si;
         column.unit_given = value->unit_given;
@@ -220,6 +260,11 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
 }
 
 }  // namespace
+
+OutcomeWord capture_flag(std::string_view cell) {
+    static const WordLists flags("flags");
+    return meaning<OutcomeWord>(flags, cell).value_or(outcome_word(cell));
+}
 
 OutcomeWord outcome_word(std::string_view cell) {
     static const WordLists words("outcomes", all_marks);
@@ -257,6 +302,7 @@ MeasurementHeading read_measurement_heading(const std::vector<std::string>& cell
     MeasurementHeading heading{};
     heading.columns = cells.size();
     for (std::size_t i = 0; i < cells.size(); ++i) take_column(heading, cells[i], i);
+    take_captured(heading);
     require_columns(heading);
     for (Finding& note : coverage_findings(impacts_code, heading.coverages))
         heading.notes.push_back(std::move(note));

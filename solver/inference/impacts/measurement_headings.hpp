@@ -23,6 +23,9 @@ struct Names<OutcomeWord> {
     static constexpr std::array<std::string_view, 4> all{"none", "capture", "rebound", "unknown"};
 };
 
+/// The meaning of a cell of a column that holds yes for a capture.
+[[nodiscard]] OutcomeWord capture_flag(std::string_view cell);
+
 /// The meaning of a cell that holds exactly one word for an outcome, such as "haftet", "stick", "rebound",
 /// "?", or the letters c and r; an empty cell is unknown.
 [[nodiscard]] OutcomeWord outcome_word(std::string_view cell);
@@ -54,6 +57,7 @@ struct MeasuredColumn : TextColumn {
     bool unit_given;
     bool is_fraction;  ///< cells may be in per cent
     double coverage;   ///< its uncertainties over standard ones; 0: they cannot be read
+    bool unit_in_cells = false;
 };
 
 /// The columns of a heading.
@@ -61,9 +65,11 @@ struct MeasurementHeading {
     std::array<std::optional<MeasuredColumn>, 3> value;        ///< by MeasuredQuantity
     std::array<std::optional<MeasuredColumn>, 3> uncertainty;  ///< by MeasuredQuantity
     std::optional<std::size_t> outcome;                        ///< position of the column of outcomes
+    bool outcome_is_capture = false;                           ///< that column holds yes for a capture, or no
     std::optional<std::size_t> correlation;  ///< of the column of the correlation of the two velocities
     std::vector<TextColumn> remarks;         ///< columns of remarks, in which a word may state the outcome
-    std::vector<TextColumn> unused;
+    std::vector<TextColumn> unused;          ///< those without a name have no heading
+    std::vector<std::size_t> validity;       ///< positions of unused columns that say which impacts count
     std::vector<std::pair<std::string, StatedCoverage>> coverages;  ///< of the columns that hold quantities
     std::vector<Finding> notes;                                     ///< remarks on the columns
     std::size_t columns;
@@ -80,6 +86,9 @@ struct MeasurementHeading {
         return uncertainty[static_cast<std::size_t>(quantity)];
     }
 };
+
+/// Whether a text is a unit of velocity: "m/s", "mm s-1".
+[[nodiscard]] bool is_velocity_unit(std::string_view text);
 
 /// Whether a line may be the heading: one of its cells names the incident velocity.
 [[nodiscard]] bool names_incident_velocity(const std::vector<std::string>& cells);

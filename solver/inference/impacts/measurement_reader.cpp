@@ -12,8 +12,10 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "core/units/units.hpp"
+#include "solver/inference/impacts/impact_rows.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 #include "solver/inference/impacts/measurement_headings.hpp"
+#include "solver/statistics/moments.hpp"
 
 namespace ashimpact {
 
@@ -24,6 +26,45 @@ struct Entry {
     double value;
     std::optional<double> standard_uncertainty;
 };
+
+/// A cell such as "1.4 m/s" or "1.4 ± 0.1 m/s" cut into number and unit; no unit if it has none.
+struct CellWithUnit {
+    std::string number;
+    std::string unit;
+};
+CellWithUnit cut_unit(std::string_view cell) {
+    const auto begin = cell.find_first_not_of("+-.,()0123456789 \u00b1\u00a0'");
+    if (begin == std::string_view::npos || begin == 0) return {std::string(cell), {}};
+    std::string_view unit = cell.substr(begin);
+    unit = trimmed(unit.substr(0, std::min(unit.find("\u00b1"), unit.find("+-"))));
+    if (!is_velocity_unit(unit)) return {std::string(cell), {}};
+    std::string number(cell);
+    for (auto at = number.find(unit); at != std::string::npos; at = number.find(unit))
+        number.erase(at, unit.size());
+    return {number, std::string(unit)};
+}
+
+/// Takes the unit of velocities that have it in their cells and not in the heading of their column.
+void take_units_of_cells(MeasurementHeading& heading, std::span<const TextLine> lines, char separator) {
+    std::vector<MeasuredColumn*> bare(heading.columns, nullptr);
+    bool any = false;
+    for (auto* all : {&heading.value, &heading.uncertainty})
+        for (auto& column : *all)
+            if (column && !column->unit_given) {
+                bare[column->position] = &*column;
+                any = true;
+            }
+    if (!any) return;
+    for (const TextLine& line : lines)
+        for_each_cell(line, separator, [&](std::string_view cell, std::size_t k) {
+            if (k >= bare.size() || bare[k] == nullptr || cell.empty() || is_digit(cell.back())) return;
+            const std::string unit = cut_unit(cell).unit;
+            if (unit.empty()) return;
+            bare[k]->to_si = to_si(1.0, unit, Dimension::velocity);
+            bare[k]->unit_given = bare[k]->unit_in_cells = true;
+            bare[k] = nullptr;
+        });
+}
 
 /// Reads cells of one table.
 class TableCells {
@@ -37,6 +78,10 @@ class TableCells {
             for (const auto& column : *all)
                 if (column) holds_numbers[column->position] = true;
         if (heading.correlation) holds_numbers[*heading.correlation] = true;
+        constexpr double small_unit = 0.05;  // of cm/s, mm/s: a velocity may be thousands
+        for (const auto& column : heading.value)
+            if (column && !column->is_fraction && column->to_si < small_unit)
+                marks_.may_hold_thousands(column->position);
         for (const TextLine& line : lines)
             for_each_cell(line, separator, [&](std::string_view cell, std::size_t column) {
                 if (column < heading.columns && holds_numbers[column]) marks_.see(cell, column);
@@ -87,15 +132,37 @@ class TableCells {
         }
     }
     [[nodiscard]] Entry read(const TableRow& row, const MeasuredColumn& column) const {
-        const auto number = number_in(row, column.position);
+        auto number = number_in(row, column.position);
+        if (number && column.unit_in_cells && number->value != 0.0)
+            fail(column, row, "has no unit, and other cells of the column have one",
+                 "a unit in every cell, or in the heading");
+        if (!number && !column.is_fraction) number = number_with_unit(row, column);
         if (!number) fail(column, row, "is not a number", "a finite number; 0 for a capture");
         if (number->per_cent && !column.is_fraction)
             fail(column, row, "is in per cent", "the unit of the heading");
+        constexpr double greatest_restitution = 1.5;  // beyond any noise
+        if (column.is_fraction && !number->per_cent && number->value * column.to_si > greatest_restitution &&
+            column.position == heading_.reading().position)
+            fail(
+                column, row,
+                "may be " + shortest(number->value) + " % or a restitution whose decimal mark was lost",
+                "0 to 1; per cent with the unit, \"e_n [%]\"; --decimal point or comma if a mark is misread");
         const double factor = number->per_cent ? 0.01 : column.to_si;
         Entry entry{number->value * factor, std::nullopt};
         if (number->standard_uncertainty && column.coverage > 0)
             entry.standard_uncertainty = *number->standard_uncertainty * factor / column.coverage;
         return entry;
+    }
+
+    /// The number of a cell such as "1.4 m/s".
+    [[nodiscard]] std::optional<PrintedNumber> number_with_unit(const TableRow& row,
+                                                                const MeasuredColumn& column) const {
+        const auto [text, unit] = cut_unit(row.cells[column.position]);
+        if (unit.empty()) return std::nullopt;
+        if (std::abs(to_si(1.0, unit, Dimension::velocity) / column.to_si - 1.0) > 1e-9)
+            fail(column, row, "is in another unit than its column", "one unit for all cells of a column");
+        return at_place(at_cell(row.line, column.position),
+                        [&] { return marks_.read(text, column.position); });
     }
 
     const MeasurementHeading& heading_;
@@ -140,10 +207,11 @@ std::optional<NotedOutcome> stated_outcome(const MeasurementHeading& heading, co
     if (!heading.outcome) return NotedOutcome::from_reading;
     const std::string& cell = row.cells[*heading.outcome];
     if (cell.empty()) return NotedOutcome::from_reading;
-    const OutcomeWord word = outcome_word(cell);
+    const OutcomeWord word = heading.outcome_is_capture ? capture_flag(cell) : outcome_word(cell);
     if (word == OutcomeWord::none)
         throw InputError(in_quotes(cell) + " in the column of outcomes is none",
-                         "rebound, capture, unknown, or an empty cell")
+                         heading.outcome_is_capture ? "yes or no, unknown, or an empty cell"
+                                                    : "rebound, capture, unknown, or an empty cell")
             .at(at_cell(row.line, *heading.outcome));
     if (word == OutcomeWord::unknown) return std::nullopt;
     return word == OutcomeWord::capture ? NotedOutcome::capture : NotedOutcome::rebound;
@@ -208,6 +276,24 @@ void read_rebound(Measurement& point, const MeasurementHeading& heading, const T
     if (point.noise && as_velocity) point.noise = correlated(*point.noise, heading, cells, row);
 }
 
+/// Refuses a remark of several words that speaks of another outcome than the reading. @throws InputError
+void require_agreeing_remarks(const MeasurementHeading& heading, const TableRow& row,
+                              const Measurement& point) {
+    for (const TextColumn& column : heading.remarks) {
+        const std::string& remark = row.cells[column.position];
+        const OutcomeWord mentioned = outcome_mentioned(remark);
+        const bool of_capture = mentioned == OutcomeWord::capture && point.rebound > reach_of(point);
+        const bool of_rebound = mentioned == OutcomeWord::rebound && point.captured();
+        if (!of_capture && !of_rebound) continue;
+        throw InputError(
+            in_quotes(remark) + " in column " + in_quotes(column.name) + " speaks of " +
+                (of_capture ? "a capture, and the rebound velocity is " + shortest(point.rebound) + " m/s"
+                            : "a rebound, and the reading is a capture"),
+            "one of them, or a file without this row")
+            .at(at_cell(row.line, column.position));
+    }
+}
+
 /// One row; none where its outcome is not known. @param remark the outcome in its remarks
 std::optional<Measurement> measurement_of(const MeasurementHeading& heading, const TableCells& cells,
                                           const TableRow& row, OutcomeWord remark) {
@@ -234,6 +320,8 @@ std::optional<Measurement> measurement_of(const MeasurementHeading& heading, con
     }
     if (outcome == NotedOutcome::capture) require_no_rebound("outcome", point);
     point.outcome = *outcome;
+    if (remark == OutcomeWord::none && outcome == NotedOutcome::from_reading)
+        require_agreeing_remarks(heading, row, point);
     require_near_zero(point);
     if (outcome == NotedOutcome::capture) point.rebound = 0.0;
     const bool rebounded = outcome == NotedOutcome::rebound;
@@ -244,8 +332,9 @@ std::optional<Measurement> measurement_of(const MeasurementHeading& heading, con
 std::vector<Finding> warnings_of(const MeasurementHeading& heading) {
     std::vector<Finding> warnings = heading.notes;
     for (const TextColumn& column : heading.unused)
-        warnings.push_back(
-            {impacts_code, Severity::remark, "column " + in_quotes(column.name) + " is not used"});
+        if (!column.name.empty())
+            warnings.push_back(
+                {impacts_code, Severity::remark, "column " + in_quotes(column.name) + " is not used"});
     for (const auto* columns : {&heading.value, &heading.uncertainty}) {
         for (const auto& column : *columns)
             if (column && !column->unit_given)
@@ -272,6 +361,18 @@ class Unread {
     /// A row whose remark was taken for its outcome.
     void take_remarked(const TableRow& row) { remarked_.push_back(row.line); }
 
+    /// An impact, whose remarks may be other texts than words for an outcome.
+    void take_impact(const TableRow& row) {
+        for (const TextColumn& column : heading_.unused)
+            if (column.name.empty() && !row.cells[column.position].empty()) nameless_ = column.position + 1;
+        for (const TextColumn& column : heading_.remarks) {
+            const std::string& cell = row.cells[column.position];
+            if (cell.empty() || outcome_of_remark(cell) != OutcomeWord::none) continue;
+            if (not_read_.empty()) first_not_read_ = in_quotes(cell) + " in column " + in_quotes(column.name);
+            not_read_.push_back(row.line);
+        }
+    }
+
     /// A row whose outcome is not known.
     void take_unknown(const TableRow& row) {
         unknown_.push_back(row.line);
@@ -288,6 +389,14 @@ class Unread {
     }
 
     void tell(std::vector<Finding>& warnings) const {
+        if (nameless_ > 0)
+            warnings.push_back(
+                {impacts_code, Severity::remark,
+                 "column " + std::to_string(nameless_) + ", which has no heading, is not used"});
+        if (!not_read_.empty())
+            warnings.push_back({impacts_code, Severity::remark,
+                                first_not_read_ + " is not read (" + numbered("line", not_read_) +
+                                    "); only words for an outcome are, such as haftet or rebound"});
         if (!remarked_.empty())
             warnings.push_back({impacts_code, Severity::remark,
                                 "column " + names_of(heading_.remarks) + " tells the outcome in " +
@@ -321,6 +430,9 @@ class Unread {
     std::vector<std::size_t> remarked_;
     std::vector<std::size_t> unknown_;
     std::vector<std::size_t> elsewhere_;
+    std::vector<std::size_t> not_read_;
+    std::string first_not_read_;
+    std::size_t nameless_ = 0;  ///< number of a column without a heading
     std::string column_elsewhere_;
     std::string free_text_;
 };
@@ -346,25 +458,40 @@ void require_unit_of_title(const TextLine& title, const MeasurementHeading& head
                 .at(at_line(title.number));
 }
 
-/// The word that makes a row a summary of others, "Mittel", in a column that holds no quantity; empty if
-/// there is none. Words as short as "n" or "SD" count @p in_footer alone, in the first column.
-std::string summary_in(const MeasurementHeading& heading, const TableRow& row, bool in_footer) {
-    constexpr std::size_t longest_short_word = 3;
-    for (const TextColumn& column : heading.unused) {
-        if (column.position >= row.cells.size()) continue;
-        const std::string& cell = row.cells[column.position];
-        const bool counts = cell.size() > longest_short_word || (in_footer && column.position == 0);
-        if (counts && !cell.empty() && !is_digit(cell.front()) && is_summary(cell)) return cell;
+/// Refuses a last row, or last but one before its spread, that holds the means of the rows above.
+/// @throws InputError
+void refuse_mean(const MeasurementSet& set, bool by_restitution) {
+    constexpr std::size_t fewest = 3;      // rows above
+    constexpr double rounding = 5e-3;      // of a mean, to three digits
+    constexpr double least_spread = 0.05;  // of the velocities, so that equal rows are no mean
+    const auto is_near = [](double value, double mean) { return std::abs(value - mean) <= rounding * value; };
+    std::vector<double> velocities;
+    std::vector<double> readings;
+    for (const Measurement& point : set.points) {
+        const double reading = by_restitution ? point.restitution() : point.rebound;
+        if (velocities.size() >= fewest && velocities.size() + 2 >= set.points.size() &&
+            point.rebound > 0.0) {
+            const Moments above = Moments::of(velocities);
+            if (above.maximum > (1.0 + least_spread) * above.minimum && is_near(point.velocity, above.mean) &&
+                is_near(reading, Moments::of(readings).mean))
+                throw InputError(
+                    "the row holds the means of the rows above: it may be an impact, or sum up others",
+                    "a column that numbers the impacts, or a file without this row")
+                    .at(at_line(point.line));
+        }
+        velocities.push_back(point.velocity);
+        readings.push_back(reading);
     }
-    return {};
 }
 
-/// Puts the doubt about the velocity that is furthest outside of its range before the other warnings.
+/// Puts the doubt about the first velocity outside of its range before the other warnings.
 void add_implausible(const MeasuredColumn& column, MeasurementSet& set) {
     if (set.points.empty()) return;
     const PlausibleRange& range = *plausible_range("velocity");
-    const auto [slowest, fastest] = std::ranges::minmax_element(set.points, {}, &Measurement::velocity);
-    const Measurement& point = fastest->velocity > range.greatest ? *fastest : *slowest;
+    const auto found = std::ranges::find_if_not(
+        set.points, [&](double v) { return range.holds(v); }, &Measurement::velocity);
+    if (found == set.points.end()) return;
+    const Measurement& point = *found;
     Writing written{point.velocity};
     if (!column.unit_given) written.number = point.velocity;
     const std::string place = at_line(point.line);
@@ -383,26 +510,25 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
     std::size_t first = place + 1;  // of the rows
     const auto is_unit = [](std::string_view text) { return read_unit(ascii_unit(text)).has_value(); };
     if (first < lines.size() && take_units(headings, cut_row(lines[first], separator), is_unit)) ++first;
-    const MeasurementHeading heading =
+    MeasurementHeading heading =
         at_place(at_line(lines[place].number), [&] { return read_measurement_heading(headings.cells); });
+    take_units_of_cells(heading, std::span(lines).subspan(first), separator);
     for (std::size_t i = 0; i < place; ++i) require_unit_of_title(lines[i], heading);
     MeasurementSet set{.source = std::string(name), .points = {}, .warnings = warnings_of(heading)};
     for (Finding& note : take_notes(lines, first, separator, impacts_code))
         set.warnings.push_back(std::move(note));
-    const TableCells cells(heading, std::span(lines).subspan(first), separator, decimal);
+    const std::span rows = std::span<const TextLine>(lines).subspan(first);
+    const TableCells cells(heading, rows, separator, decimal);
+    const RowLabels labels(heading, rows, separator);
     if (place > 0)
         set.warnings.push_back(
             {impacts_code, Severity::background, counted(place, "line") + " above the heading not read"});
     Unread unread(heading);
-    std::size_t footer = lines.size();
-    while (footer > first && !summary_in(heading, cut_row(lines[footer - 1], separator), true).empty())
-        --footer;
-    if (footer == first) footer = lines.size();  // such words are then the names of all rows
     for (std::size_t i = first; i < lines.size(); ++i) {
         TableRow row = cut_row(lines[i], separator);
         at_place(at_line(row.line), [&] {
             require_cells(heading, row);
-            if (const std::string summary = summary_in(heading, row, i >= footer); !summary.empty()) {
+            if (const std::string summary = labels.summary_in(row); !summary.empty()) {
                 set.warnings.push_back({impacts_code, Severity::remark,
                                         "line " + std::to_string(row.line) +
                                             " is no impact and left out: " + in_quotes(summary)});
@@ -411,6 +537,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
             const OutcomeWord remark = remarked_outcome(heading, row);
             if (auto point = measurement_of(heading, cells, row, remark)) {
                 if (remark_counts(heading, row, remark, *point)) unread.take_remarked(row);
+                unread.take_impact(row);
                 set.points.push_back(*point);
             } else {
                 ++set.unknown;
@@ -419,6 +546,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
         });
     }
     unread.tell(set.warnings);
+    if (!labels.number_rows()) refuse_mean(set, heading.reading().is_fraction);
     add_implausible(*heading.of(MeasuredQuantity::velocity), set);
     if (set.points.empty() && set.unknown > 0)
         throw InputError("the outcome of every impact is unknown", "rebounds or captures");

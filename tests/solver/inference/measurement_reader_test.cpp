@@ -170,9 +170,11 @@ TEST_CASE("uncertainties of unclear coverage are not read, and one line says why
 TEST_CASE("the usual headings of impacts are known, in English, German and French") {
     for (const char* heading :
          {"v_in [m/s];v_r [m/s]", "Einfallsgeschwindigkeit [m/s];Rückprall [m/s]",
-          "Aufprall [m/s];Rueckprall [m/s]", "Einfall (m/s);Abprall (m/s)",
-          "Anfluggeschwindigkeit;v_Rückprall", "impact speed [m/s];rebound speed [m/s]",
-          "incoming velocity;outgoing velocity", "v_impact;v_rebound", "vitesse d'impact;rebond"}) {
+          "Aufprall [m/s];Rueckprall [m/s]",
+          "Einfallsgeschwindigkeit v_ein in m/s;R\u00fcckprallgeschwindigkeit, v_aus in m/s",
+          "Einfall (m/s);Abprall (m/s)", "Anfluggeschwindigkeit;v_Rückprall",
+          "impact speed [m/s];rebound speed [m/s]", "incoming velocity;outgoing velocity",
+          "v_impact;v_rebound", "vitesse d'impact;rebond"}) {
         CAPTURE(heading);
         const MeasurementSet set = read_measurements(std::string(heading) + "\n2,1;0,4\n", "t.csv");
         REQUIRE(set.points.size() == 1);
@@ -230,6 +232,152 @@ TEST_CASE("rows that sum up others are left out with a remark, and no row of a s
     CHECK(of("1;1,5;0,5;n\n2;2,5;0,9;n\n").points.size() == 2);
     CHECK(of("n;1,5;0,5;1\ns;2,5;0,9;2\n").points.size() == 2);
     CHECK(of("s;1,5;0,5;1\n2;2,5;0,9;2\n").points.size() == 2);
+}
+
+TEST_CASE("a row among numbered ones that has another label is no impact, or is refused") {
+    const auto of = [](const std::string& label, const std::string& heading = "Nr.") {
+        return read_measurements(
+            heading + ";v_in [m/s];v_r [m/s]\n1;1,5;0,5\n2;2,5;0,9\n3;3,5;1,1\n" + label + ";2,5;0,83\n",
+            "t.csv");
+    };
+    for (const char* label :
+         {"Schnitt", "n=3", "\u00d8", "SD (n=3)", "Max", "x\u0304", "RSD %", "Mittel 1-3"})
+        for (const char* heading : {"Nr.", ""}) {
+            CAPTURE(label);
+            const MeasurementSet set = of(label, heading);
+            CHECK(set.points.size() == 3);
+            CHECK(contains(warnings_of(set),
+                           "line 5 is no impact and left out: \"" + std::string(label) + "\""));
+        }
+    CHECK(
+        contains(input_error_of([&] { static_cast<void>(of("Serie")); }),
+                 "line 5, cell 1: \"Serie\" stands in column \"Nr.\", where the others have a number: the "
+                 "row may be an "
+                 "impact, or sum up others; allowed: the number of the impact, or a file without this row"));
+    CHECK(contains(input_error_of([&] { static_cast<void>(of("")); }),
+                   "the row has no number in column \"Nr.\""));
+    CHECK(contains(input_error_of([&] { static_cast<void>(of("", "")); }),
+                   "the row has no number in the column without a heading"));
+    for (const char* label : {"4", "4a", "4*", "7", "#4"}) CHECK(of(label).points.size() == 4);
+    // The number of a particle above its impacts, and a column of another quantity, are no numbers of
+    // impacts.
+    CHECK(read_measurements(
+              "Particle;v_in [m/s];v_r [m/s]\n1;1,5;0,5\n;2,5;0,9\n2;1,5;0,5\n;2,5;0,9\n3;2,6;0,9\n", "t.csv")
+              .points.size() == 5);
+    CHECK(read_measurements("v_in [m/s];v_r [m/s];d [um]\n1,5;0,5;88\n2,5;0,9;91\n3,5;1,1;n.m.\n", "t.csv")
+              .points.size() == 3);
+    CHECK(contains(warnings_of(read_measurements("v_in [m/s];v_r [m/s];\n1,5;0,5;x\n", "t.csv")),
+                   "column 3, which has no heading, is not used"));
+}
+
+TEST_CASE("a last row without a label that holds the means of the others is refused") {
+    const std::string rows = "v_in;v_r\n1,52;0,48\n2,51;0,93\n3,03;1,22\n3,91;1,70\n";
+    for (const char* sums : {"\n2,74;1,08\n", "2,7425;1,0825\n1,0;0,5\n"})
+        CHECK(contains(input_error_of([&] { static_cast<void>(read_measurements(rows + sums, "t.csv")); }),
+                       "the row holds the means of the rows above: it may be an impact, or sum up others"));
+    const char* const ratios = "v_in;e\n1,52;0,48\n2,51;0,53\n3,03;0,62\n3,91;0,70\n2,743;0,5825\n";
+    CHECK(contains(input_error_of([&] { static_cast<void>(read_measurements(ratios, "t.csv")); }),
+                   "the row holds the means"));
+    CHECK(read_measurements(rows + "2,74;1,02\n", "t.csv").points.size() == 5);
+    CHECK(read_measurements("v_in;v_r\n2;0,5\n2;0,5\n2;0,5\n2;0,5\n", "t.csv").points.size() == 4);
+    CHECK(read_measurements("Nr.;v_in;v_r\n1;1;0,5\n2;3;1,5\n3;2;1\n4;2;1\n", "t.csv").points.size() == 4);
+}
+
+TEST_CASE(
+    "remarks that call an impact invalid, or speak against its reading, are refused; others are named") {
+    const auto read = [](const std::string& row, const std::string& heading = "Bemerkung") {
+        return read_measurements("v_in [m/s];v_r [m/s];" + heading + "\n" + row + "\n2,1;0,44;\n", "t.csv");
+    };
+    for (const char* remark : {"ung\u00fcltig", "invalid", "exclude!", "Ausrei\u00dfer", "outlier (camera)",
+                               "bitte nicht verwenden", "not valid"})
+        for (const char* heading : {"Bemerkung", "seen"}) {
+            CAPTURE(remark);
+            CHECK(contains(
+                input_error_of([&] { static_cast<void>(read("1,4;0,33;" + std::string(remark), heading)); }),
+                "calls the impact invalid, and remarks are not read; allowed: a file without this row"));
+        }
+    for (const char* remark : {"Partikel haftet an der Wand", "sticks to the wall", "hat gehaftet"})
+        CHECK(contains(input_error_of([&] { static_cast<void>(read("1,4;0,33;" + std::string(remark))); }),
+                       "speaks of a capture, and the rebound velocity is 0.33 m/s"));
+    CHECK(contains(input_error_of([&] { static_cast<void>(read("1,4;0;bounced off twice")); }),
+                   "speaks of a rebound, and the reading is a capture"));
+    CHECK(read("1,4;0;haftet nicht").captures() == 0);
+    CHECK(read("1,4;0;kein R\u00fcckprall").captures() == 1);
+    for (const char* remark :
+         {"kein Ausrei\u00dfer", "Bild unscharf", "did it stick?", "haftet kurz, prallt dann ab"}) {
+        CAPTURE(remark);
+        const MeasurementSet set = read("1,4;0,33;" + std::string(remark));
+        CHECK(set.rebounds() == 2);
+        const Finding& told = set.warnings.back();
+        CHECK_MESSAGE(contains(told.text, "\"" + std::string(remark) +
+                                              "\" in column \"Bemerkung\" is not read (line 2)"),
+                      told.text);
+        CHECK(told.severity == Severity::remark);
+    }
+}
+
+TEST_CASE(
+    "columns that say yes or no of a capture are read, those of validity refused unless all rows are alike") {
+    const MeasurementSet set =
+        read_measurements("v_in;v_r;captured\n1,4;0,4;no\n0,6;0;yes\n0,5;;x\n0,7;0;nein\n", "t.csv");
+    CHECK(set.captures() == 2);
+    CHECK(set.points.back().outcome == NotedOutcome::rebound);
+    CHECK(contains(input_error_of([] {
+                       static_cast<void>(read_measurements("v_in;v_r;stuck\n1,4;0,4;yes\n", "t.csv"));
+                   }),
+                   "the outcome tells of a capture, and the rebound velocity is 0.4 m/s"));
+    CHECK(
+        contains(input_error_of([] {
+                     static_cast<void>(read_measurements("v_in;v_r;valid\n1,4;0,4;1\n1,5;0,4;0\n", "t.csv"));
+                 }),
+                 "line 3, cell 3: a column marks impacts as valid or not, \"1\" or \"0\", and is not read"));
+    CHECK(contains(warnings_of(read_measurements("v_in;v_r;valid\n1,4;0,4;1\n1,5;0,4;1\n", "t.csv")),
+                   "column \"valid\" is not used"));
+}
+
+TEST_CASE("units of velocities in cells, and behind a name without brackets") {
+    for (const char* table :
+         {"v_in;v_r\n1.4 m/s;0.41 m/s\n2.4 m/s;0.93 m/s\n",
+          "v_in [m/s];v_r [m/s]\n1.4 m/s;0.41\n2.4;0.93 m/s\n",
+          "v_in;v_r\n1400 mm/s;410 mm/s\n2400mm/s;930 mm/s\n", "v_in m/s;v_r, m/s\n1.4;0.41\n2.4;0.93\n",
+          "incident velocity mm/s;v_r m s-1\n1400;0.41\n2400;0.93\n"}) {
+        CAPTURE(table);
+        const MeasurementSet set = read_measurements(table, "t.csv");
+        REQUIRE(set.points.size() == 2);
+        CHECK(set.points[1].velocity == doctest::Approx(2.4).epsilon(1e-12));
+        CHECK(set.points[0].rebound == doctest::Approx(0.41).epsilon(1e-12));
+        CHECK_FALSE(contains(warnings_of(set), "no unit"));
+    }
+    CHECK(noise_of_incident("v_in;v_r\n2.1 \u00b1 0.06 m/s;0.4 m/s\n2.2 m/s \u00b1 0.06 m/s;0.5 m/s\n") ==
+          doctest::Approx(0.06).epsilon(1e-12));
+    CHECK(contains(input_error_of([] {
+                       static_cast<void>(read_measurements("v_in;v_r\n1.4 m/s;0\n2400 mm/s;0\n", "t.csv"));
+                   }),
+                   "line 3, cell 1: \"2400 mm/s\" in column \"v_in\" is in another unit than its column"));
+    CHECK(contains(
+        input_error_of(
+            [] { static_cast<void>(read_measurements("v_in;v_r\n2400;0\n1.4 m/s;0\n", "t.csv")); }),
+        "line 2, cell 1: \"2400\" in column \"v_in\" has no unit, and other cells of the column have one"));
+    CHECK(contains(
+        input_error_of([] { static_cast<void>(read_measurements("v_in [kg];v_r\n1;0\n", "t.csv")); }),
+        "line 1: column \"v_in [kg]\": the unit \"kg\" is not one of velocity"));
+}
+
+TEST_CASE("a restitution far above one has two readings, and the first velocity at fault is named") {
+    CHECK(contains(input_error_of([] {
+                       static_cast<void>(read_measurements("v_in;e\n1;0.7\n2;69.8\n3;71\n", "t.csv"));
+                   }),
+                   "line 3, cell 2: \"69.8\" in column \"e\" may be 69.8 % or a restitution whose decimal "
+                   "mark was lost"));
+    CHECK(contains(
+        input_error_of([] { static_cast<void>(read_measurements("v_in;e\n1;0.7 \u00b1 3%\n", "t.csv")); }),
+        "the uncertainty is 3 % of 0.7, or 3 in the unit of the value"));
+    const MeasurementSet set = read_measurements("v_in;v_r\n1;0.7\n4000;930\n2;1\n5000;930\n", "t.csv");
+    CHECK(contains(set.warnings.front().text, "line 3: v_in: 4000 m/s"));
+    CHECK(contains(input_error_of([] {
+                       static_cast<void>(read_measurements("v_in [mm/s];v_r [mm/s]\n1.753;950\n", "t.csv"));
+                   }),
+                   "\"1.753\" is 1.753 or 1753"));
 }
 
 TEST_CASE("velocities that may be grouped are refused, unless another number of the table decides") {

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/inference/impacts/impact_rows.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <optional>
+#include <utility>
+
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// A number of a row, "7", "7." or "7.0"; none for any other text.
+std::optional<long> row_number(std::string_view cell) {
+    if (cell.ends_with(".0")) cell.remove_suffix(2);
+    if (cell.ends_with('.')) cell.remove_suffix(1);
+    constexpr std::size_t longest = 9;
+    if (cell.empty() || cell.size() > longest || !std::ranges::all_of(cell, is_digit)) return std::nullopt;
+    long number = 0;
+    std::from_chars(cell.data(), cell.data() + cell.size(), number);
+    return number;
+}
+
+bool is_blank(std::string_view cell) {
+    return outcome_word(cell) == OutcomeWord::unknown;
+}
+
+/// The words of a text as word_key() writes them.
+std::vector<std::string> words_in(std::string_view text) {
+    std::vector<std::string> words(1);
+    for (const char c : word_key(text, all_marks)) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (std::isalnum(byte) != 0 || byte >= 0x80U)
+            words.back() += c;
+        else if (!words.back().empty())
+            words.emplace_back();
+    }
+    if (words.back().empty()) words.pop_back();
+    return words;
+}
+
+/// A word or some words of a list in a text.
+struct Mention {
+    std::string_view list;
+    bool negated;
+};
+
+/// All mentions, the longest first at each place.
+std::vector<Mention> mentions_in(std::string_view text, const WordLists& lists) {
+    static const WordLists negations("negations");
+    constexpr std::size_t most_words = 4;
+    constexpr std::size_t reach = 3;  // of a negation, in words
+    const std::vector<std::string> words = words_in(text);
+    std::vector<Mention> mentions;
+    std::size_t done = 0;  // words that belong to a mention
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        for (std::size_t count = std::min(most_words, words.size() - i); count > 0; --count) {
+            std::string phrase = words[i];
+            for (std::size_t k = 1; k < count; ++k) phrase += ' ' + words[i + k];
+            const auto list = phrase.size() > 1 ? lists.list_of(phrase) : std::nullopt;
+            if (!list) continue;
+            bool negated = i + count < words.size() && negations.holds(words[i + count]);
+            for (std::size_t k = std::max(done, i - std::min(i, reach)); k < i; ++k)
+                negated = negated || negations.holds(words[k]);
+            mentions.push_back({*list, negated});
+            i += count - 1;
+            done = i + 1;
+            break;
+        }
+    }
+    return mentions;
+}
+
+bool calls_invalid(std::string_view text) {
+    if (text.find_first_not_of("+-.,0123456789 ") == std::string_view::npos) return false;
+    static const WordLists words("invalid impacts", " ");
+    const auto mentions = mentions_in(text, words);
+    return std::ranges::any_of(mentions, [](const Mention& mention) { return !mention.negated; });
+}
+
+}  // namespace
+
+OutcomeWord outcome_mentioned(std::string_view remark) {
+    static const WordLists words("outcomes", " ");
+    OutcomeWord outcome = OutcomeWord::none;
+    if (remark.find('?') != std::string_view::npos) return outcome;
+    for (const auto& [list, negated] : mentions_in(remark, words)) {
+        const auto meaning = named<OutcomeWord>(list);
+        if (meaning == OutcomeWord::unknown) continue;
+        if (negated || (outcome != OutcomeWord::none && outcome != meaning)) return OutcomeWord::none;
+        outcome = meaning;
+    }
+    return outcome;
+}
+
+void RowLabels::Column::take(std::string_view cell) {
+    if (const auto number = row_number(cell)) {
+        in_order = in_order && (numbers == 0 || *number == last_number + 1);
+        ++numbers;
+        last_number = *number;
+        inner_empty = empty;
+    } else {
+        ++(is_blank(cell) ? empty : texts);
+    }
+}
+
+RowLabels::RowLabels(const MeasurementHeading& heading, std::span<const TextLine> lines, char separator) {
+    for (const auto* all : {&heading.unused, &heading.remarks})
+        for (const TextColumn& column : *all) columns_.push_back({.column = column});
+    if (columns_.empty()) return;
+    std::vector<Column*> at(heading.columns, nullptr);
+    for (Column& column : columns_) at[column.column.position] = &column;
+    for (const TextLine& line : lines)
+        for_each_cell(line, separator, [&](std::string_view cell, std::size_t position) {
+            Column* column = position < at.size() ? at[position] : nullptr;
+            if (column == nullptr) return;
+            column->take(cell);
+        });
+    find_footer(lines, separator);
+    for (const std::size_t position : heading.validity) require_one_validity(lines, separator, position);
+}
+
+void RowLabels::find_footer(std::span<const TextLine> lines, char separator) {
+    for (std::size_t i = lines.size(); i-- > 0;) {
+        const TableRow row = cut_row(lines[i], separator);
+        const std::size_t below = std::exchange(footer_, row.line);
+        if (sums_up(row)) continue;
+        footer_ = below;
+        return;
+    }
+    footer_ = std::numeric_limits<std::size_t>::max();  // such words are then the names of all rows
+}
+
+void RowLabels::require_one_validity(std::span<const TextLine> lines, char separator,
+                                     std::size_t position) const {
+    std::optional<std::string> first;
+    const auto alike = [](const std::string& a, const std::string& b) {
+        return lower_case(a) == lower_case(b);
+    };
+    for (const TextLine& line : lines) {
+        const TableRow row = cut_row(line, separator);
+        if (position >= row.cells.size() || sums_up(row)) continue;
+        const std::string& cell = row.cells[position];
+        if (first && !alike(cell, *first))
+            throw InputError("a column marks impacts as valid or not, " + in_quotes(*first) + " or " +
+                                 in_quotes(cell) + ", and is not read",
+                             "a file without the rows that do not count, and without this column")
+                .at(at_cell(row.line, position));
+        first = cell;
+    }
+}
+
+bool RowLabels::number_rows() const {
+    return std::ranges::any_of(columns_, &Column::counts_rows);
+}
+
+bool RowLabels::sums_up(const TableRow& row) const {
+    return std::ranges::any_of(columns_, [&](const Column& each) { return is_summary_label(each, row); });
+}
+
+bool RowLabels::is_summary_label(const Column& column, const TableRow& row) const {
+    constexpr std::size_t longest_short_word = 3;
+    if (column.column.position >= row.cells.size()) return false;
+    const std::string& cell = row.cells[column.column.position];
+    const bool in_footer = column.column.position == 0 && row.line >= footer_;
+    if (cell.empty() || is_digit(cell.front()) || !is_summary(cell)) return false;
+    return cell.size() > longest_short_word || in_footer || column.counts_rows();
+}
+
+void RowLabels::require_number(const Column& column, const TableRow& row) {
+    if (!column.counts_rows()) return;
+    const std::string& cell = row.cells[column.column.position];
+    const std::string where = column.column.name.empty() ? "the column without a heading"
+                                                         : "column " + in_quotes(column.column.name);
+    constexpr const char* allowed = "the number of the impact, or a file without this row";
+    if (is_blank(cell)) {
+        const bool names_groups = 2 * column.inner_empty >= column.numbers;  // of impacts of one particle
+        if (!column.in_order || names_groups) return;
+        throw InputError("the row has no number in " + where +
+                             ", where the others have one: it may be an impact, or sum up others",
+                         allowed)
+            .at(at_cell(row.line, column.column.position));
+    }
+    if (is_digit(cell.front()) || cell.front() == '#') return;  // "7a", "#7"
+    throw InputError(in_quotes(cell) + " stands in " + where +
+                         ", where the others have a number: the row may be an impact, or sum up others",
+                     allowed)
+        .at(at_cell(row.line, column.column.position));
+}
+
+void RowLabels::require_valid(const TableRow& row) const {
+    for (const Column& column : columns_) {
+        const std::string& cell = row.cells[column.column.position];
+        if (cell.empty() || !calls_invalid(cell)) continue;
+        throw InputError(in_quotes(cell) + " in column " + in_quotes(column.column.name) +
+                             " calls the impact invalid, and remarks are not read",
+                         "a file without this row, or without the remark if the impact counts")
+            .at(at_cell(row.line, column.column.position));
+    }
+}
+
+std::string RowLabels::summary_in(const TableRow& row) const {
+    for (const Column& column : columns_)
+        if (is_summary_label(column, row)) return row.cells[column.column.position];
+    for (const Column& column : columns_) require_number(column, row);
+    require_valid(row);
+    return {};
+}
+
+}  // namespace ashimpact

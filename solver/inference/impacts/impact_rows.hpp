@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/tables/text_lines.hpp"
+#include "solver/inference/impacts/measurement_headings.hpp"
+
+namespace ashimpact {
+
+/// Which rows of a table are no impacts, by their labels: rows that sum up others, and rows that the
+/// laboratory marked as invalid.
+class RowLabels {
+  public:
+    /// @param lines of the table below its heading
+    /// @throws InputError for a column that marks some rows and not others as valid
+    RowLabels(const MeasurementHeading& heading, std::span<const TextLine> lines, char separator);
+
+    /// The label of a row that sums up others, "Mittel" or "SD (n=3)"; empty for an impact. Words as short as
+    /// "n" or "SD" count in the rows at the end, in the first column, and where the other rows have a number.
+    /// @throws InputError for another text where the others have a number, for no number there behind them,
+    /// and for a row that a remark calls invalid
+    [[nodiscard]] std::string summary_in(const TableRow& row) const;
+
+    /// Whether a column numbers the rows.
+    [[nodiscard]] bool number_rows() const;
+
+  private:
+    /// The cells of a column that holds no quantity.
+    struct Column {
+        TextColumn column;
+        std::size_t numbers = 0;  ///< whole numbers
+        std::size_t texts = 0;    ///< anything else
+        std::size_t empty = 0;
+        bool in_order = true;         ///< each number is one more than that before
+        long last_number = 0;         ///< of the column
+        std::size_t inner_empty = 0;  ///< before the last number
+        [[nodiscard]] bool counts_rows() const {
+            return numbers >= 2 && numbers > texts && (column.position == 0 || in_order);
+        }
+        void take(std::string_view cell);
+    };
+    void find_footer(std::span<const TextLine> lines, char separator);
+    void require_one_validity(std::span<const TextLine> lines, char separator, std::size_t position) const;
+    [[nodiscard]] bool sums_up(const TableRow& row) const;
+    [[nodiscard]] bool is_summary_label(const Column& column, const TableRow& row) const;
+    static void require_number(const Column& column, const TableRow& row);
+    void require_valid(const TableRow& row) const;
+
+    std::vector<Column> columns_;
+    /// First line of the rows at the end that sum up others.
+    std::size_t footer_ = std::numeric_limits<std::size_t>::max();
+};
+
+/// What a remark of several words states: nothing where a word is negated in a way that is not known ("not
+/// really stuck"), or where it names both outcomes.
+[[nodiscard]] OutcomeWord outcome_mentioned(std::string_view remark);
+
+}  // namespace ashimpact
