@@ -66,14 +66,18 @@ def readings(text):
     return D((before or "0") + "." + (after or "0")), last
 
 
-def settle(columns):
-    """The numbers of columns; None if one of them has two readings between which nothing decides."""
+def settle(columns, thousands=False):
+    """The numbers of columns, which may be thousands; None if one of them has two readings between which nothing decides."""
     read = [[readings(text) for text in column] for column in columns]
     marks = {number[1] for column in read for number in column if len(number) == 2} - {None}
     values = []
     for column in read:
         alike = {number[-1] for number in column if len(number) == 3}
         grouped = len(marks) == 1 and len(alike) == 1 and not marks & alike and all(len(number) == 3 for number in column)
+        bare = any(number[0] and number[1] is None for number in column if len(number) == 2)
+        shown = any(number[1] is not None for number in column if len(number) == 2)
+        if thousands and alike and not grouped and (not marks or bare and not shown):
+            return None
         if any(len(number) == 3 and not grouped and marks != {number[2]} and (marks or number[2] == ",") for number in column):
             return None
         values.append([number[int(grouped)] for number in column])
@@ -128,12 +132,13 @@ def workbook(rows):
 # What they hold: headings to be read (none: to be refused) || headings that may be read or refused.
 SHARES = """
 w 100: wt%;wt.%;wt.-%;wt-%;wt %;Wt%;Gew.-%;Gew.%;Gew-%;Gew. %;Massen-%;Masse-%;Ma.-%;weight %;Weight [%];mass %;weight [wt%];Massenanteil [%];
- mass fraction [%];Weight percent;Gewichtsprozent;Gehalt [Gew.-%];content [wt%];Massenanteil in % || w [%];% w/w;Rietveld;Rietveld [wt%];
- Quant. [%];Content (%);Anteil [%];%;m%;% masse;% pds;viktprocent;SemiQuant [%];Konz. [%];wt%¹;wt% *;wt% (XRD);Weight%;Gew.-% (normiert);
+ mass fraction [%];Weight percent;Gewichtsprozent;Gehalt [Gew.-%];content [wt%];Massenanteil in %;% w/w;m%;M.-%;m-%;Content (% w/w);Gehalt % w/w;FA1 wt %;wt% (n=3);FA1 (n = 3) [wt%] ||
+ w [%];Rietveld;Rietveld [wt%];
+ Quant. [%];Content (%);Anteil [%];%;% masse;% pds;viktprocent;SemiQuant [%];Konz. [%];wt%¹;wt% *;wt% (XRD);Weight%;Gew.-% (normiert);
  g/100 g;wt pct;W%;Weight (%);g;m [g]
-w 1: mass fraction;weight fraction;Massenanteil || w;wf;w [1];mass fraction [-];weight fraction [g/g];w [kg/kg];Massenbruch
-w 1000:  || wt‰;Gew.-‰;mg/g;g/kg;w [‰]
-w 1000000:  || ppm;ppmw;mg/kg
+w 1: mass fraction;weight fraction;Massenanteil;weight fraction [g/g];w [kg/kg];kg/kg || w;wf;w [1];mass fraction [-];Massenbruch
+w 1000: g/kg;w [g/kg];Gehalt in g/kg;mg/g || wt‰;Gew.-‰;w [‰];g kg-1
+w 1000000: content mg/kg || ppm;ppmw;mg/kg;w [ug/g]
 v 100: Vol-%;Vol.-%;vol%;vol.%;Vol %;volume %;Volumenanteil [%] || Volumen-%;V%;% v/v;v/v %;Vol. pct;% vol;Volumenprozent;content, vol%
 v 1:  || volume fraction;Volumenanteil;φ;v/v
 none 100: Mol-%;mol%;mole fraction [%];Stoffmengenanteil [%];at.%;at%;Atom-%;Flächen-%;area %;Rel. Int. [%];rel. intensity;I/Imax [%];I [%];
@@ -150,9 +155,9 @@ none:  || rel. error [%];RSD [%];CV [%];u_rel [%];variance;Varianz;σ²;esd²;u�
 """  # uncertainties: factor to the standard one
 VELOCITIES = """
 1: v_in [m/s];v_in (m/s);V_in [m/s];v_in in m/s;v_i [m/s];incident velocity [m/s];Einfallsgeschwindigkeit [m/s];vitesse d'impact [m/s];
- v_ein [m/s];v_in [m s-1];v_in [m·s⁻¹];v_in [m s^-1] || v vor [m/s];v1 [m/s];v0 [m/s];v before [m/s];U_in [m/s];v_in,n [m/s];v_in m/s;
+ v_ein [m/s];v_in [m s-1];v_in [m·s⁻¹];v_in [m s^-1];v_in m/s;v_in, m/s || v vor [m/s];v1 [m/s];v0 [m/s];v before [m/s];U_in [m/s];v_in,n [m/s];
  v_in [m/sec];v_in;v_in / m/s;v_in/(m/s);Vin[m/s]
-0.001: v_in [mm/s];impact velocity (mm/s) || v_before [mm/s];v_in [mm s⁻¹];v_in in mm/s;v_in / mm/s;v_in mm/s;velocity in [mm/s]
+0.001: v_in [mm/s];impact velocity (mm/s);v_in mm/s || v_before [mm/s];v_in [mm s⁻¹];v_in in mm/s;v_in / mm/s;velocity in [mm/s]
 none: v_in² [m²/s²];v_in^2 [m/s];v_in**2;√v_in [m/s];sqrt(v_in);ln(v_in);1/v_in [s/m];Δv [m/s];Δv_in [m/s];v_t [m/s];u(v_in) [m/s];
  σ(v_in) [m/s];E_in [J];v_in [m];v_in [%];a_in [m/s²];v_in - v_r [m/s];v_in·v_r [m²/s²];v_crit [m/s];v_in,t [m/s];v_in³;(v_in)² [m/s];
  -ln v_in;v_in^0.5;delta v_in [m/s] ||
@@ -213,7 +218,7 @@ class Corpus:
             columns[1] = [written(1000 * r, other, 1) for _, r in pairs]
         elif way != "three":
             columns[1] = [written(r, other if way == "conflict" and i % 2 else form, 2) for i, (_, r) in enumerate(pairs)]
-        values = settle(columns)
+        values = settle(columns, unit == "mm/s")
         truth = values and [(v * factor, r * factor) for v, r in zip(*values)]
         expect = REFUSE if values is None else EITHER if form[1] == " " and way != "groups" else READ
         return table_of("impacts", [[f"v_in [{unit}]", f"v_r [{unit}]"], *map(list, zip(*columns))], truth, expect, f"numbers, {way}, in the form {form}")
@@ -308,11 +313,29 @@ def numbered(t, f, label, gap):
     add(t, label, *means, gap=gap)
 
 
-def wide(t, *labels):
-    """One row a sample, and rows that sum up."""
+def wide(t, *labels, spreads=(), beside=(), unit=""):
+    """One row a sample, and rows that sum up; rows of uncertainties behind each; columns beside; a unit of the first phase."""
     names, *cells = zip(*t.rows[1:])
-    t.rows = [["Probe", *names], *([label, *cells[0]] for label in ("FA1", "FA2", *labels))]
+    t.rows = [["Probe", names[0] + unit, *names[1:]], *([label, *cells[0]] for label in ("FA1", *spreads, "FA2", *spreads, *labels))]
+    for heading in beside:
+        t.rows = [[*row, heading if i == 0 else "7"] for i, row in enumerate(t.rows)]
     t.truth = {"FA1": t.truth[""], "FA2": t.truth[""]}
+
+
+def remark(t, i, text):
+    """A column of remarks with one."""
+    t.rows = [[*row, "Bemerkung" if k == 0 else text if k == i else ""] for k, row in enumerate(t.rows)]
+
+
+def oxides(t):
+    for row, name in zip(t.rows[1:], ["SiO2", "Al2O3", "Fe2O3", "CaO", "MgO"]):
+        row[0] = name
+    t.options = ["--amorphous-fraction", "none"]
+
+
+def in_cells(t, unit, *headings):
+    """The unit stands in the cells."""
+    t.rows = [list(headings), *([*row[:t.kind.count("xrd")], *(f"{cell} {unit}" for cell in row[t.kind.count("xrd"):])] for row in t.rows[1:])]
 
 
 ERRORS = ["#N/A", "#DIV/0!", "#WERT!", "#VALUE!", "#REF!", "#NV", "#NAME?", "Err:502", "####"]
@@ -336,10 +359,26 @@ XRD_EDITS = [
     ("units in a second line", READ, lambda t, i, r, f: units(t, r.choice(["wt%", "[Gew.-%]", "(wt%)", "Vol.-%"]))),
     ("moles in a second line", REFUSE, lambda t, i, r, f: units(t, "mol%")), ("two samples", READ, lambda t, i, r, f: wide(t)),
     ("rows that sum up", READ, lambda t, i, r, f: wide(t, r.choice(["Mittel", "Mean", "Mittelwert"]), "SD")),
+    ("a standard that is only named", REFUSE, lambda t, i, r, f: t.rows[i].__setitem__(0, t.rows[i][0] + r.choice([" (internal standard)", " (spike)", ", int. std.", " [IS]"]))),
+    ("not detected, by name", READ, lambda t, i, r, f: add(t, "Lime" + r.choice([" (not detected)", " (n.d.)", ", n.n."]), r.choice(["", "-", "0"]))),
+    ("traces, by name", READ, lambda t, i, r, f: t.rows[i].__setitem__(0, t.rows[i][0] + " (traces)")),
+    ("an uncertainty in per cent", REFUSE, lambda t, i, r, f: t.rows[i].__setitem__(1, t.rows[i][1] + r.choice([" ± 3%", "±3 %", " +- 3%"]))),
+    ("a figure of merit", READ, lambda t, i, r, f: add(t, r.choice(["Rwp", "GOF", "Rexp [%]", "chi2"]), written(D("7.8"), f, 1))),
+    ("units in cells", READ, lambda t, i, r, f: in_cells(t, r.choice(["wt%", "Gew.-%", "% w/w"]), "Phase", "Gehalt")),
+    ("volumes in cells", REFUSE, lambda t, i, r, f: in_cells(t, "vol%", "Phase", "Gehalt")),
+    ("glass in the crystalline part", REFUSE, lambda t, i, r, f: t.rows[0].__setitem__(1, "wt% (crystalline)")), ("oxides", REFUSE, lambda t, i, r, f: oxides(t)),
+    ("rows of uncertainties", READ, lambda t, i, r, f: wide(t, spreads=[r.choice(["esd", "±", "SD"])])),
+    ("columns beside", READ, lambda t, i, r, f: wide(t, beside=["Blaine [cm2/g]", "Rwp", r.choice(["LOI [%]", "density [g/cm3]"])])),
+    ("ppm in one column", REFUSE, lambda t, i, r, f: wide(t, unit=" [ppm]")), ("repeats", READ, lambda t, i, r, f: t.rows[0].__setitem__(1, "Gew.-% (n=3)")),
     ("a title of volumes", EITHER, lambda t, i, r, f: (t.before.append("Phasengehalte in Vol.-%"), by_volume(t))),
 ]
 IMPACT_EDITS = [
-    *BOTH_EDITS, ("rows that sum up", READ, lambda t, i, r, f: numbered(t, f, r.choice(["Mittel", "Mean", "Standardabw.", "SD", "s", "n", "max"]), r.choice([0, 1]))),
+    *BOTH_EDITS, ("rows that sum up", READ, lambda t, i, r, f: numbered(t, f, r.choice(["Mittel", "Mean", "Standardabw.", "SD", "s", "n", "max", "Schnitt", "SD (n=3)", "n=3", "RSD %", "Ø 1-3"]), r.choice([0, 1]))),
+    ("a row of another kind", REFUSE, lambda t, i, r, f: numbered(t, f, r.choice(["Serie", "foo", "", "?"]), r.choice([0, 1]))),
+    ("a remark of an invalid impact", REFUSE, lambda t, i, r, f: remark(t, i, r.choice(["ungültig", "Ausreißer!", "exclude", "outlier (camera)", "haftet an der Wand"]))),
+    ("a remark", READ, lambda t, i, r, f: remark(t, i, r.choice(["Bild unscharf", "kein Ausreißer", "ok", "haftet nicht"]))),
+    ("units in cells", READ, lambda t, i, r, f: in_cells(t, "m/s", "v_in", "v_r")), ("whole mm/s", REFUSE, lambda t, i, r, f: t.rows.__setitem__(slice(None), [["v_in [mm/s]", "v_r [mm/s]"], ["1.753", "540"], ["950", "45"]])),
+    ("a restitution above one", REFUSE, lambda t, i, r, f: t.rows.__setitem__(slice(None), [["v_in [m/s]", "e"], ["1.75", "0.54"], ["2.5", "69.8"]])),
     ("an error value", EITHER, lambda t, i, r, f: reads(t, i, r.choice(ERRORS), None)), ("an unknown reading", READ, lambda t, i, r, f: reads(t, i, "", None)),
     ("unknown, in words", EITHER, lambda t, i, r, f: reads(t, i, r.choice(["n.d.", "?", "tr."]), None)),
     ("a capture", READ, lambda t, i, r, f: reads(t, i, r.choice(["haftet", "stuck", "0"]), D(0))), ("v_in of zero", REFUSE, lambda t, i, r, f: t.rows[i].__setitem__(0, "0")),
