@@ -179,7 +179,9 @@ std::optional<std::string_view> WordLists::list_of(std::string_view text) const 
 bool says_no_number(std::string_view text) {
     static const WordLists words("no number", all_marks);
     const std::string_view word = trimmed(text);
-    return word.starts_with('<') || word.starts_with("\u2264") || words.holds(word);
+    const std::string_view limit = "(<";  // of "traces (< 0.5)"
+    return word.starts_with('<') || word.starts_with("\u2264") ||
+           words.holds(trimmed(word.substr(0, word.find(limit))));
 }
 
 bool is_summary(std::string_view text) {

@@ -120,7 +120,9 @@ TEST_CASE("headings are found however umlauts and accents are spelled") {
     CHECK(xrd::meaning_of_row("Σ") == xrd::RowMeaning::total);
     CHECK(xrd::meaning_of_row("Total crystalline [%]") == xrd::RowMeaning::crystalline_total);
     CHECK(xrd::meaning_of_row("sigma") == xrd::RowMeaning::phase);
-    CHECK(says_no_number("N.D."));
+    for (const char* cell : {"N.D.", "n. n.", "unter NWG", "Spuren (<1)", "< 0.5", "not detected"})
+        CHECK(says_no_number(cell));
+    CHECK_FALSE(says_no_number("tr (0.5)"));
     CHECK_FALSE(says_no_number("1"));
 }
 

@@ -168,7 +168,9 @@ bool RowLabels::is_summary_label(const Column& column, const TableRow& row) cons
     const std::string& cell = row.cells[column.column.position];
     const bool in_footer = column.column.position == 0 && row.line >= footer_;
     if (cell.empty() || is_digit(cell.front()) || !is_summary(cell)) return false;
-    return cell.size() > longest_short_word || in_footer || column.counts_rows();
+    const bool labels =
+        column.column.position == 0 || 2 * column.texts <= column.numbers + column.texts + column.empty;
+    return (cell.size() > longest_short_word && labels) || in_footer || column.counts_rows();
 }
 
 void RowLabels::require_number(const Column& column, const TableRow& row) {

@@ -22,7 +22,8 @@ class RowLabels {
     RowLabels(const MeasurementHeading& heading, std::span<const TextLine> lines, char separator);
 
     /// The label of a row that sums up others, "Mittel" or "SD (n=3)"; empty for an impact. Words as short as
-    /// "n" or "SD" count in the rows at the end, in the first column, and where the other rows have a number.
+    /// "n" or "SD" count in the rows at the end, in the first column, and where the other rows have a number;
+    /// none does in another column with a text in most rows.
     /// @throws InputError for another text where the others have a number, for no number there behind them,
     /// and for a row that a remark calls invalid
     [[nodiscard]] std::string summary_in(const TableRow& row) const;

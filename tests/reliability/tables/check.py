@@ -377,6 +377,7 @@ IMPACT_EDITS = [
     ("a row of another kind", REFUSE, lambda t, i, r, f: numbered(t, f, r.choice(["Serie", "foo", "", "?"]), r.choice([0, 1]))),
     ("a remark of an invalid impact", REFUSE, lambda t, i, r, f: remark(t, i, r.choice(["ungültig", "Ausreißer!", "exclude", "outlier (camera)", "haftet an der Wand"]))),
     ("a remark", READ, lambda t, i, r, f: remark(t, i, r.choice(["Bild unscharf", "kein Ausreißer", "ok", "haftet nicht"]))),
+    ("a column of classes", READ, lambda t, i, r, f: t.rows.__setitem__(slice(None), [[*row, r.choice(["total", "max", "Mean"]) if k else "Art"] for k, row in enumerate(t.rows)])),
     ("units in cells", READ, lambda t, i, r, f: in_cells(t, "m/s", "v_in", "v_r")), ("whole mm/s", REFUSE, lambda t, i, r, f: t.rows.__setitem__(slice(None), [["v_in [mm/s]", "v_r [mm/s]"], ["1.753", "540"], ["950", "45"]])),
     ("a restitution above one", REFUSE, lambda t, i, r, f: t.rows.__setitem__(slice(None), [["v_in [m/s]", "e"], ["1.75", "0.54"], ["2.5", "69.8"]])),
     ("an error value", EITHER, lambda t, i, r, f: reads(t, i, r.choice(ERRORS), None)), ("an unknown reading", READ, lambda t, i, r, f: reads(t, i, "", None)),

@@ -232,6 +232,8 @@ TEST_CASE("rows that sum up others are left out with a remark, and no row of a s
     CHECK(of("1;1,5;0,5;n\n2;2,5;0,9;n\n").points.size() == 2);
     CHECK(of("n;1,5;0,5;1\ns;2,5;0,9;2\n").points.size() == 2);
     CHECK(of("s;1,5;0,5;1\n2;2,5;0,9;2\n").points.size() == 2);
+    CHECK(of("1;1,5;0,5;total\n2;2,5;0,9;partial\n3;2,6;0,9;total\n").points.size() == 3);
+    CHECK(of("1;1,5;0,5;\n2;2,5;0,9;\n;2;0,7;Mittelwert\n").points.size() == 2);
 }
 
 TEST_CASE("a row among numbered ones that has another label is no impact, or is refused") {
