@@ -368,7 +368,8 @@ void take_notes_on_phases(Table& table, std::span<const TextLine> notes) {
     }
 }
 
-/// Marks columns that sum up samples, such as "Mittelwert" with its uncertainty, beside two or more samples.
+/// Marks columns that sum up samples, such as "Mittelwert" with its uncertainty. Without the samples the
+/// first of them is the result, and "Min" and "Max" behind it are none.
 void mark_sums(Table& table) {
     const auto sums_up = [](const Heading& heading) {
         return heading.text.size() > 1 && is_summary(heading.text);
@@ -377,11 +378,12 @@ void mark_sums(Table& table) {
         return heading.role == Role::other && !heading.text.empty() && !sums_up(heading) &&
                !ends_with_uncertainty_word(heading.text);
     };
-    if (std::ranges::count_if(table.headings, is_sample) < 2) return;
+    bool is_result = std::ranges::none_of(table.headings, is_sample);
     bool follows = false;
     for (Heading& heading : table.headings) {
         const bool spread = heading.role == Role::uncertainty || is_summary(heading.text);
         follows = sums_up(heading) ? heading.role == Role::other || follows : follows && spread;
+        if (follows && is_result && heading.role == Role::other) follows = is_result = false;
         heading.sums_up = follows;
     }
 }

@@ -396,6 +396,13 @@ TEST_CASE("columns that sum up samples, and results beside the intensities they 
     const XrdResult mean = read_xrd("Phase;Mittelwert [%];Stabw.\nQuarz;12,4;0,1\nGlas;87,6;0,1\n", "t.csv");
     CHECK(mean.samples.front().analysis.phases.front().standard_uncertainty.value() ==
           doctest::Approx(0.001));
+    const XrdResult range =
+        read_xrd("Phase;Mean [wt%];SD;Min;Max\nQuartz;20;1;19;21\nGlass;80;1;79;81\n", "t.csv");
+    REQUIRE(range.samples.size() == 1);
+    CHECK(digest(range.samples.front()) == "Quartz 2000, Glass 8000");
+    CHECK(range.samples.front().analysis.phases.front().standard_uncertainty.value() ==
+          doctest::Approx(0.01));
+    CHECK(contains(joined(texts_of(range.warnings)), "column \"Max\" is not used"));
     const XrdResult jade = read_xrd(
         "Phase ID;Formula;Wt%;esd;I/Ic;I%;esd\nQuartz, low;SiO2;12.3;0.2;3.41;100;3\nGlass;;87.7;0.3;;;\n",
         "t.csv");
