@@ -1,0 +1,636 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "materials/glass/oxide_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <regex>
+
+#include "core/tables/text_lines.hpp"
+#include "core/tables/vocabulary.hpp"
+#include "core/tables/workbook/workbook.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
+#include "materials/xrd/readers.hpp"
+#include "materials/xrd/table_layout.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr TextLimits oxide_limits{.content = "a chemical analysis", .bytes = longest_xrd_file};
+
+/// What one heading or row of an analysis stands for.
+enum class OxideRole { oxide, loss, total, trace, carbon, uncertainty, other };
+
+struct OxideLine {
+    OxideRole role = OxideRole::other;
+    xrd::Heading heading{};  ///< unit, scale and coverage
+    NamedOxide oxide{};
+};
+
+/// A line that names no oxide though it looks like one, or an element.
+bool looks_like_oxide(const std::string& text) {
+    static const std::regex oxide("[A-Z][a-z]?[0-9]*O[0-9]*");
+    return std::regex_match(text, oxide);
+}
+
+bool is_element(const std::string& text) {
+    return text != "S" && text != "Cl" && text != "F" && text != "C" &&
+           std::ranges::find(oxides(), std::string_view(text), &OxideOfElement::element) != oxides().end();
+}
+
+bool is_parts_per_million(const xrd::Heading& heading) {
+    const std::string unit = word_key(heading.unit);
+    return heading.scale == xrd::Scale::ppm || unit == "mgkg" || unit == "ugg" || unit == "gt";
+}
+
+OxideLine read_line(const std::string& text) {
+    static const WordLists words("oxide columns");
+    OxideLine line{.heading = xrd::read_heading(text)};
+    const std::string& name = line.heading.text;
+    const std::string whole = line.heading.coverage.rest.empty() ? text : line.heading.coverage.rest;
+    const auto list = words.list_of(name);
+    if (list == "loss" || words.list_of(whole) == "loss")
+        line.role = OxideRole::loss;
+    else if (list == "amount")
+        line.heading.role = xrd::Role::weight;
+    else if (list == "carbon")
+        line.role = OxideRole::carbon;
+    else if (xrd::meaning_of_row(name) == xrd::RowMeaning::total)
+        line.role = OxideRole::total;
+    else if (const auto oxide = named_oxide(name)) {
+        line.role = OxideRole::oxide;
+        line.oxide = *oxide;
+    } else if (line.heading.role == xrd::Role::uncertainty) {
+        line.role = OxideRole::uncertainty;
+    } else if (is_element(name)) {
+        line.role = OxideRole::trace;
+    }
+    return line;
+}
+
+bool is_content(OxideRole role) {
+    return role == OxideRole::oxide || role == OxideRole::loss || role == OxideRole::total;
+}
+
+std::size_t oxides_in(const std::vector<std::string>& cells) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        cells, [](const std::string& cell) { return read_line(cell).role == OxideRole::oxide; }));
+}
+
+/// "SiO2 u", "u(SiO2)", "SiO2 ±": the uncertainty of the oxide before it.
+bool is_uncertainty_column(const std::string& cell, const OxideLine& line) {
+    if (line.role == OxideRole::uncertainty) return true;
+    const auto blank = cell.find_last_of(" _");
+    if (blank != std::string::npos && is_uncertainty_word(cell.substr(blank + 1))) return true;
+    const auto bracket = cell.find('(');
+    return bracket != std::string::npos && bracket > 0 && is_uncertainty_word(cell.substr(0, bracket)) &&
+           cell.ends_with(')');
+}
+
+/// One amount of a table.
+struct OxideCell {
+    std::size_t line = 0, column = 0;
+    OxideLine what{};
+    std::string text{};
+    std::string uncertainty{};
+    const xrd::Heading* unit = nullptr;           ///< heading that states the unit of the amount
+    const xrd::Heading* error_heading = nullptr;  ///< of the uncertainty
+};
+
+/// The amounts of one sample.
+struct OxideColumn {
+    std::string sample;
+    std::vector<OxideCell> cells{};
+};
+
+/// A table of oxides as text, cut into samples.
+class OxideTable {
+  public:
+    OxideTable(const TextLines& file, std::optional<DecimalMark> decimal) : marks_(decimal) {
+        const std::vector<TextLine> lines = lines_with_content(file);
+        for (const TextLine& line : lines) rows_.push_back(cut_row(line, separator_of(line.text)));
+        const auto across =
+            std::ranges::find_if(rows_, [](const TableRow& row) { return oxides_in(row.cells) >= 2; });
+        if (across != rows_.end())
+            read_across(static_cast<std::size_t>(across - rows_.begin()));
+        else
+            read_down();
+        if (samples.empty())
+            refuse_line(rows_.back().line, "there are no amounts of oxides", "a number for each oxide");
+    }
+
+    std::vector<OxideColumn> samples{};
+    std::vector<Finding> warnings{};
+
+    [[nodiscard]] const NumberMarks& marks() const { return marks_; }
+    /// The unit that a title above the table states, "mol%" or "wt%"; may be empty.
+    [[nodiscard]] const std::vector<std::string>& titles() const { return titles_; }
+
+  private:
+    void note(std::string text, Severity severity = Severity::remark) {
+        warnings.push_back({glass_code, severity, std::move(text)});
+    }
+
+    void take_titles(std::size_t heading) {
+        for (std::size_t i = 0; i < heading; ++i) titles_.push_back(joined(rows_[i].cells));
+    }
+
+    void refuse_unknown(const TableRow& row, std::size_t column, const OxideLine& line) const {
+        const std::string& name = line.heading.text;
+        if (line.role == OxideRole::other && looks_like_oxide(name))
+            throw InputError("no oxide is called " + in_quotes(name),
+                             "nearest: " + joined(nearest_oxides(name)))
+                .at(at_cell(row.line, column));
+    }
+
+    /// A column for each oxide, a row for each sample.
+    void read_across(std::size_t first) {
+        take_titles(first);
+        TableRow names = rows_[first];
+        std::size_t next = first + 1;
+        const auto is_unit = [](std::string_view cell) {
+            return xrd::read_heading("x [" + std::string(cell) + "]").states != xrd::HeadingUnit::other ||
+                   word_key(cell) == "mgkg" || word_key(cell, "%") == "mol%";
+        };
+        if (next < rows_.size() && take_units(names, rows_[next], is_unit)) ++next;
+        for (const std::string& cell : names.cells) headings_.push_back(read_line(cell));
+        const std::size_t label = label_column(names);
+        std::vector<std::string> unused;
+        for (std::size_t i = 0; i < headings_.size(); ++i) {
+            refuse_unknown(names, i, headings_[i]);
+            const bool used = i == label || is_content(headings_[i].role) ||
+                              headings_[i].role == OxideRole::trace || names.cells[i].empty() ||
+                              is_uncertainty_column(names.cells[i], headings_[i]);
+            if (!used) unused.push_back(in_quotes(names.cells[i]));
+        }
+        if (!unused.empty()) note("columns not used: " + joined(unused), Severity::background);
+        for (std::size_t r = next; r < rows_.size(); ++r) add_row(rows_[r], names, label);
+    }
+
+    /// The column of the names of samples; headings_.size() if there is none.
+    [[nodiscard]] std::size_t label_column(const TableRow& names) const {
+        for (std::size_t i = 0; i < headings_.size(); ++i)
+            if (headings_[i].heading.role == xrd::Role::sample || word_key(names.cells[i]) == "name")
+                return i;
+        const bool first_is_oxide = headings_.front().role != OxideRole::other;
+        return first_is_oxide ? headings_.size() : 0;
+    }
+
+    void add_row(const TableRow& row, const TableRow& names, std::size_t label) {
+        const std::string name = label < row.cells.size() ? row.cells[label] : std::string();
+        if (!name.empty() && is_summary(name) && rows_.size() > 3) {
+            note(at_line(row.line) + " is no sample and left out: " + in_quotes(name));
+            return;
+        }
+        OxideColumn sample{.sample = name};
+        bool after_oxide = false;
+        for (std::size_t i = 0; i < std::min(row.cells.size(), headings_.size()); ++i) {
+            if (i == label) continue;
+            const OxideLine& what = headings_[i];
+            if (is_uncertainty_column(names.cells[i], what)) {
+                if (!after_oxide) continue;
+                sample.cells.back().uncertainty = row.cells[i];
+                sample.cells.back().error_heading = &what.heading;
+                continue;
+            }
+            after_oxide = is_content(what.role) || what.role == OxideRole::trace;
+            if (!after_oxide) continue;
+            sample.cells.push_back(
+                {.line = row.line, .column = i, .what = what, .text = row.cells[i], .unit = &what.heading});
+            marks_.see(row.cells[i], i);
+        }
+        const bool blank = std::ranges::all_of(
+            sample.cells, [](const OxideCell& cell) { return trimmed(cell.text).empty(); });
+        if (!blank) samples.push_back(std::move(sample));
+    }
+
+    /// A row for each oxide, a column for each sample.
+    void read_down() {
+        const auto [names, first] = first_row_down();
+        const bool has_heading = first > 0 && rows_[first - 1].cells.size() > 1 &&
+                                 std::ranges::none_of(rows_[first - 1].cells, [](const std::string& cell) {
+                                     return read_number(cell, true).has_value();
+                                 });
+        const std::size_t width = rows_[first].cells.size();
+        if (has_heading)
+            for (const std::string& cell : rows_[first - 1].cells) headings_.push_back(read_line(cell));
+        headings_.resize(std::max(headings_.size(), width));
+        take_titles(has_heading ? first - 1 : first);
+        const std::vector<std::size_t> amounts = amount_columns(first, names);
+        if (amounts.empty())
+            refuse_line(rows_[first].line, "no column holds the amounts of the oxides",
+                        "\"weight %\" or the name of a sample above it");
+        for (const std::size_t column : amounts) {
+            const xrd::Heading& heading = headings_[column].heading;
+            const bool is_unit = heading.role == xrd::Role::weight;
+            samples.push_back({.sample = is_unit ? std::string() : heading.text});
+        }
+        for (std::size_t r = first; r < rows_.size(); ++r) add_oxide_row(rows_[r], names, amounts);
+    }
+
+    /// The column of the names of oxides, and the first row with one.
+    [[nodiscard]] std::pair<std::size_t, std::size_t> first_row_down() const {
+        constexpr std::size_t widest = 20;
+        for (std::size_t column = 0; column < widest; ++column) {
+            std::size_t count = 0;
+            std::size_t first = rows_.size();
+            for (std::size_t r = 0; r < rows_.size(); ++r) {
+                if (column >= rows_[r].cells.size()) continue;
+                if (read_line(rows_[r].cells[column]).role != OxideRole::oxide) continue;
+                first = std::min(first, r);
+                ++count;
+            }
+            if (count >= 2) return {column, first};
+        }
+        refuse_line(rows_.empty() ? 1 : rows_.front().line, "no two oxides are named",
+                    "a table with a row or a column for each oxide: SiO2, Al2O3, ...");
+    }
+
+    /// Columns of amounts: those with a heading for a weight, else all with numbers and the name of a sample.
+    [[nodiscard]] std::vector<std::size_t> amount_columns(std::size_t first, std::size_t names) {
+        std::vector<std::size_t> by_name;
+        std::vector<std::size_t> by_number;
+        std::vector<std::string> unused;
+        for (std::size_t i = 0; i < rows_[first].cells.size(); ++i) {
+            if (i == names || headings_[i].role == OxideRole::uncertainty) continue;
+            const xrd::Heading& heading = headings_[i].heading;
+            const bool numbers = std::ranges::any_of(rows_, [&](const TableRow& row) {
+                return i < row.cells.size() && read_number(row.cells[i], true).has_value();
+            });
+            if (heading.role == xrd::Role::weight)
+                by_name.push_back(i);
+            else if (numbers && heading.role == xrd::Role::other)
+                by_number.push_back(i);
+            else if (!heading.text.empty())
+                unused.push_back(in_quotes(heading.written));
+        }
+        if (!by_name.empty())
+            for (const std::size_t i : by_number) unused.push_back(in_quotes(headings_[i].heading.text));
+        if (by_name.empty() && by_number.empty() && !unused.empty())
+            refuse_line(rows_[first].line, "no column holds amounts of oxides by weight: " + joined(unused),
+                        "\"weight %\" or the name of a sample above them");
+        if (by_name.size() > 1)
+            refuse_line(rows_[first].line,
+                        "there are " + std::to_string(by_name.size()) + " columns of amounts",
+                        "the name of a sample above each, or one column");
+        if (!unused.empty()) note("columns not used: " + joined(unused), Severity::background);
+        return by_name.empty() ? by_number : by_name;
+    }
+
+    void add_oxide_row(const TableRow& row, std::size_t names, const std::vector<std::size_t>& amounts) {
+        if (names >= row.cells.size() || row.cells[names].empty()) return;
+        const OxideLine what = read_line(row.cells[names]);
+        refuse_unknown(row, names, what);
+        if (!is_content(what.role) && what.role != OxideRole::trace) {
+            note("row " + in_quotes(row.cells[names]) + " is not used", Severity::background);
+            return;
+        }
+        for (std::size_t k = 0; k < amounts.size(); ++k) {
+            const std::size_t column = amounts[k];
+            if (column >= row.cells.size()) continue;
+            OxideCell cell{.line = row.line, .column = column, .what = what, .text = row.cells[column]};
+            const bool own_unit = !what.heading.unit.empty();
+            cell.what = what;
+            cell.unit = own_unit ? nullptr : &headings_[column].heading;
+            if (column + 1 < std::min(row.cells.size(), headings_.size()) &&
+                headings_[column + 1].role == OxideRole::uncertainty) {
+                cell.uncertainty = row.cells[column + 1];
+                cell.error_heading = &headings_[column + 1].heading;
+            }
+            marks_.see(cell.text, column);
+            samples[k].cells.push_back(std::move(cell));
+        }
+    }
+
+    NumberMarks marks_;
+    std::vector<TableRow> rows_{};
+    std::vector<OxideLine> headings_{};
+    std::vector<std::string> titles_{};
+};
+
+/// Scale of one amount: none if nothing states it.
+std::optional<double> stated_scale(const OxideCell& cell, bool per_cent) {
+    const xrd::Heading& heading = cell.unit != nullptr ? *cell.unit : cell.what.heading;
+    if (word_key(heading.unit, "%").find("mol") != std::string::npos ||
+        word_key(heading.text, "%").find("mol%") != std::string::npos)
+        throw InputError("the amounts are in " + heading.unit, "% by weight, as \"wt%\"")
+            .at(at_line(cell.line));
+    if (is_parts_per_million(heading)) return 1e-6;
+    if (per_cent || heading.scale == xrd::Scale::per_cent) return 0.01;
+    if (heading.scale == xrd::Scale::fraction) return 1;
+    if (!heading.unit.empty() && heading.states == xrd::HeadingUnit::other)
+        throw InputError("the amounts are in " + in_quotes(heading.unit), "% by weight, ppm or fractions")
+            .at(at_line(cell.line));
+    return std::nullopt;
+}
+
+/// An amount in the unit of its table.
+struct OxideNumber {
+    double value = 0;
+    std::optional<double> uncertainty{};
+    std::optional<double> scale{};
+};
+
+/// Whether a cell says that an oxide was looked for and not found.
+bool says_not_found(std::string_view text) {
+    static const WordLists words("not detected", all_marks);
+    return words.holds(text) || text.starts_with('<') || text.starts_with("\u2264");
+}
+
+/// The number of a cell; none where the oxide was not determined.
+std::optional<OxideNumber> number_of(const OxideCell& cell, const NumberMarks& marks) {
+    const std::string_view text = trimmed(cell.text);
+    const auto place = at_cell(cell.line, cell.column);
+    if (says_not_found(text)) {
+        std::string_view limit = text;
+        for (const std::string_view sign : {"<", "\u2264", "=", " "})
+            if (limit.starts_with(sign)) limit = trimmed(limit.substr(sign.size()));
+        const auto most = marks.read(limit, cell.column);
+        if (!most) return OxideNumber{0, std::nullopt, 0.01};
+        const double half = most->value / 2;
+        return OxideNumber{half, half / std::sqrt(3.0), stated_scale(cell, most->per_cent)};
+    }
+    if (says_no_number(text)) return std::nullopt;
+    return at_place(place, [&]() -> std::optional<OxideNumber> {
+        const auto read = marks.read(text, cell.column);
+        if (!read) throw InputError("cannot read " + in_quotes(text), "a number, \"<0.05\" or \"n.d.\"");
+        if (read->value < 0)
+            throw InputError("the amount of " + cell.what.heading.text + " is " + shortest(read->value),
+                             "zero or more");
+        OxideNumber number{read->value, read->standard_uncertainty, stated_scale(cell, read->per_cent)};
+        if (cell.error_heading != nullptr && !says_no_number(cell.uncertainty)) {
+            const auto error = marks.read(cell.uncertainty, cell.column + 1);
+            if (!error || error->value < 0)
+                throw InputError("cannot read the uncertainty " + in_quotes(cell.uncertainty),
+                                 "a number, zero or more");
+            if (cell.error_heading->coverage.problem.empty())
+                number.uncertainty = error->value / cell.error_heading->coverage.factor;
+        }
+        return number;
+    });
+}
+
+/// Makes the analysis of one sample.
+class OxideSampleMaker {
+  public:
+    OxideSampleMaker(const OxideColumn& column, const NumberMarks& marks) : column_(column), marks_(marks) {
+        sample_.name = column.sample;
+    }
+
+    OxideSample make() {
+        find_scale();
+        for (const OxideCell& cell : column_.cells) add(cell);
+        merge_iron();
+        check_total();
+        if (traces_ > 0)
+            note("elements in ppm are traces and left out, together " + per_cent(traces_) +
+                     " of the sample: " + joined(trace_names_),
+                 Severity::background);
+        return std::move(sample_);
+    }
+
+  private:
+    struct Iron {
+        OxideShare share;
+        bool is_total;
+        std::string name;
+    };
+
+    void note(std::string text, Severity severity = Severity::remark) {
+        sample_.warnings.push_back({glass_code, severity, std::move(text)});
+    }
+
+    /// Scale of amounts without a unit, from their sum.
+    void find_scale() {
+        double sum = 0;
+        bool any = false;
+        for (const OxideCell& cell : column_.cells) {
+            if (cell.what.role != OxideRole::oxide) continue;
+            const auto number = number_of(cell, marks_);
+            if (!number || number->scale) continue;
+            sum += number->value;
+            any = true;
+        }
+        if (!any) return;
+        constexpr double between = 2;  // sums near 1 and near 100
+        scale_ = sum > between ? 0.01 : 1;
+        note(std::string("the table states no unit: by their sum the amounts are ") +
+                 (sum > between ? "per cent" : "fractions"),
+             Severity::background);
+    }
+
+    void add(const OxideCell& cell) {
+        const auto number = number_of(cell, marks_);
+        const std::string name = cell.what.heading.text;
+        if (!number) return;
+        const double scale = number->scale.value_or(scale_);
+        if (cell.what.role == OxideRole::trace) {
+            if (scale > 1e-6)
+                throw InputError(name + " is an element", "its oxide, or traces in ppm")
+                    .at(at_cell(cell.line, cell.column));
+            traces_ += number->value * scale;
+            trace_names_.push_back(name);
+            return;
+        }
+        OxideShare share{.oxide = "LOI", .fraction = number->value * scale};
+        if (number->uncertainty) share.standard_uncertainty = *number->uncertainty * scale;
+        if (cell.what.role == OxideRole::total) {
+            total_ = share.fraction;
+            return;
+        }
+        if (cell.what.role == OxideRole::loss) {
+            if (sample_.analysis.loss_on_ignition)
+                throw InputError("the loss on ignition is there twice", "once")
+                    .at(at_cell(cell.line, cell.column));
+            sample_.analysis.loss_on_ignition = share;
+            return;
+        }
+        listed_ += share.fraction;
+        share.oxide = oxides()[cell.what.oxide.index].formula;
+        share.fraction *= cell.what.oxide.factor;
+        if (share.standard_uncertainty) *share.standard_uncertainty *= cell.what.oxide.factor;
+        if (share.oxide == "Fe2O3") {
+            iron_.push_back({share, cell.what.oxide.is_total, name});
+            return;
+        }
+        for (const OxideShare& each : sample_.analysis.oxides)
+            if (each.oxide == share.oxide)
+                throw InputError(name + " is there twice, as " + share.oxide + " or in another form",
+                                 "each oxide once")
+                    .at(at_cell(cell.line, cell.column));
+        sample_.analysis.oxides.push_back(share);
+    }
+
+    /// FeO and Fe2O3 add up, unless one of them is the total iron.
+    void merge_iron() {
+        if (iron_.empty()) return;
+        const auto total = std::ranges::find_if(iron_, &Iron::is_total);
+        const std::size_t totals = static_cast<std::size_t>(std::ranges::count_if(iron_, &Iron::is_total));
+        if (totals > 1 || (totals == 0 && iron_.size() > 2) ||
+            (totals == 0 && iron_.size() == 2 && word_key(iron_[0].name) == word_key(iron_[1].name)))
+            refuse_line(column_.cells.front().line, "iron is there more than once",
+                        "FeO and Fe2O3, or one total such as \"Fe2O3(t)\"");
+        OxideShare sum = total != iron_.end() ? total->share : iron_.front().share;
+        if (total != iron_.end() && iron_.size() > 1)
+            note(total->name + " is the total iron: the other form is not added");
+        if (total == iron_.end() && iron_.size() == 2) {
+            sum.fraction += iron_[1].share.fraction;
+            const auto& a = iron_[0].share.standard_uncertainty;
+            const auto& b = iron_[1].share.standard_uncertainty;
+            if (a && b) sum.standard_uncertainty = std::hypot(*a, *b);
+        }
+        sample_.analysis.oxides.push_back(sum);
+    }
+
+    void check_total() {
+        constexpr double tolerance = 0.01;
+        if (!total_) return;
+        const double loss =
+            sample_.analysis.loss_on_ignition ? sample_.analysis.loss_on_ignition->fraction : 0;
+        const double gap =
+            std::min(std::abs(*total_ - listed_ - traces_), std::abs(*total_ - listed_ - traces_ - loss));
+        if (gap > tolerance)
+            note("the total is given as " + per_cent(*total_) + ", the oxides that are read add up to " +
+                     per_cent(listed_) + (loss > 0 ? ", with LOI to " + per_cent(listed_ + loss) : ""),
+                 Severity::doubt);
+    }
+
+    const OxideColumn& column_;
+    const NumberMarks& marks_;
+    OxideSample sample_{};
+    double scale_ = 0.01;
+    double listed_ = 0;
+    double traces_ = 0;
+    std::vector<std::string> trace_names_{};
+    std::optional<double> total_{};
+    std::vector<Iron> iron_{};
+};
+
+OxideResult read_oxide_lines(const TextLines& file, std::optional<DecimalMark> decimal) {
+    const OxideTable table(file, decimal);
+    for (const std::string& title : table.titles())
+        if (word_key(title, "%").find("mol%") != std::string::npos)
+            throw InputError("the title states mol%", "% by weight of oxides").at(at_line(1));
+    OxideResult result{.samples = {}, .warnings = table.warnings};
+    for (const OxideColumn& column : table.samples) {
+        OxideSample sample = OxideSampleMaker(column, table.marks()).make();
+        if (sample.analysis.oxides.empty()) continue;
+        const auto same = std::ranges::find(result.samples, sample.name, &OxideSample::name);
+        if (same != result.samples.end())
+            refuse_line(column.cells.front().line,
+                        sample.name.empty() ? "there are several samples without a name"
+                                            : "the sample " + in_quotes(sample.name) + " is there twice",
+                        "a name for each sample");
+        result.samples.push_back(std::move(sample));
+    }
+    if (result.samples.empty())
+        refuse_line(file.last_line(), "there are no amounts of oxides", "a number for each oxide");
+    return result;
+}
+
+bool holds_oxides(const TextLines& file) {
+    try {
+        return !OxideTable(file, std::nullopt).samples.empty();
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+OxideResult read_any(std::string_view text, const TableOptions& options) {
+    if (is_workbook(text)) {
+        const ChosenSheet chosen(text, {.name = options.sheet,
+                                        .option = "the name of a sheet (in a case \"oxides_sheet\")",
+                                        .code = glass_code,
+                                        .limits = oxide_limits,
+                                        .holds_table = holds_oxides});
+        return chosen.read([&](const TextLines& lines) {
+            OxideResult result = read_oxide_lines(lines, options.decimal);
+            for (Finding& warning : result.warnings) warning.text = in_rows(warning.text);
+            result.warnings.insert(result.warnings.begin(), chosen.findings().begin(),
+                                   chosen.findings().end());
+            return result;
+        });
+    }
+    if (!options.sheet.empty())
+        throw InputError("a sheet is named, and the file is no spreadsheet", "an .xlsx or .ods");
+    const TextLines file(text, oxide_limits);
+    OxideResult result = read_oxide_lines(file, options.decimal);
+    if (file.was_latin1())
+        result.warnings.push_back(
+            {glass_code, Severity::background, "the file is not UTF-8 and was read as Latin-1"});
+    return result;
+}
+
+OxideShare share_in(const std::string& name, const View& node) {
+    const Quantity fraction = node.quantity(Dimension::fraction);
+    if (!(fraction.value >= 0 && fraction.value <= 1))
+        node.fail("the fraction is " + per_cent(fraction.value), "0 % to 100 % (0 to 1), as \"52.1 %\"");
+    return {name, fraction.value, fraction.standard_uncertainty};
+}
+
+void add_share(const std::string& name, const View& node, OxideAnalysis& analysis) {
+    OxideShare share = share_in(name, node);
+    if (read_line(name).role == OxideRole::loss) {
+        share.oxide = "LOI";
+        if (analysis.loss_on_ignition) node.fail("the loss on ignition is there twice", "once");
+        analysis.loss_on_ignition = share;
+        return;
+    }
+    const auto oxide = named_oxide(name);
+    if (!oxide) {
+        const auto near = nearest_oxides(name);
+        node.fail("no oxide is called " + in_quotes(name),
+                  near.empty() ? "a formula such as \"SiO2\", or \"LOI\"" : "nearest: " + joined(near));
+    }
+    share.oxide = oxides()[oxide->index].formula;
+    share.fraction *= oxide->factor;
+    if (share.standard_uncertainty) *share.standard_uncertainty *= oxide->factor;
+    const auto same = std::ranges::find(analysis.oxides, share.oxide, &OxideShare::oxide);
+    if (same != analysis.oxides.end() && share.oxide != "Fe2O3")
+        node.fail(share.oxide + " is there twice", "each oxide once");
+    if (same == analysis.oxides.end())
+        analysis.oxides.push_back(share);
+    else
+        same->fraction += share.fraction;  // FeO and Fe2O3
+}
+
+}  // namespace
+
+OxideResult read_oxides(std::string_view text, std::string_view name, const TableOptions& options) {
+    return at_place(FileName{std::string(name)}, [&] {
+        OxideResult result = read_any(text, options);
+        for (OxideSample& sample : result.samples) {
+            sample.analysis.source = std::string(name);
+            if (sample.name.empty()) sample.name = xrd::file_stem(name);
+        }
+        return result;
+    });
+}
+
+const OxideSample& oxide_sample(const OxideResult& result, const std::string& name, bool must_match) {
+    const auto key = word_key(name);
+    for (const OxideSample& sample : result.samples)
+        if (word_key(sample.name) == key) return sample;
+    if (result.samples.size() == 1 && !must_match) return result.samples.front();
+    std::vector<std::string> names;
+    for (const OxideSample& sample : result.samples) names.push_back(sample.name);
+    throw InputError("the oxides have no sample " + in_quotes(name), joined(names));
+}
+
+OxideAnalysis read_oxides_json(const View& node) {
+    OxideAnalysis analysis;
+    if (node.json().is_array()) {
+        for (const View& each : node.elements()) {
+            each.require_keys({"oxide", "weight_fraction"});
+            add_share(each.at("oxide").text(), each.at("weight_fraction"), analysis);
+        }
+    } else {
+        for (const auto& [name, value] : node.members()) add_share(name, value, analysis);
+    }
+    if (analysis.oxides.empty()) node.fail("there are no oxides", "at least SiO2 with its amount");
+    return analysis;
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "materials/glass/oxide_table.hpp"
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "tests/materials/catalogue.hpp"
+#include "tests/support/checks.hpp"
+
+namespace ashimpact::test {
+
+namespace {
+
+/// Per cent of an oxide in the sample; -1 if it is not listed.
+double per_cent_of(const OxideSample& sample, std::string_view oxide) {
+    for (const OxideShare& each : sample.analysis.oxides)
+        if (each.oxide == oxide) return 100 * each.fraction;
+    return -1;
+}
+
+double loss_of(const OxideSample& sample) {
+    return 100 * sample.analysis.loss_on_ignition.value().fraction;
+}
+
+OxideSample only(std::string_view text) {
+    const OxideResult result = read_oxides(text, "xrf.csv");
+    REQUIRE(result.samples.size() == 1);
+    return result.samples.front();
+}
+
+bool near(double a, double b) {
+    return std::abs(a - b) < 1e-9;
+}
+
+bool tells(const std::vector<Finding>& warnings, std::string_view text) {
+    return std::ranges::any_of(
+        warnings, [&](const Finding& each) { return each.text.find(text) != std::string::npos; });
+}
+
+}  // namespace
+
+TEST_CASE("oxides in columns: two samples, units in the headings, below them and not at all") {
+    for (const char* text :
+         {"Sample,SiO2 [wt%],Al2O3 [wt%],Fe2O3 (%),LOI [wt%]\nFA1,60,30,8,2\nFA2,50,40,8,2\n",
+          "Sample;SiO2;Al2O3;Fe2O3;LOI\n;wt%;wt%;wt%;wt%\nFA1;60;30;8;2\nFA2;50;40;8;2\n",
+          "Sample\tSiO2\tAl2O3\tFe2O3\tLOI\nFA1\t60\t30\t8\t2\nFA2\t50\t40\t8\t2\n",
+          "Probe;SiO2;Al2O3;Fe2O3;GV\nFA1;0,6;0,3;0,08;0,02\nFA2;0,5;0,4;0,08;0,02\n",
+          "Report 12\nin wt%\nSample,SiO2,Al2O3,Fe2O3,LOI,Total\nFA1,60,30,8,2,100\n"
+          "FA2,50,40,8,2,100\n"}) {
+        CAPTURE(text);
+        const OxideResult result = read_oxides(text, "xrf.csv");
+        REQUIRE(result.samples.size() == 2);
+        CHECK(result.samples[0].name == "FA1");
+        CHECK(near(per_cent_of(result.samples[0], "SiO2"), 60));
+        CHECK(near(per_cent_of(result.samples[0], "Fe2O3"), 8));
+        CHECK(near(per_cent_of(result.samples[1], "Al2O3"), 40));
+        CHECK(near(loss_of(result.samples[1]), 2));
+        CHECK_FALSE(result.samples[0].analysis.oxides[0].standard_uncertainty);
+    }
+}
+
+TEST_CASE("oxides in rows: one amount, several samples, without a heading, as a spectrometer prints them") {
+    for (const char* text :
+         {"Oxide,wt%\nSiO2,60\nAl2O3,30\nFe2O3,8\nL.O.I.,2\nSum,100\n", "SiO2;60\nAl2O3;30\nFe2O3;8\nLOI;2\n",
+          "Formula;Z;Concentration;Line 1;Net int.\nSiO2;14;60 %;Si KA1;12.3\nAl2O3;13;30 %;Al KA1;8.1\n"
+          "Fe2O3;26;8 %;Fe KA1;90\nLOI;;2 %;;\n",
+          "Compound,Conc. [%],Error\nSiO2,60,0.3\nAl2O3,30,0.2\nFe2O3,8,0.1\nLOI,2,0.1\n"}) {
+        CAPTURE(text);
+        const OxideSample sample = only(text);
+        CHECK(sample.name == "xrf");
+        CHECK(near(per_cent_of(sample, "SiO2"), 60));
+        CHECK(near(per_cent_of(sample, "Al2O3"), 30));
+        CHECK(near(loss_of(sample), 2));
+    }
+    CHECK(near(only("Compound,wt%,Error\nSiO2,60,0.3\nAl2O3,40,0.2\n")
+                   .analysis.oxides[0]
+                   .standard_uncertainty.value(),
+               0.003));
+    CHECK(near(only("Compound,wt%,2 sigma\nSiO2,60,0.3\nAl2O3,40,0.2\n")
+                   .analysis.oxides[0]
+                   .standard_uncertainty.value(),
+               0.0015));
+    const OxideResult both = read_oxides("Oxide;FA1;FA2\nSiO2;60;50\nAl2O3;40;50\n", "xrf.csv");
+    REQUIRE(both.samples.size() == 2);
+    CHECK(both.samples[1].name == "FA2");
+    CHECK(near(per_cent_of(both.samples[1], "SiO2"), 50));
+}
+
+TEST_CASE("uncertainties beside the oxides of a row, and in the cells") {
+    const OxideSample beside = only("Sample,SiO2,SiO2 u,Al2O3,\u00b1\nFA1,60,0.6,40,0.4\n");
+    CHECK(near(*beside.analysis.oxides[0].standard_uncertainty, 0.006));
+    CHECK(near(*beside.analysis.oxides[1].standard_uncertainty, 0.004));
+    const OxideSample within = only("Sample;SiO2;Al2O3\nFA1;60(1);40 \u00b1 0.4\n");
+    CHECK(near(*within.analysis.oxides[0].standard_uncertainty, 0.01));
+    CHECK(near(*within.analysis.oxides[1].standard_uncertainty, 0.004));
+}
+
+TEST_CASE("what is below a limit, was not found, or was not determined") {
+    const OxideSample sample =
+        only("Sample,SiO2,Al2O3,MgO,MnO,P2O5,TiO2,Na2O\nFA1,60,38,<0.3,<LOD,n.d.,-,\n");
+    CHECK(near(per_cent_of(sample, "MgO"), 0.15));
+    CHECK(near(*sample.analysis.oxides[2].standard_uncertainty, 0.0015 / std::sqrt(3.0)));
+    CHECK(per_cent_of(sample, "MnO") == 0);
+    CHECK(per_cent_of(sample, "P2O5") == 0);
+    CHECK(per_cent_of(sample, "TiO2") == -1);
+    CHECK(per_cent_of(sample, "Na2O") == -1);
+}
+
+TEST_CASE("iron as FeO, as both and as a total; other forms; traces") {
+    CHECK(std::abs(per_cent_of(only("Sample,SiO2,Al2O3,FeO\nA,60,30,9\n"), "Fe2O3") - 10.00212) < 1e-4);
+    const OxideSample both = only("Sample,SiO2,Al2O3,Fe2O3,FeO\nA,60,30,5,4\n");
+    CHECK(std::abs(per_cent_of(both, "Fe2O3") - (5 + 4 * 1.111346)) < 1e-4);
+    const OxideSample total = only("Sample,SiO2,Al2O3,Fe2O3(t),FeO\nA,60,30,10,4\n");
+    CHECK(near(per_cent_of(total, "Fe2O3"), 10));
+    CHECK(tells(total.warnings, "Fe2O3(t) is the total iron"));
+    CHECK(std::abs(per_cent_of(only("Sample,SiO2,Al2O3,S\nA,60,30,1\n"), "SO3") - 2.497099) < 1e-5);
+    const OxideSample traces = only("Sample,SiO2,Al2O3,SrO [ppm],V [ppm],Cr [mg/kg]\nA,60,39,500,200,100\n");
+    CHECK(near(per_cent_of(traces, "SrO"), 0.05));
+    CHECK(tells(traces.warnings,
+                "elements in ppm are traces and left out, together 0.03 % of the sample: V, Cr"));
+}
+
+TEST_CASE("a spreadsheet of an XRF laboratory, in both formats") {
+    for (const char* file : {"oxides.xlsx", "oxides.ods"}) {
+        CAPTURE(file);
+        const OxideResult result =
+            read_oxides(file_text(std::string(ASHIMPACT_TEST_DATA "/workbooks/") + file), file);
+        REQUIRE(result.samples.size() == 2);
+        CHECK(result.samples[0].name == "FA 1");
+        CHECK(near(per_cent_of(result.samples[0], "SiO2"), 52.3));
+        CHECK(near(per_cent_of(result.samples[0], "SO3"), 0.8));
+        CHECK(near(loss_of(result.samples[0]), 3.1));
+        CHECK(near(per_cent_of(result.samples[1], "CaO"), 8.7));
+        CHECK(result.samples[0].warnings.empty());
+        CHECK(oxide_sample(result, "FA2", true).name == "FA 2");
+        CHECK(input_error_of([&] { return oxide_sample(result, "FA 3", false).name; }) ==
+              "the oxides have no sample \"FA 3\"; allowed: FA 1, FA 2");
+    }
+}
+
+TEST_CASE("a total that does not fit is doubted") {
+    CHECK(tells(only("Oxide,wt%\nSiO2,60\nAl2O3,30\nTotal,99\n").warnings, "the total is given as 99 %"));
+    CHECK_FALSE(tells(only("Oxide,wt%\nSiO2,60\nAl2O3,30\nTotal,90.2\n").warnings, "the total"));
+}
+
+TEST_CASE("tables that are no chemical analysis are refused in one line with the place") {
+    const auto refusal = [](std::string_view text) {
+        const std::string message =
+            input_error_of([&] { return read_oxides(text, "xrf.csv").samples.size(); });
+        CHECK(message.starts_with("xrf.csv: "));
+        CHECK(message.find('\n') == std::string::npos);
+        return message;
+    };
+    const auto says = [](const std::string& message, std::string_view text) {
+        CAPTURE(message);
+        return message.find(text) != std::string::npos;
+    };
+    CHECK(
+        says(refusal("Sample,SiO2,Al2O3,SiO3\nA,60,30,5\n"), "line 1, cell 4: no oxide is called \"SiO3\""));
+    CHECK(says(refusal("Sample,SiO2,Al2O3,Fe\nA,60,30,5\n"), "Fe is an element"));
+    CHECK(says(refusal("Sample,SiO2,Al2O3\nA,60,-3\n"), "line 2, cell 3: the amount of Al2O3 is -3"));
+    CHECK(says(refusal("Sample,SiO2,Al2O3\nA,60,much\n"), "cannot read \"much\""));
+    CHECK(says(refusal("Sample,SiO2 [mol%],Al2O3 [mol%]\nA,60,40\n"), "the amounts are in mol%"));
+    CHECK(says(refusal("Sample,SiO2 [counts],Al2O3 [counts]\nA,60,40\n"), "the amounts are in \"counts\""));
+    CHECK(says(refusal("Sample,SiO2,Al2O3,SiO2\nA,30,40,30\n"), "SiO2 is there twice"));
+    CHECK(says(refusal("Sample,SiO2,Fe2O3,Fe2O3\nA,30,40,30\n"), "iron is there more than once"));
+    CHECK(says(refusal("Sample,SiO2,Al2O3\nA,60,40\nA,50,50\n"), "the sample \"A\" is there twice"));
+    CHECK(says(refusal("phase,weight %\nquartz,60\nmullite,40\n"), "no two oxides are named"));
+    CHECK(says(refusal("Sample,SiO2,Al2O3\n"), "there are no amounts of oxides"));
+    CHECK(says(refusal("Results in mol%\nSample,SiO2,Al2O3\nA,60,40\n"), "the title states mol%"));
+    CHECK_FALSE(refusal("").empty());
+}
+
+TEST_CASE("the oxides of a case") {
+    const auto read = [](const char* text) {
+        const Json json = parse_json(text);
+        return read_oxides_json(View(json));
+    };
+    const OxideAnalysis plain =
+        read(R"({"SiO2": "52.1 +- 0.4 %", "Al2O3": 0.3, "FeO": "9 %", "LOI": "2 %"})");
+    REQUIRE(plain.oxides.size() == 3);
+    CHECK(near(*plain.oxides[0].standard_uncertainty, 0.004));
+    CHECK(plain.oxides[2].oxide == "Fe2O3");
+    CHECK(near(plain.loss_on_ignition->fraction, 0.02));
+    const OxideAnalysis list = read(R"([{"oxide": "SiO2", "weight_fraction": "60 %"},
+                                        {"oxide": "Al2O3", "weight_fraction": "40 %"}])");
+    CHECK(near(list.oxides[1].fraction, 0.4));
+    CHECK(input_error_of([&] { return read(R"({"SiO2": 52.1})").oxides; }) ==
+          "/SiO2: the fraction is 5210 %; allowed: 0 % to 100 % (0 to 1), as \"52.1 %\"");
+    CHECK(input_error_of([&] { return read(R"({"SiO3": 0.5})").oxides; }).find("nearest: SiO2") !=
+          std::string::npos);
+}
+
+}  // namespace ashimpact::test
