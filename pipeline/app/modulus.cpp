@@ -10,6 +10,7 @@
 #include "core/quantities/checks.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
+#include "materials/glass/oxide_table.hpp"
 #include "materials/xrd/xrd.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/contact/single_contact.hpp"
@@ -131,6 +132,7 @@ struct SampleEstimate {
     std::string name;
     Composition composition{};
     ModulusEstimate estimate{};
+    std::optional<SampleGlass> glass{};
     std::optional<Porosity> porosity{};
     ParticleDensity density{};
     std::vector<Finding> warnings;  ///< of the reader, the composition and the estimate
@@ -186,6 +188,27 @@ void list_density(const SampleEstimate& sample, const CommandOptions& options, T
     list.add("porosity", readable_number(density.porosity));
 }
 
+/// The glass by its chemistry, and the modulus of the sample with either.
+std::string glass_text(const SampleGlass& glass, const SampleEstimate& sample) {
+    std::string oxides;
+    for (const auto& [oxide, fraction] : glass.composition)
+        oxides += fmt::format("{}{} {:.1f}", oxides.empty() ? "" : ", ", oxide, 100 * fraction.value);
+    TextList list;
+    list.add("glass by its oxides [wt%]", oxides);
+    list.add("  part of the sample", percent(glass.weight_fraction.value) + " % (by XRD " +
+                                         percent(glass.amorphous_fraction.value) + " %)");
+    list.add("  Young's modulus", readable(glass.young_modulus) + "  Makishima & Mackenzie");
+    list.add("  Poisson's ratio", readable_number(glass.poisson_ratio));
+    list.add("  density", readable(glass.density) + (glass.density_assumed ? "  assumed" : ""));
+    list.add(
+        glass.used ? "E with the catalogue's glass" : "E with this glass",
+        with_uncertainty(glass.other.young_modulus.value,
+                         glass.other.young_modulus.standard_uncertainty.value_or(0), Dimension::pressure) +
+            fmt::format("  ({:+.1f} %)",
+                        100 * (glass.other.young_modulus.value / sample.estimate.young_modulus - 1)));
+    return list.text(0);
+}
+
 std::string estimate_text(const SampleEstimate& sample, const CommandOptions& options) {
     const ModulusEstimate& estimate = sample.estimate;
     const std::string pores = sample.porosity ? "  pores by " + options["--porosity-law"] : "";
@@ -202,13 +225,15 @@ std::string estimate_text(const SampleEstimate& sample, const CommandOptions& op
                                         (estimate.poisson_ratio_assumed ? " (of some phases assumed)" : ""));
     list_density(sample, options, list);
     const std::string title = sample.name.empty() ? "" : sample.name + "\n";
-    const std::string text = list.text(0);
+    const std::string text = list.text(0) + (sample.glass ? "\n" + glass_text(*sample.glass, sample) : "");
     return title + phases_text(sample.composition) + "\n" + text + uncertainty_legend(text);
 }
 
 Json sample_json(const SampleEstimate& sample, MixtureRule rule) {
     Json json{{"name", sample.name}};
-    json.update(modulus_json(sample_modulus(sample.composition, sample.estimate, rule)));
+    SampleModulus modulus = sample_modulus(sample.composition, sample.estimate, rule);
+    modulus.glass = sample.glass;
+    json.update(modulus_json(modulus));
     json["particle_density"] = quantity_json(sample.density.apparent_density, Dimension::density);
     json["porosity"] = sample.density.porosity;
     if (sample.porosity) json["porosity_law"] = name_of(sample.porosity->law);
@@ -216,34 +241,69 @@ Json sample_json(const SampleEstimate& sample, MixtureRule rule) {
     return json;
 }
 
-/// Returns what @p compute returns. Its error gets the name of a sample of several, unless it has a place.
-template <class Compute>
-SampleEstimate naming_sample(const std::string& sample, Compute&& compute) {
-    try {
-        return compute();
-    } catch (const InputError& error) {
-        if (sample.empty() || !error.place().empty()) throw;
-        throw error.at("sample " + in_quotes(sample));
+/// The file of --oxides; none if it is not given.
+std::optional<OxideResult> read_oxides_of(const CommandOptions& options) {
+    if (!options.has("--oxides")) {
+        for (const auto* option : {"--oxides-sample", "--oxides-sheet", "--glass", "--glass-density"})
+            if (options.has(option))
+                throw InputError("belongs to a file of oxides", "--oxides FILE").at(option);
+        return std::nullopt;
     }
+    const std::string file = options["--oxides"];
+    TableOptions table = table_options(options);
+    table.sheet = options.has("--oxides-sheet") ? options["--oxides-sheet"] : "";
+    OxideResult oxides = read_oxides(read_start(file, longest_xrd_file + 1), file, table);
+    warn_of(oxides.warnings, file);
+    return oxides;
+}
+
+/// Oxides and choice of glass for a sample; with oxides the glass from chemistry counts unless the user says
+/// otherwise.
+GlassInputs glass_inputs(const std::string& sample, const std::optional<OxideResult>& oxides,
+                         const CommandOptions& options, std::vector<Finding>& warnings) {
+    GlassInputs inputs;
+    if (!oxides) return inputs;
+    const bool stated = options.has("--oxides-sample");
+    const OxideSample& chosen = at_place(FileName{options["--oxides"]}, [&]() -> const OxideSample& {
+        return oxide_sample(*oxides, stated ? options["--oxides-sample"] : sample, stated);
+    });
+    warnings.insert(warnings.end(), chosen.warnings.begin(), chosen.warnings.end());
+    inputs.oxides = chosen.analysis;
+    inputs.source = !options.has("--glass")
+                        ? GlassSource::from_chemistry
+                        : at_place("--glass", [&] { return named<GlassSource>(options["--glass"]); });
+    if (options.has("--glass-density"))
+        inputs.density = at_place("--glass-density", [&] {
+            return quantity_of_text(options["--glass-density"], Dimension::density);
+        });
+    return inputs;
 }
 
 SampleEstimate estimated(const XrdSample& sample, const PhaseCatalogue& catalogue,
-                         const CommandOptions& options, MixtureRule rule) {
+                         const std::optional<OxideResult>& oxides, const CommandOptions& options,
+                         MixtureRule rule) {
     SampleEstimate result{.name = sample.name, .warnings = sample.warnings};
-    result.composition =
-        compose(sample.analysis, catalogue,
-                "--amorphous-fraction X (of the whole; none; remainder: what is missing to 100 %), "
-                "--crystalline-total X, or --internal-standard PHASE with --added-fraction X");
+    const GlassInputs inputs = glass_inputs(sample.name, oxides, options, result.warnings);
+    const GlassInSample composed = compose_with_glass(
+        sample.analysis, catalogue, inputs,
+        "--amorphous-fraction X (of the whole; none; remainder: what is missing to 100 %), "
+        "--crystalline-total X, or --internal-standard PHASE with --added-fraction X");
+    result.composition = composed.composition;
     std::vector<Finding> inferred;
     result.porosity = porosity_of(options, result.composition.density, inferred);
     result.estimate = estimate_modulus(result.composition, {.rule = rule, .porosity = result.porosity});
+    if (composed.other)
+        result.glass = sample_glass(
+            composed, estimate_modulus(*composed.other, {.rule = rule, .porosity = result.porosity}),
+            inputs.source);
     const auto stated =
         !options.has("--porosity") ? std::nullopt : std::optional(result.porosity.value().value);
     result.density = at_place("--particle-density", [&] {
         return particle_density(result.composition.density, stated, measured_density(options));
     });
     for (const auto& notes :
-         {result.composition.notes, result.estimate.notes, result.density.notes, inferred})
+         {result.composition.notes, composed.glass ? composed.glass->notes : std::vector<Finding>{},
+          result.estimate.notes, result.density.notes, inferred})
         result.warnings.insert(result.warnings.end(), notes.begin(), notes.end());
     return result;
 }
@@ -255,13 +315,12 @@ void run_modulus_command(const CommandOptions& options, std::ostream& out) {
         read_xrd(read_start(options["file"], longest_xrd_file + 1), options["file"], table_options(options));
     warn_of(result.warnings, options["file"]);
 
+    const std::optional<OxideResult> oxides = read_oxides_of(options);
     std::vector<SampleEstimate> estimates;
     for (const XrdSample& sample : chosen(result, options["--sample"])) {
         const XrdSample whole = completed(sample, options);
-        SampleEstimate estimate = at_place(FileName{options["file"]}, [&] {
-            return naming_sample(result.samples.size() > 1 ? sample.name : std::string(),
-                                 [&] { return estimated(whole, catalogue, options, rule); });
-        });
+        SampleEstimate estimate = at_place(
+            FileName{options["file"]}, [&] { return estimated(whole, catalogue, oxides, options, rule); });
         warn_of(estimate.warnings, options["file"]);
         const auto doubts = options.doubts();
         estimate.warnings.insert(estimate.warnings.begin(), doubts.begin(), doubts.end());
@@ -297,6 +356,12 @@ void add_modulus(const CommandLine& line) {
     command.add("--internal-standard", "PHASE",
                 "standard that was added and refined; the amorphous part follows");
     command.add("--added-fraction", "X", "its weight over that of the mixture");
+    command.add("--oxides", "FILE",
+                "chemical analysis (XRF) of the sample, as CSV, .xlsx or .ods: the glass from its chemistry");
+    command.add("--oxides-sample", "NAME", "of a file of oxides with several; default: the name in FILE");
+    command.add("--oxides-sheet", "NAME", "sheet of a spreadsheet with several tables of oxides");
+    command.add("--glass", "NAME", "glass that counts: from-chemistry (with --oxides), catalogue");
+    command.add("--glass-density", "Q", "density of the glass; default: 2.5 +- 0.1 g/cm3");
     command.add("--sample", "NAME", "of a file with several; default: all");
     command.add_table_options();
     command.add("--phase-set", "NAME", "phase set to look in first: literature, dong2013");

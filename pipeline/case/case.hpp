@@ -10,6 +10,7 @@
 
 #include "materials/composition.hpp"
 #include "materials/contact_properties.hpp"
+#include "materials/glass/balance.hpp"
 #include "materials/modulus.hpp"
 #include "pipeline/case/values.hpp"
 #include "solver/damping/damping.hpp"
@@ -82,6 +83,7 @@ struct Sample {
     Stated diameter;
     Analysis analysis{};
     std::string analysis_source{};
+    GlassInputs glass{};  ///< oxides of the sample, and which glass counts
     std::optional<Porosity> porosity{};
     bool porosity_from_density = false;       ///< the porosity's value follows from density and phases
     std::optional<Stated> poisson_ratio{};    ///< none: mixed from the phases

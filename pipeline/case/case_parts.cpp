@@ -92,6 +92,26 @@ ReadAnalysis read_xrd_analysis(const View& node, InputFiles& files) {
     return read;
 }
 
+/// The sample of a file of oxides: the one that the case names, else the one of the sample's name, or its
+/// only one.
+OxideAnalysis read_oxide_file(const View& node, const View& file, const std::string& sample,
+                              InputFiles& files, std::vector<Finding>& warnings) {
+    return at_place(file.pointer(), [&] {
+        const std::string name = file.text();
+        const OxideResult& result =
+            files.oxides(name, read_table_options(node, "oxides_sheet", "oxides_decimal"));
+        const auto stated = node.find("oxides_sample");
+        const OxideSample& chosen = at_place(FileName{files.shown(name)}, [&]() -> const OxideSample& {
+            return oxide_sample(result, stated ? stated->text() : sample, stated.has_value());
+        });
+        for (const auto* list : {&result.warnings, &chosen.warnings})
+            warnings.insert(warnings.end(), list->begin(), list->end());
+        OxideAnalysis analysis = chosen.analysis;
+        analysis.source = name;
+        return analysis;
+    });
+}
+
 Reconstruction read_reconstruction(const View& node, const std::optional<PublishedSample>& published) {
     Reconstruction plan{.from = node.at("from").number(Dimension::fraction),
                         .to = node.at("to").number(Dimension::fraction),
@@ -301,6 +321,32 @@ ReadAnalysis read_analysis(const View& node, InputFiles& files) {
     read.analysis = xrd::completed_by_json(std::move(read.analysis), node);
     if (const auto source = node.find("source")) read.source = source->text();
     return read;
+}
+
+GlassInputs read_glass(const View& node, const GlassDefaults& defaults, const std::string& sample,
+                       InputFiles& files, std::vector<Finding>& warnings) {
+    GlassInputs inputs;
+    const auto own = node.find("oxides");
+    const auto oxides = own ? own : defaults.oxides;
+    if (oxides && oxides->is_string())
+        inputs.oxides = read_oxide_file(node, *oxides, sample, files, warnings);
+    else if (oxides)
+        inputs.oxides = read_oxides_json(*oxides);
+    if (!oxides || !oxides->is_string())
+        for (const auto* key : {"oxides_sample", "oxides_sheet", "oxides_decimal"})
+            if (const auto stray = node.find(key))
+                stray->fail("belongs to a file of oxides", "oxides beside it");
+    const auto choice = node.find("glass") ? node.find("glass") : defaults.glass;
+    if (choice) inputs.source = named<GlassSource>(choice->text());
+    if (inputs.source == GlassSource::from_chemistry && !inputs.oxides)
+        choice->fail(
+            "the glass is to come from chemistry, and the sample " + in_quotes(sample) + " has no oxides",
+            "\"oxides\" in its composition or in the case, or \"catalogue\"");
+    const auto density = node.find("glass_density");
+    if (!density) return inputs;
+    if (!inputs.oxides) density->fail("belongs to a glass from chemistry", "oxides beside it");
+    inputs.density = read_positive(*density, "density of the glass", Dimension::density).quantity;
+    return inputs;
 }
 
 RestitutionSource read_restitution(const View& node, const std::optional<PublishedSample>& published,

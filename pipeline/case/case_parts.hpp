@@ -42,6 +42,18 @@ struct ReadAnalysis {
 };
 [[nodiscard]] ReadAnalysis read_analysis(const View& node, InputFiles& files);
 
+/// What a case says of glasses: "oxides", a file, and "glass".
+struct GlassDefaults {
+    std::optional<View> oxides{}, glass{};
+};
+
+/// The oxides of a sample and which glass counts: its own, else those of the case. @param node composition
+/// @param sample its name, which the file may use
+/// @param warnings of the file of oxides are added to it
+[[nodiscard]] GlassInputs read_glass(const View& node, const GlassDefaults& defaults,
+                                     const std::string& sample, InputFiles& files,
+                                     std::vector<Finding>& warnings);
+
 /// Restitution data; @p published serves a reconstruction that names no fits, @p camera impacts without
 /// an uncertainty.
 [[nodiscard]] RestitutionSource read_restitution(const View& node,

@@ -33,6 +33,7 @@ struct Defaults {
     std::optional<Adhesion> work_of_adhesion{};
     std::optional<PublishedSample> published{};
     std::optional<View> camera{};
+    GlassDefaults glass{};
 };
 
 std::optional<Stated> read_optional(const std::optional<View>& node, std::string_view name,
@@ -72,6 +73,7 @@ Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files
     sample.diameter = read_diameter(node.at("diameter"), notes);
     add_findings(notes, sample.name, findings);
     auto analysis = read_analysis(node.at("composition"), files);
+    sample.glass = read_glass(node.at("composition"), defaults.glass, sample.name, files, analysis.warnings);
     add_findings(analysis.warnings, sample.name, findings);
     sample.analysis = std::move(analysis.analysis);
     sample.analysis_source = std::move(analysis.source);
@@ -162,8 +164,10 @@ std::vector<Phase> phases_of(const std::vector<Sample>& samples, const View& doc
     const auto nodes = document.at("samples").elements();
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const View place = nodes[i].at("composition");
-        const Composition composition =
-            at_place(place.pointer(), [&] { return compose(samples[i].analysis, catalogue, how_to_state); });
+        const Composition composition = at_place(place.pointer(), [&] {
+            return compose_with_glass(samples[i].analysis, catalogue, samples[i].glass, how_to_state)
+                .composition;
+        });
         for (const Component& component : composition.components) {
             const auto [phase, note] = catalogue.resolve(component.name);
             if (!note.empty()) findings.push_back({samples[i].name, {"phase", Severity::remark, note}});
@@ -256,7 +260,9 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
         at_place(roughness->pointer(),
                  [&] { require_not_negative("rms roughness", data.roughness->value(), Dimension::length); });
     }
-    Defaults defaults{.particle = document.find("particle"), .camera = document.find("camera")};
+    Defaults defaults{.particle = document.find("particle"),
+                      .camera = document.find("camera"),
+                      .glass = {document.find("oxides"), document.find("glass")}};
     if (defaults.particle) {  // checked even if every sample has values of its own
         Sample unused{.name = {}, .diameter = {}};
         set_particle(*defaults.particle, std::nullopt, unused);

@@ -48,6 +48,12 @@ const XrdResult& InputFiles::xrd(const std::string& name, const TableOptions& op
     return known->second;
 }
 
+const OxideResult& InputFiles::oxides(const std::string& name, const TableOptions& options) {
+    const auto [known, is_new] = oxides_.try_emplace({name, options.sheet, options.decimal});
+    if (is_new) known->second = read_oxides(read(name), shown(name), options);
+    return known->second;
+}
+
 std::string InputFiles::shown(const std::string& name) const {
     return (folder_ / name).string();
 }

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "materials/glass/oxide_table.hpp"
 #include "materials/xrd/xrd.hpp"
 
 namespace ashimpact {
@@ -40,6 +41,9 @@ class InputFiles {
     /// The XRD result in a file, which is read once, however many samples it holds. @throws InputError
     [[nodiscard]] const XrdResult& xrd(const std::string& name, const TableOptions& options);
 
+    /// The chemical analysis in a file, likewise read once. @throws InputError
+    [[nodiscard]] const OxideResult& oxides(const std::string& name, const TableOptions& options);
+
     /// What a message calls a file.
     [[nodiscard]] std::string shown(const std::string& name) const;
     [[nodiscard]] const std::string& case_name() const { return case_name_; }
@@ -55,8 +59,12 @@ class InputFiles {
     bool is_built_in_;
     bool may_leave_ = false;
     std::vector<InputFile> used_;
-    /// By file, sheet and decimal mark.
-    std::map<std::tuple<std::string, std::string, std::optional<DecimalMark>>, XrdResult> xrd_;
+    /// Results by file, sheet and decimal mark.
+    template <class Result>
+    using ByTable = std::map<std::tuple<std::string, std::string, std::optional<DecimalMark>>, Result>;
+
+    ByTable<XrdResult> xrd_;
+    ByTable<OxideResult> oxides_;
 };
 
 }  // namespace ashimpact

@@ -91,6 +91,25 @@ void fields(auto& io, Is<PublishedBeside> auto& published) {
     io.unless_empty("contact_times", published.contact_times);
 }
 
+void glass_pair(auto& io, std::string_view key, auto& pair, Dimension dimension) {
+    io.object(key, [&](auto& inner) {
+        inner("catalogue", pair.catalogue, dimension);
+        inner("from_chemistry", pair.from_chemistry, dimension);
+    });
+}
+
+template <class Io>
+void fields(Io& io, Is<GlassEffect> auto& effect) {
+    io("used", effect.used);
+    glass_pair(io, "young_modulus", effect.young_modulus, Dimension::pressure);
+    glass_pair(io, "contact_modulus", effect.contact_modulus, Dimension::pressure);
+    glass_pair(io, "analytic_critical_velocity", effect.analytic_velocity, Dimension::velocity);
+    if constexpr (Io::reads)
+        if (io.node().has("dynamic_critical_velocity")) effect.dynamic_velocity.emplace();
+    if (effect.dynamic_velocity)
+        glass_pair(io, "dynamic_critical_velocity", *effect.dynamic_velocity, Dimension::velocity);
+}
+
 template <class Io>
 void fields(Io& io, Is<SampleComparison> auto& sample) {
     LawColumns laws = columns_of(sample.laws);
@@ -114,6 +133,7 @@ void fields(Io& io, Is<SampleComparison> auto& sample) {
     io.unless_empty("extrapolated_critical_velocity", laws.extrapolated);
     io.unless_empty("interval_note", laws.interval_note);
     io.unless_empty("published", sample.published);
+    io.unless_empty("glass", sample.glass);
     if constexpr (Io::reads) sample.laws = laws_of(laws);
 }
 

@@ -53,6 +53,24 @@ void fields(auto& io, Is<Contribution> auto& contribution) {
     io("share_of_variance", contribution.share);
 }
 
+void fields(auto& io, Is<OtherGlass> auto& other) {
+    io("young_modulus", other.young_modulus, Dimension::pressure);
+    io("density", other.density, Dimension::density);
+    io.unless_empty("poisson_ratio", other.poisson_ratio, Dimension::fraction);
+}
+
+void fields(auto& io, Is<SampleGlass> auto& glass) {
+    io("used", glass.used);
+    io("composition", glass.composition, Dimension::fraction);
+    io("young_modulus", glass.young_modulus, Dimension::pressure);
+    io("poisson_ratio", glass.poisson_ratio, Dimension::fraction);
+    io("density", glass.density, Dimension::density);
+    io("density_assumed", glass.density_assumed);
+    io("weight_fraction", glass.weight_fraction, Dimension::fraction);
+    io("amorphous_fraction", glass.amorphous_fraction, Dimension::fraction);
+    io("sample_with_other_glass", glass.other);
+}
+
 void modulus_fields(auto& io, Is<SampleModulus> auto& sample) {
     io("phases", sample.phases);
     io.lenient("rule", sample.rule);
@@ -63,6 +81,7 @@ void modulus_fields(auto& io, Is<SampleModulus> auto& sample) {
     io("poisson_ratio", sample.poisson_ratio, Dimension::fraction);
     io.lenient("poisson_ratio_assumed", sample.poisson_ratio_assumed);
     io.lenient("uncertainty_contributions", sample.contributions);
+    io.unless_empty("glass", sample.glass);
 }
 
 void fields(auto& io, Is<SampleModulus> auto& sample) {

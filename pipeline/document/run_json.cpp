@@ -177,7 +177,20 @@ struct AmorphousWriter {
     }
 };
 
-Json analysis_json(const Analysis& analysis, const std::string& source) {
+/// The keys of a composition that concern its glass.
+void add_glass(const GlassInputs& glass, Json& composition) {
+    if (!glass.oxides) return;
+    Json oxides = Json::object();
+    for (const OxideShare& each : glass.oxides->oxides)
+        oxides[each.oxide] = fraction_of(each.fraction, each.standard_uncertainty);
+    if (const auto& loss = glass.oxides->loss_on_ignition)
+        oxides[loss->oxide] = fraction_of(loss->fraction, loss->standard_uncertainty);
+    composition["oxides"] = std::move(oxides);
+    composition["glass"] = name_of(glass.source);
+    if (glass.density) composition["glass_density"] = *glass.density;
+}
+
+Json composition_json(const Analysis& analysis, const std::string& source, const GlassInputs& glass) {
     Json fractions = Json::object();
     Json densities = Json::object();
     for (const PhaseFraction& phase : analysis.phases) {
@@ -190,6 +203,7 @@ Json analysis_json(const Analysis& analysis, const std::string& source) {
     if (!amorphous.is_null()) json["amorphous"] = amorphous;
     json["amorphous_phase"] = analysis.amorphous_phase;
     if (!source.empty()) json["source"] = source;
+    add_glass(glass, json);
     return json;
 }
 
@@ -312,7 +326,7 @@ static void fields(FieldWriter& io, const PublishedSample& published) {
 static void fields(FieldWriter& io, const Sample& sample) {
     io("name", sample.name);
     io("diameter", sample.diameter, Dimension::length);
-    io.json("composition", analysis_json(sample.analysis, sample.analysis_source));
+    io.json("composition", composition_json(sample.analysis, sample.analysis_source, sample.glass));
     if (sample.porosity) io.json("porosity", porosity_json(*sample.porosity, sample.porosity_from_density));
     io.unless_empty("poisson_ratio", sample.poisson_ratio, Dimension::fraction);
     io.unless_empty("density", sample.density, Dimension::density);

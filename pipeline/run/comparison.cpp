@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/quantities/quantity.hpp"
+#include "pipeline/run/comparison/glass.hpp"
 #include "pipeline/run/comparison/velocities.hpp"
 #include "pipeline/run/stage.hpp"
 
@@ -257,6 +258,8 @@ ComparisonResult comparison_stage(const Run& run, StageRecord& record) {
             gap.take(velocity, of.analytic.critical_velocity);
         result.samples.push_back(comparison_of(of, data, no_damping.at(of.sample.name)));
     }
+    const auto effects = glass_effects(run, result.samples);
+    for (std::size_t i = 0; i < effects.size(); ++i) result.samples[i].glass = effects[i];
     result.equal_velocities = equal_velocities(data, run.contact, run.damping);
     if (gap.known()) result.dynamic_over_analytic = RatioRange{gap.least_ratio, gap.greatest_ratio};
     result.conclusion = gap.sentence();

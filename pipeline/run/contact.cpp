@@ -285,20 +285,46 @@ SampleModulus sample_modulus(const Composition& composition, const ModulusEstima
     return sample;
 }
 
+SampleGlass sample_glass(const GlassInSample& sample, const ModulusEstimate& other, GlassSource used) {
+    const ChemicalGlass& chemistry = sample.glass.value();
+    SampleGlass glass{
+        .used = used == GlassSource::from_chemistry,
+        .young_modulus = chemistry.young_modulus,
+        .poisson_ratio = chemistry.poisson_ratio,
+        .density = chemistry.density,
+        .density_assumed = chemistry.density_assumed,
+        .weight_fraction = chemistry.weight_fraction,
+        .amorphous_fraction = chemistry.amorphous_fraction,
+        .other = {make_quantity(other.young_modulus, Dimension::pressure, other.standard_uncertainty),
+                  make_quantity(other.density, Dimension::density, other.density_uncertainty),
+                  other.poisson_ratio}};
+    for (const OxideShare& each : chemistry.oxides)
+        glass.composition.emplace_back(
+            each.oxide, make_quantity(each.fraction, Dimension::fraction, each.standard_uncertainty));
+    return glass;
+}
+
 ModulusResult modulus_stage(const Case& data, StageRecord& record) {
     const PhaseCatalogue catalogue({PhaseSet{.name = "case", .phases = data.phases}});
     record.citations = {"dong2013, Eq. 1"};
     ModulusResult result;
     for (const Sample& sample : data.samples) {
-        const Composition composition = compose(sample.analysis, catalogue);
+        const GlassInSample composed = compose_with_glass(sample.analysis, catalogue, sample.glass);
+        const Composition& composition = composed.composition;
         const auto porosity = porosity_of(sample, composition, record);
         const ModulusEstimate estimate =
             estimate_modulus(composition, {.rule = data.mixture_rule, .porosity = porosity});
         SampleModulus modulus = sample_modulus(composition, estimate, data.mixture_rule);
         modulus.name = sample.name;
         modulus.diameter = sample.diameter.quantity;
+        if (composed.other)
+            modulus.glass = sample_glass(
+                composed,
+                estimate_modulus(*composed.other, {.rule = data.mixture_rule, .porosity = porosity}),
+                sample.glass.source);
         result.samples.push_back(std::move(modulus));
         record.note(composition.notes, sample.name);
+        if (composed.glass) record.note(composed.glass->notes, sample.name);
         record.note(estimate.notes, sample.name);
         add_citations(composition, record.citations);
     }

@@ -67,6 +67,11 @@ struct PorosityFromDensity {
 [[nodiscard]] SampleModulus sample_modulus(const Composition& composition, const ModulusEstimate& estimate,
                                            MixtureRule rule);
 
+/// The glass of a sample by its chemistry. @param sample with oxides
+/// @param other modulus of the sample with the glass that does not count
+[[nodiscard]] SampleGlass sample_glass(const GlassInSample& sample, const ModulusEstimate& other,
+                                       GlassSource used);
+
 /// Contact modulus, effective radius and mass, and work of adhesion; Dong et al. 2013, Eqs. 6, 7 and 11.
 [[nodiscard]] ContactResult contact_stage(const Case& data, const ModulusResult& moduli, StageRecord& record);
 

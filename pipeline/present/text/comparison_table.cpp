@@ -78,6 +78,30 @@ std::string reported_text(const ComparisonResult& result, std::size_t width) {
     return sentences + "\nWhy:\n" + reasons + "\n";
 }
 
+/// What the chemistry of the glass changes in each sample with oxides.
+std::string glass_text(const ComparisonResult& result, std::size_t width) {
+    std::string text;
+    const auto change = [](const WithEitherGlass& pair, std::string_view unit) {
+        return readable(pair.catalogue, unit) + " -> " + readable(pair.from_chemistry, unit);
+    };
+    for (const SampleComparison& sample : result.samples) {
+        if (!sample.glass) continue;
+        const GlassEffect& effect = *sample.glass;
+        std::string line = fmt::format(
+            "  {}: E {}, E* {}, v_c of adhesion only {}", sample.name, change(effect.young_modulus, "Pa"),
+            change(effect.contact_modulus, "Pa"), change(effect.analytic_velocity, "m/s"));
+        if (effect.dynamic_velocity)
+            line +=
+                fmt::format(", dynamic v_c at the same damping {}", change(*effect.dynamic_velocity, "m/s"));
+        text += wrapped_line(
+            fmt::format("{}; {} counts", line,
+                        effect.used == GlassSource::catalogue ? "the catalogue" : "the chemistry"),
+            width);
+    }
+    if (text.empty()) return text;
+    return "Glass of the catalogue -> glass from its chemistry:\n" + text + "\n";
+}
+
 /// What was assumed, and what no uncertainty was stated of.
 std::string assumptions_text(const ComparisonResult& result, std::size_t width) {
     std::vector<std::pair<std::string, std::vector<std::string>>> assumptions;  // with their samples
@@ -297,9 +321,9 @@ Answer answer_of(const ReportedVelocity& reported) {
 
 std::string comparison_text(const ComparisonResult& result, std::size_t width) {
     const std::string title = result.name.empty() ? "" : wrapped_line(result.name, width, 0) + "\n";
-    return title + reported_text(result, width) + assumptions_text(result, width) + laws_text(result, width) +
-           interval_notes(result, width) + contacts_text(result, width) +
-           wrapped_line(result.conclusion, width, 0);
+    return title + reported_text(result, width) + glass_text(result, width) +
+           assumptions_text(result, width) + laws_text(result, width) + interval_notes(result, width) +
+           contacts_text(result, width) + wrapped_line(result.conclusion, width, 0);
 }
 
 std::string comparison_text(Json result, std::size_t width) {

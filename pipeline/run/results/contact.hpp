@@ -30,6 +30,25 @@ struct ModulusBounds {
     std::optional<MixtureRule> lower_rule{}, upper_rule{};
 };
 
+/// Moduli of a sample with the glass that does not count.
+struct OtherGlass {
+    Quantity young_modulus;                 ///< of the sample [Pa]
+    Quantity density;                       ///< of the dense mixture [kg/m3]
+    std::optional<double> poisson_ratio{};  ///< of the sample [1]
+};
+
+/// The glass of a sample by its chemistry.
+struct SampleGlass {
+    bool used = false;  ///< whether it counts; else that of the catalogue
+    std::vector<std::pair<std::string, Quantity>> composition{};  ///< of the glass, by weight [1]
+    Quantity young_modulus{};                                     ///< of the glass [Pa]
+    double poisson_ratio = 0;                                     ///< [1]
+    Quantity density{};                                           ///< [kg/m3]
+    bool density_assumed = false;
+    Quantity weight_fraction{}, amorphous_fraction{};  ///< by the oxides, by XRD [1]
+    OtherGlass other{};
+};
+
 /// Composition and Young's modulus of a sample.
 struct SampleModulus {
     std::string name{};
@@ -43,6 +62,7 @@ struct SampleModulus {
     std::optional<double> poisson_ratio{};      ///< mixed from the phases [1]
     bool poisson_ratio_assumed = false;         ///< of one of the phases at least
     std::vector<Contribution> contributions{};  ///< to the variance of young_modulus, largest first
+    std::optional<SampleGlass> glass{};         ///< where the case has oxides
 };
 
 /// Result of the modulus stage, 1-modulus.json.

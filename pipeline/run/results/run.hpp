@@ -77,6 +77,20 @@ struct PublishedBeside {
     std::vector<ContactTimeBeside> contact_times{};
 };
 
+/// A result with either glass [SI].
+struct WithEitherGlass {
+    double catalogue = 0, from_chemistry = 0;
+};
+
+/// What the chemistry of the glass changes in a sample.
+struct GlassEffect {
+    GlassSource used = GlassSource::catalogue;
+    WithEitherGlass young_modulus{}, contact_modulus{};  ///< of the sample, E* [Pa]
+    WithEitherGlass analytic_velocity{};                 ///< of Eq. 30 [m/s]
+    /// Of the reported law at its critical damping [m/s]; none: it has no finite one.
+    std::optional<WithEitherGlass> dynamic_velocity{};
+};
+
 /// A sample with its critical velocities side by side.
 struct SampleComparison {
     std::string name{};
@@ -92,6 +106,7 @@ struct SampleComparison {
     std::optional<Stated> measured{};           ///< critical velocity as measured [m/s]
     std::optional<Bounds> measured_interval{};  ///< [m/s]; also of outcomes that give bounds only
     std::optional<PublishedBeside> published{};
+    std::optional<GlassEffect> glass{};  ///< where the case has oxides
 };
 
 /// The impact of a sample by a law at one of the equal velocities.

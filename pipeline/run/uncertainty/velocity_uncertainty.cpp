@@ -158,7 +158,7 @@ std::optional<RandomContact> from_phases(const Case& data, const Sample& sample,
     sphere.poisson_ratio = ratio("Poisson's ratio", contact.poisson_ratio->quantity);
     sphere.wall_young_modulus = positive("Young's modulus of the wall", wall->young_modulus.quantity);
     sphere.wall_poisson_ratio = ratio("Poisson's ratio of the wall", wall->poisson_ratio.quantity);
-    sphere.mixture = PhaseMixture{compose(sample.analysis, catalogue),
+    sphere.mixture = PhaseMixture{compose_with_glass(sample.analysis, catalogue, sample.glass).composition,
                                   {.rule = data.mixture_rule, .porosity = sample.porosity}};
     RandomContact random = random_contact(sphere);
     constexpr std::ptrdiff_t own = 3;  // size, density and w are not of the modulus

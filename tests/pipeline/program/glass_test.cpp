@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "tests/pipeline/sandbox.hpp"
+
+using namespace ashimpact;
+using test::check_refused;
+using test::containing;
+using test::Sandbox;
+using test::succeeded;
+
+namespace {
+
+/// XRD and XRF results of one laboratory, each in two shapes.
+void write_laboratory(const Sandbox& sandbox) {
+    sandbox.write("xrd.csv", "phase,weight %\nquartz,10\nmullite,20\namorphous,70\n");
+    sandbox.write("xrd-wide.csv", "Probe;Quarz;Mullit;Amorph\nFA 7;10,0;20,0;70,0\n");
+    sandbox.write("xrf.csv", "Oxide,wt%\nSiO2,55\nAl2O3,30\nFe2O3,6\nCaO,4\nK2O,3\nMgO,2\nTotal,100\n");
+    sandbox.write("xrf-wide.csv",
+                  "Probe;SiO2;Al2O3;Fe2O3;CaO;K2O;MgO;MnO;Summe\n"
+                  "FA 6;50,0;30,0;8,0;5,0;4,0;2,0;<LOD;99,0\n"
+                  "FA 7;55,0;30,0;6,0;4,0;3,0;2,0;n.d.;100,0\n");
+}
+
+double number(const Json& quantity) {
+    return quantity.at("value").get<double>();
+}
+
+}  // namespace
+
+TEST_CASE("modulus --oxides: the glass from its chemistry, in every shape of the files") {
+    const Sandbox sandbox;
+    write_laboratory(sandbox);
+    for (const char* xrd : {"xrd.csv", "xrd-wide.csv"})
+        for (const char* xrf : {"xrf.csv", "xrf-wide.csv --oxides-sample 'FA 7'"}) {
+            CAPTURE(xrd);
+            CAPTURE(xrf);
+            const Json json = Json::parse(
+                succeeded(sandbox, std::string("modulus ") + xrd + " --json --oxides " + xrf).out);
+            const Json& glass = json.at("glass");
+            CHECK(glass.at("used") == true);
+            CHECK(std::abs(number(glass.at("composition").at("SiO2")) - 39.35904 / 70) < 1e-6);
+            CHECK(std::abs(number(glass.at("composition").at("Al2O3")) - 15.64096 / 70) < 1e-6);
+            CHECK(number(glass.at("young_modulus")) > 75e9);
+            CHECK(number(glass.at("young_modulus")) < 95e9);
+            CHECK(json.at("phases").back().at("phase") == "glass-from-chemistry");
+        }
+    const std::string text = succeeded(sandbox, "modulus xrd.csv --oxides xrf.csv").out;
+    CHECK(text == containing("glass by its oxides [wt%]"));
+    CHECK(text == containing("SiO2 56.2, Al2O3 22.3, Fe2O3 8.6"));
+    CHECK(text == containing("70.00 % (by XRD 70.00 %)"));
+    CHECK(text == containing("E with the catalogue's glass"));
+    const Json plain = Json::parse(succeeded(sandbox, "modulus xrd.csv --json").out);
+    CHECK_FALSE(plain.contains("glass"));
+    const Json beside =
+        Json::parse(succeeded(sandbox, "modulus xrd.csv --json --oxides xrf.csv --glass catalogue").out);
+    CHECK(beside.at("young_modulus") == plain.at("young_modulus"));
+    const Json stated = Json::parse(
+        succeeded(sandbox, "modulus xrd.csv --json --oxides xrf.csv --glass-density '2.6 g/cm3'").out);
+    CHECK(number(stated.at("glass").at("density")) == 2600);
+    CHECK(stated.at("glass").at("density_assumed") == false);
+}
+
+TEST_CASE("modulus --oxides: wrong chemistry is refused in one line that says what is wrong") {
+    const Sandbox sandbox;
+    write_laboratory(sandbox);
+    const auto refused = [&](const std::string& table, const std::string& says) {
+        sandbox.write("wrong.csv", table);
+        check_refused(sandbox, "modulus xrd.csv --oxides wrong.csv", says);
+    };
+    refused("Oxide,wt%\nSiO2,70\nAl2O3,50\n", "the oxides add up to 120 %");
+    refused("Oxide,wt%\nSiO2,75\nAl2O3,-5\n", "wrong.csv: line 3, cell 2: the amount of Al2O3 is -5");
+    refused("Oxide,wt%\nSiO2,70\nAl2O3,30\nQxO2,3\n", "no oxide is called \"QxO2\"");
+    refused("Oxide,mol%\nSiO2,70\nAl2O3,30\n", "holds amounts of oxides by weight: \"mol%\"");
+    refused("Oxide,wt%\nSiO2,90\nAl2O3,5\nCaO,5\n", "Al2O3, more than the whole sample");
+    check_refused(sandbox, "modulus xrd.csv --glass from-chemistry", "--oxides FILE");
+    check_refused(sandbox, "modulus xrd.csv --oxides xrf-wide.csv", "the oxides have no sample \"xrd\"");
+    check_refused(sandbox, "modulus xrd.csv --oxides xrd.csv", "no two oxides are named");
+}
+
+TEST_CASE("run: a laboratory's XRD and XRF files lead to a critical velocity") {
+    const Sandbox sandbox;
+    write_laboratory(sandbox);
+    sandbox.write("case.json", R"({
+        "name": "FA 7 on steel", "wall": {"young_modulus": "193 GPa", "poisson_ratio": 0.29},
+        "work_of_adhesion": "0.3 J/m2", "laws": ["dmt", "jkr"],
+        "oxides": "xrf-wide.csv", "glass": "from-chemistry",
+        "samples": [{"name": "FA 7", "diameter": "40 um", "composition": {"xrd": "xrd-wide.csv"}}]})");
+    const std::string text = succeeded(sandbox, "run case.json --no-report").out;
+    CHECK(text == containing("Glass of the catalogue -> glass from its chemistry:"));
+    const Json modulus = sandbox.json("results/1-modulus.json");
+    CHECK(modulus.at("result").at("samples").at(0).at("glass").at("used") == true);
+    CHECK(sandbox.json("results/0-case.json").at("provenance").at("inputs").size() == 3);
+    CHECK(succeeded(sandbox, "inspect results/1-modulus.json").out == containing("glass-from-chemistry"));
+    succeeded(sandbox, "run --from contact --no-report");
+}
