@@ -67,7 +67,8 @@ struct Names<MixtureRule> {
 };
 
 /// Relative standard uncertainty assumed for a phase's Young's modulus if none is known: the median of those
-/// that the catalogue's sources state. A modulus without a stated uncertainty never counts as exact.
+/// that the catalogue's sources state, clinker phases by nanoindentation apart. A modulus without a stated
+/// uncertainty never counts as exact.
 inline constexpr double assumed_modulus_uncertainty = 0.04;
 
 /// Standard uncertainty of a phase's Young's modulus [Pa]: the known one, else the assumed one.

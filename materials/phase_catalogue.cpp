@@ -110,6 +110,14 @@ std::vector<Phase> read_phases(const View& list) {
     return phases;
 }
 
+LackingPhase read_lacking(const View& node) {
+    node.require_keys({"name", "formula", "synonyms", "missing"});
+    LackingPhase phase{.name = node.at("name").text(), .missing = node.at("missing").text()};
+    if (const auto formula = node.find("formula")) phase.formula = formula->text();
+    if (const auto synonyms = node.find("synonyms")) phase.synonyms = synonyms->texts();
+    return phase;
+}
+
 void require_citations(const PhaseSet& set) {
     for (const Phase& phase : set.phases) {
         const bool cited = !phase.density.citations.empty() && !phase.young_modulus.citations.empty() &&
@@ -200,11 +208,13 @@ std::string phase_key(std::string_view name) {
 PhaseSet read_phase_set(std::string_view json_text) {
     const Json document = parse_json(json_text);
     const View root(document);
-    root.require_keys({"set", "title", "group_representatives", "phases"});
+    root.require_keys({"set", "title", "group_representatives", "lacking", "phases"});
     PhaseSet set{.name = root.at("set").text(), .phases = read_phases(root.at("phases"))};
     if (const auto groups = root.find("group_representatives"))
         for (const auto& [group, phase] : groups->members())
             set.group_representatives.emplace_back(group, phase.text());
+    if (const auto lacking = root.find("lacking"))
+        for (const View& phase : lacking->elements()) set.lacking.push_back(read_lacking(phase));
     require_citations(set);
     return set;
 }
@@ -303,6 +313,42 @@ std::optional<ResolvedPhase> PhaseCatalogue::by_parts(std::string_view name) con
     return found;
 }
 
+std::optional<ResolvedPhase> PhaseCatalogue::by_stem(std::string_view name) const {
+    // Shares of an end member, as in "An65" or "Ab 30", and the order of Al and Si in feldspars.
+    static const std::regex share("(an|ab|or|fo|fa|en|fs|di|hd|geh|ak|sp|mg|fe) *[0-9]{1,3} *%?");
+    static const std::regex order("high|low|intermediate|ordered|disordered|monoclinic|triclinic");
+    const auto end = name.find_first_of(" _-(,");
+    if (end == std::string_view::npos || end == 0) return std::nullopt;
+    std::string rest = lower_case(name.substr(end));
+    std::erase_if(rest, [](char c) { return std::string_view("_-(,)").find(c) != std::string_view::npos; });
+    rest = std::string(trimmed(rest));
+    auto phase = known(name, name.substr(0, end));
+    if (!phase) return std::nullopt;
+    const bool is_share = std::regex_match(rest, share);
+    if (!is_share && !(phase->phase.group == "feldspar" && std::regex_match(rest, order)))
+        return std::nullopt;
+    phase->note = in_quotes(name) + (is_share ? " is a solid solution: " : " is another form: ") +
+                  phase->phase.name + " stands for it";
+    return phase;
+}
+
+void PhaseCatalogue::refuse_lacking(std::string_view name) const {
+    const std::string key = phase_key(name);
+    for (const PhaseSet& set : sets_)
+        for (const LackingPhase& phase : set.lacking) {
+            std::vector<std::string> names{phase.name};
+            names.insert(names.end(), phase.synonyms.begin(), phase.synonyms.end());
+            const bool found = std::ranges::any_of(names, [&](const std::string& each) {
+                return phase_key(each) == key || phase_key(each) == without_additions(key);
+            });
+            if (found)
+                throw InputError("no phase is called " + in_quotes(name) +
+                                     " with all its properties: " + phase.missing + " is missing" +
+                                     (phase.formula.empty() ? "" : " (" + phase.formula + ")"),
+                                 known_phases);
+        }
+}
+
 ResolvedPhase PhaseCatalogue::resolve(std::string_view name) const {
     const std::string key = phase_key(name);
     if (auto phase = known(name, name)) return *phase;
@@ -319,6 +365,8 @@ ResolvedPhase PhaseCatalogue::resolve(std::string_view name) const {
     }
     if (!members.empty())
         throw InputError(in_quotes(name) + " is a mineral group", "one of its phases: " + joined(members));
+    if (auto phase = by_stem(name)) return *phase;
+    refuse_lacking(name);
     const auto candidates = nearest_names(name);
     throw InputError("no phase is called " + in_quotes(name),
                      candidates.empty() ? known_phases : "nearest: " + joined(candidates));

@@ -39,11 +39,20 @@ struct Phase {
     std::string remark{};
 };
 
+/// A phase of ashes that a set cannot have, because a property is not known.
+struct LackingPhase {
+    std::string name;
+    std::string formula{};  ///< empty for a group
+    std::vector<std::string> synonyms{};
+    std::string missing;  ///< "a measured Young's modulus"
+};
+
 /// Phases from one origin, chosen together by its name: "literature", "dong2013", "user".
 struct PhaseSet {
     std::string name;
     std::vector<Phase> phases;
     std::vector<std::pair<std::string, std::string>> group_representatives{};  ///< group name, phase name
+    std::vector<LackingPhase> lacking{};
 };
 
 /// Reads a catalogue file (data/phases/*.json). Every property must cite its source.
@@ -79,8 +88,10 @@ class PhaseCatalogue {
 
     /// The phase of a name: its own name, a synonym, a BGMN identifier, or a mineral group with a
     /// representative. Case, blanks and punctuation do not matter, nor what programs add: "Quartz9000775",
-    /// "Quartz, syn", "Quartz - SiO2". A name counts before a formula beside it: "SiO2 (cristobalite)".
-    /// Errors: InputError with the nearest candidates, or the members of a group that has no representative.
+    /// "Quartz, syn", "Quartz - SiO2". A name counts before a formula beside it: "SiO2 (cristobalite)". A
+    /// member of a solid solution is found by its stem, with a note: "Anorthite_An65", "Albite high". Errors:
+    /// InputError with the nearest candidates, the members of a group that has no representative, or what is
+    /// missing of a phase that no set can have.
     [[nodiscard]] ResolvedPhase resolve(std::string_view name) const;
 
     /// The same for several names. Errors: one InputError for all unknown names, each with its place.
@@ -102,6 +113,10 @@ class PhaseCatalogue {
     [[nodiscard]] std::optional<ResolvedPhase> known(std::string_view name, std::string_view part) const;
     /// The phase that the parts of a name agree on. @throws InputError if they name two
     [[nodiscard]] std::optional<ResolvedPhase> by_parts(std::string_view name) const;
+    /// The phase of the stem of a solid solution.
+    [[nodiscard]] std::optional<ResolvedPhase> by_stem(std::string_view name) const;
+    /// Refuses a phase that a set cannot have. @throws InputError
+    void refuse_lacking(std::string_view name) const;
     [[nodiscard]] std::vector<std::string> nearest_names(std::string_view name) const;
 
     std::vector<PhaseSet> sets_;
