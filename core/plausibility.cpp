@@ -44,7 +44,13 @@ constexpr std::array ranges{
                    2000,
                    "1e-6 to 2,000 m/s",
                    {"mm/s", "um/s", "m/s"},
-                   "velocity measured_critical_velocity"}};
+                   "velocity measured_critical_velocity"},
+    PlausibleRange{Dimension::temperature,
+                   200,
+                   2500,
+                   "200 to 2,500 K (-73 C to 2,227 C)",
+                   {"C", "K", "F"},
+                   "temperature"}};
 
 /// Factor by which a number without a unit may lie outside of its range.
 constexpr double slip = 1000;

@@ -46,7 +46,7 @@ Quantity read_object(const Json& node, Dimension expected) {
     const double uncertainty = finite_number(node, "standard_uncertainty");
     if (uncertainty < 0)
         throw InputError("a standard uncertainty below zero", "zero or more").at("/standard_uncertainty");
-    quantity.standard_uncertainty = to_si(uncertainty, unit, expected);
+    quantity.standard_uncertainty = difference_to_si(uncertainty, unit, expected);
     return quantity;
 }
 

@@ -81,7 +81,7 @@ Quantity read_with_bracket(const std::string& text, std::size_t end, Dimension e
     const std::string unit(trimmed(rest).empty() ? si_unit(expected) : trimmed(rest));
     Quantity quantity = make_quantity(to_si(number.value, unit, expected), expected);
     if (number.standard_uncertainty)
-        quantity.standard_uncertainty = to_si(*number.standard_uncertainty, unit, expected);
+        quantity.standard_uncertainty = difference_to_si(*number.standard_uncertainty, unit, expected);
     return quantity;
 }
 
@@ -103,8 +103,9 @@ Quantity read_text(const std::string& text, Dimension expected) {
                          in_quotes("60 +- 3 um") + " or " + in_quotes("60 um +- 5 %"));
     const double value = parse_quantity(left_has_unit ? left : left + " " + right.substr(unit_at), expected);
     const bool relative = expected != Dimension::fraction && left_has_unit && right.ends_with('%');
-    const double uncertainty = relative ? std::abs(value) * parse_quantity(right, Dimension::fraction)
-                                        : parse_quantity(right, expected);
+    const double uncertainty =
+        relative ? std::abs(value) * parse_quantity(right, Dimension::fraction)
+                 : parse_quantity(right, expected) - parse_quantity("0" + right.substr(unit_at), expected);
     if (uncertainty < 0)
         throw InputError("the uncertainty of \"" + text + "\" is below zero", "zero or more");
     return make_quantity(value, expected, uncertainty);

@@ -318,7 +318,40 @@ std::string_view dimension_name(Dimension dimension) {
     return row_of(dimension).name;
 }
 
+namespace {
+
+/// A unit of temperature: its size and zero in kelvin.
+struct TemperatureUnit {
+    double size, zero;
+};
+
+std::optional<TemperatureUnit> temperature_unit(std::string_view text) {
+    std::string name(trimmed(text));
+    for (const std::string_view sign : {"\u00b0", "\u00ba"})
+        if (name.starts_with(sign)) name.erase(0, sign.size());
+    if (name == "\u2103") name = "C";
+    const std::string lower = lower_case(name);
+    constexpr double zero_celsius = 273.15;
+    if (name == "K" || contains_word("kelvin degk", lower)) return TemperatureUnit{1, 0};
+    if (name == "C" || contains_word("degc celsius degree_c grad", lower))
+        return TemperatureUnit{1, zero_celsius};
+    constexpr double fahrenheit = 1 / 1.8;
+    if (name == "F" || contains_word("degf fahrenheit degree_f", lower))
+        return TemperatureUnit{fahrenheit, zero_celsius - 32 * fahrenheit};
+    return std::nullopt;
+}
+
+}  // namespace
+
 SiConversion::SiConversion(std::string_view unit, Dimension expected) : expected_(expected) {
+    if (expected == Dimension::temperature) {
+        const auto temperature = temperature_unit(unit);
+        if (!temperature)
+            throw InputError("the unit " + in_quotes(unit) + " is not one of temperature", allowed(expected));
+        factor_ = temperature->size;
+        zero_ = temperature->zero;
+        return;
+    }
     const std::optional<Unit> from = read_unit(ascii_unit(unit));
     if (!from) throw InputError("the unit " + in_quotes(unit) + " is not known", allowed(expected));
     if (from->powers != read_unit(si_unit(expected))->powers)
@@ -331,13 +364,18 @@ SiConversion::SiConversion(std::string_view unit, Dimension expected) : expected
 
 double SiConversion::operator()(double value) const {
     if (!std::isfinite(value)) throw InputError("the value is not finite", allowed(expected_));
-    const double converted = divides_ ? value / factor_ : value * factor_;
+    const double converted = (divides_ ? value / factor_ : value * factor_) + zero_;
     if (std::isfinite(converted)) return converted;
     throw InputError("the value is too large in SI units", allowed(expected_));
 }
 
 double to_si(double value, std::string_view unit, Dimension expected) {
     return SiConversion(unit, expected)(value);
+}
+
+double difference_to_si(double value, std::string_view unit, Dimension expected) {
+    const SiConversion conversion(unit, expected);
+    return conversion(value) - conversion(0);
 }
 
 double parse_quantity(std::string_view text, Dimension expected) {

@@ -23,6 +23,7 @@ enum class Dimension {
     damping,
     viscosity,
     impulse,
+    temperature,  ///< absolute; units with an offset (C, F) are converted
 };
 
 /// Every dimension, with words for messages.
@@ -46,6 +47,7 @@ inline constexpr std::array dimension_rows{
     DimensionRow{Dimension::damping, "damping", "kg/s", "0.0141 kg/s, 14.1 g/s, 0.0141 N s/m"},
     DimensionRow{Dimension::viscosity, "viscosity", "Pa s", "300 Pa s, 0.3 kPa s"},
     DimensionRow{Dimension::impulse, "impulse", "N s", "1.9 nN s, 1.9e-9 kg m/s"},
+    DimensionRow{Dimension::temperature, "temperature", "K", "1173 K, 900 C"},
 };
 
 /// Name of the SI unit of a dimension as files and tables show it: "Pa", "kg/m3", "1".
@@ -68,14 +70,17 @@ class SiConversion {
 
   private:
     Dimension expected_;
+    double zero_ = 0;       ///< [SI] of the value 0, other than 0 for temperatures in C and F
     bool divides_ = false;  ///< powers of ten below one are not exact, their inverses are
     double factor_ = 1;
 };
 
 /// Converts a value to SI [SI unit of the dimension].
-/// Errors: InputError for an unknown unit, one of another dimension or one with an offset (degC), and for a
-/// value that is not finite.
+/// Errors: InputError for an unknown unit, one of another dimension, and for a value that is not finite.
 [[nodiscard]] double to_si(double value, std::string_view unit, Dimension expected);
+
+/// Likewise for a difference, such as an uncertainty: 10 C is 10 K.
+[[nodiscard]] double difference_to_si(double value, std::string_view unit, Dimension expected);
 
 /// A factor times powers of base units.
 struct Unit {

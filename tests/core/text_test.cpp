@@ -479,4 +479,28 @@ TEST_CASE("a wrong quantity is refused with a pointer to the wrong part") {
               .starts_with("/standard_uncertainty: "));
 }
 
+TEST_CASE("temperatures: kelvin, and units with an offset, whose differences have none") {
+    constexpr auto temperature = Dimension::temperature;
+    for (const char* text : {"900 C", "900 \u00b0C", "900 degC", "900 celsius", "1652 F", "1652 \u00b0F",
+                             "1173.15 K", "1173.15"}) {
+        CAPTURE(text);
+        CHECK(std::abs(quantity_of_text(text, temperature).value - 1173.15) < 1e-9);
+    }
+    for (const char* text : {"900 +- 10 C", "900 C +- 10 C", "900(10) C", "900 C +- 10 K", "900 C +- 18 F"}) {
+        CAPTURE(text);
+        const Quantity quantity = quantity_of_text(text, temperature);
+        CHECK(std::abs(quantity.value - 1173.15) < 1e-9);
+        CHECK(std::abs(quantity.standard_uncertainty.value() - 10) < 1e-9);
+    }
+    const Quantity json =
+        read_quantity(parse_json(R"({"value": 900, "unit": "C", "standard_uncertainty": 10})"), temperature);
+    CHECK(json.unit == "K");
+    CHECK(std::abs(json.value - 1173.15) < 1e-9);
+    CHECK(std::abs(json.standard_uncertainty.value() - 10) < 1e-9);
+    for (const char* text : {"900 m", "900 kK2", "900 coulomb", "hot"}) {
+        CAPTURE(text);
+        CHECK_THROWS_AS(static_cast<void>(quantity_of_text(text, temperature)), InputError);
+    }
+}
+
 }  // namespace ashimpact::test
