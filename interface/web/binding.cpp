@@ -122,7 +122,7 @@ Json shown(const RunSummary& run) {
     for (const Artifact& artifact : run.written) {
         result["files"].push_back(artifact.file);
         if (artifact.file == comparison_artifact)
-            result["text"] = comparison_text(artifact.document->at("result"), text_width);
+            result["text"] = comparison_text(artifact.document->at("result"), text_width, run.scope);
     }
     if (!run.report.empty()) result["files"].push_back(report::report_file);
     for (const RemarkLine& line : remark_lines(run.remarks, run.samples))

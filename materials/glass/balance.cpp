@@ -352,7 +352,9 @@ OxideAnalysis as_received(const OxideAnalysis& analysis, std::vector<Finding>& n
 ChemicalGlass glass_from_chemistry(const OxideAnalysis& given, const Composition& composition,
                                    const std::optional<Quantity>& density) {
     ChemicalGlass glass;
-    const OxideAnalysis analysis = as_received(given, glass.notes);
+    const auto received = [&] { return as_received(given, glass.notes); };
+    const OxideAnalysis analysis =
+        given.source.empty() ? received() : at_place(FileName{given.source}, received);
     const Balance balance(analysis, composition);
     glass.density_assumed = !density;
     glass.density =

@@ -15,7 +15,7 @@ namespace ashimpact {
 /// An element with the oxide by which chemical analyses report it.
 struct OxideOfElement {
     std::string_view element;
-    double atomic_mass;        ///< [kg/mol]; IUPAC 2021, abridged
+    double atomic_mass;        ///< [kg/mol]; abridged standard atomic weight of IUPAC
     std::string_view formula;  ///< "Al2O3"; the element itself for chlorine and fluorine
     std::string_view others;   ///< further forms in which analyses list it, between blanks: "FeO Fe3O4"
 };

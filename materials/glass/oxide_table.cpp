@@ -110,6 +110,10 @@ class OxideTable {
   public:
     OxideTable(const TextLines& file, std::optional<DecimalMark> decimal) : marks_(decimal) {
         const std::vector<TextLine> lines = lines_with_content(file);
+        constexpr std::size_t most_lines = 5000;
+        if (lines.size() > most_lines)
+            refuse_line(lines[most_lines].number, "the table is too long for a chemical analysis",
+                        std::to_string(most_lines) + " lines or fewer");
         for (const TextLine& line : lines) rows_.push_back(cut_row(line, separator_of(line.text)));
         const auto across =
             std::ranges::find_if(rows_, [](const TableRow& row) { return oxides_in(row.cells) >= 2; });

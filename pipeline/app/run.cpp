@@ -6,6 +6,7 @@
 #include <spdlog/spdlog.h>
 
 #include "core/plausibility.hpp"
+#include "core/quantities/checks.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/run_stages.hpp"
@@ -43,6 +44,19 @@ void tell(RunSummary summary) {
         if (line.decides) spdlog::warn("  {}", line.text);
 }
 
+/// The temperature of the command line, which a run from artifacts cannot take.
+std::optional<Stated> stated_temperature(const CommandOptions& options) {
+    if (!options.has("--temperature")) return std::nullopt;
+    return at_place("--temperature", [&] {
+        if (options.has("--from") || options.has("--only"))
+            throw InputError("is part of the case", "a run of every stage, without --from and --only");
+        Stated stated{.quantity = quantity_of_text(options["--temperature"], Dimension::temperature),
+                      .source = "--temperature"};
+        require_positive("temperature", stated.value(), Dimension::temperature);
+        return std::optional(stated);
+    });
+}
+
 void run_run_command(const CommandOptions& options, std::ostream& out) {
     const RunPlan plan{.case_file = options.if_given("case"),
                        .folder = options["--output"],
@@ -50,12 +64,13 @@ void run_run_command(const CommandOptions& options, std::ostream& out) {
                        .only = options["--only"],
                        .report = !options.has("--no-report"),
                        .figures = options.has("--figures"),
-                       .allow_outside = options.has("--allow-outside")};
+                       .allow_outside = options.has("--allow-outside"),
+                       .temperature = stated_temperature(options)};
     const RunSummary summary = run_stages(plan);
     tell(summary);
     for (const Artifact& artifact : summary.written)
         if (artifact.file == comparison_artifact)
-            out << comparison_text(artifact.document->at("result")) << '\n';
+            out << comparison_text(artifact.document->at("result"), output_width(), summary.scope) << '\n';
     const auto answer = std::ranges::find(summary.written, critical_velocity_artifact, &Artifact::file);
     const Artifact& shown = answer == summary.written.end() ? summary.written.front() : *answer;
     out << fmt::format("{} artifacts in {}. One of them as tables:\n  {} inspect {}\n",
@@ -81,6 +96,9 @@ void add_run(const CommandLine& line) {
                              "start at this stage, from the artifacts in the folder: modulus, contact, "
                              "analytic, restitution, damping, fit, critical-velocity, histories, comparison");
     command.add("--only", "STAGE", "run this stage alone")->excludes(from);
+    command.add(
+        "--temperature", "Q",
+        "of particle and wall, instead of those of the case: up to which temperature the answer holds");
     command.add_flag("--no-report", "leave report.html out");
     command.add_flag("--figures",
                      "every figure as SVG and PDF too, for one column and for two (PDF: librsvg2-bin)");

@@ -349,7 +349,8 @@ RunSummary run_stages(const RunPlan& plan) {
         work.add(loaded_artifact(plan.folder, file));
     };
     if (range.with_case) {
-        const LoadedCase loaded = load_case(plan.case_file, plan.allow_outside);
+        LoadedCase loaded = load_case(plan.case_file, plan.allow_outside);
+        if (plan.temperature) loaded.data.temperature = {plan.temperature, plan.temperature};
         refuse_to_overwrite(loaded.inputs, plan.folder);
         summary.written.push_back(begin(loaded, work));
     } else {
@@ -374,6 +375,7 @@ RunSummary run_stages(const RunPlan& plan) {
     work.all.insert(work.all.end(), later.begin(), later.end());
     summary.written.push_back(manifest_of(plan, work.all, summary.written));
     summarize(work.all, summary);
+    summary.scope = scope_sentence(work.run.data);
     folder.write(summary.written, presentation(plan, work, summary));
     return summary;
 }

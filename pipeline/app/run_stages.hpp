@@ -18,16 +18,18 @@ struct RunPlan {
     std::filesystem::path folder;          ///< of the artifacts
     std::string
         from{};  ///< stage to start from, with earlier artifacts read from the folder; empty: the case
-    std::string only{};          ///< the one stage to run, likewise; empty: all from `from` on
-    bool report = true;          ///< report.html beside the artifacts
-    bool figures = false;        ///< every figure as a file of its own, in the folder "figures"
-    bool allow_outside = false;  ///< the case may name files outside its own folder
+    std::string only{};                   ///< the one stage to run, likewise; empty: all from `from` on
+    bool report = true;                   ///< report.html beside the artifacts
+    bool figures = false;                 ///< every figure as a file of its own, in the folder "figures"
+    bool allow_outside = false;           ///< the case may name files outside its own folder
+    std::optional<Stated> temperature{};  ///< of particle and wall, instead of those of the case [K]
 };
 
 /// A finished run.
 struct RunSummary {
     std::vector<Artifact> written;   ///< in order, the manifest last
     std::size_t samples = 0;         ///< samples of the case
+    std::string scope{};             ///< for what the results hold, see scope_sentence()
     std::vector<Remark> remarks{};   ///< of all artifacts in the folder, also those of earlier runs
     std::filesystem::path report{};  ///< file of the report; empty: none was made
     std::size_t figures = 0;         ///< files of figures written

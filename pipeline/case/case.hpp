@@ -107,6 +107,11 @@ struct HistoryOptions {
     double critical_excess = 1e-3;  ///< the history "at" v_c is taken at v_c (1 + this) [1]
 };
 
+/// Temperatures of an impact [K]; none: not stated, room temperature.
+struct Temperatures {
+    std::optional<Stated> particle{}, wall{};
+};
+
 /// How uncertainties are propagated to v_c.
 struct UncertaintyChoices {
     PropagationOptions propagation{};
@@ -121,6 +126,7 @@ struct Case {
     std::optional<Wall> wall{};              ///< elasticity of the other body
     std::optional<PartnerSphere> partner{};  ///< the other body is this sphere; none: it is a flat wall
     std::optional<Stated> roughness{};  ///< rms of both surfaces, see roughness_reduction(); none: smooth [m]
+    Temperatures temperature{};
     std::vector<Sample> samples{};
     std::vector<LawChoice> laws{};
     DampingLaw damping_law = DampingLaw::constant;

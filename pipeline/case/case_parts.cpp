@@ -291,6 +291,24 @@ Adhesion read_adhesion(const View& node) {
     return from;
 }
 
+Temperatures read_temperatures(const View& node) {
+    const auto read = [](const View& each) {
+        return read_positive(each, "temperature", Dimension::temperature);
+    };
+    if (!node.is_object() || node.has("value")) {
+        for (const auto* key : {"particle", "wall"})
+            if (const auto stray = node.is_object() ? node.find(key) : std::nullopt)
+                stray->fail("a value and one for particle or wall are both given", "one of the two");
+        return {read(node), read(node)};
+    }
+    Temperatures temperatures;
+    if (const auto particle = node.find("particle")) temperatures.particle = read(*particle);
+    if (const auto wall = node.find("wall")) temperatures.wall = read(*wall);
+    if (!temperatures.particle && !temperatures.wall)
+        node.fail("no temperature is given", "a temperature, or \"particle\" and \"wall\"");
+    return temperatures;
+}
+
 Porosity read_porosity(const View& node) {
     Porosity porosity{.law = named<PorosityLaw>(node.at("law").text())};
     if (const auto value = node.find("value")) {

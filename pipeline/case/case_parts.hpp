@@ -32,6 +32,8 @@ namespace ashimpact {
 /// Diameter, and density or mass, of a second sphere.
 [[nodiscard]] PartnerSphere read_partner(const View& node);
 [[nodiscard]] Adhesion read_adhesion(const View& node);
+/// One temperature of particle and wall, or {"particle", "wall"}.
+[[nodiscard]] Temperatures read_temperatures(const View& node);
 [[nodiscard]] Porosity read_porosity(const View& node);
 
 /// The analysis of a sample with its source and the warnings of its file.

@@ -260,6 +260,8 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
         at_place(roughness->pointer(),
                  [&] { require_not_negative("rms roughness", data.roughness->value(), Dimension::length); });
     }
+    if (const auto temperature = document.find("temperature"))
+        data.temperature = read_temperatures(*temperature);
     Defaults defaults{.particle = document.find("particle"),
                       .camera = document.find("camera"),
                       .glass = {document.find("oxides"), document.find("glass")}};

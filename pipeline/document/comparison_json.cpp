@@ -110,6 +110,39 @@ void fields(Io& io, Is<GlassEffect> auto& effect) {
         glass_pair(io, "dynamic_critical_velocity", *effect.dynamic_velocity, Dimension::velocity);
 }
 
+void fields(auto& io, Is<GlassTemperatures> auto& temperatures) {
+    io("elastic_up_to", temperatures.elastic_up_to, Dimension::temperature);
+    io("relaxation_equals_contact", temperatures.relaxation_equals_contact, Dimension::temperature);
+    io("liquid_from", temperatures.liquid_from, Dimension::temperature);
+    if (io.reads || temperatures.regime) io("relaxation_over_contact", temperatures.relaxation_over_contact);
+    io.unless_empty("regime", temperatures.regime);
+}
+
+void contact_temperature_fields(auto& io, auto& contact) {
+    io("contact_time", contact.contact_time, Dimension::time);
+    io("giordano2008", contact.giordano2008);
+    io("urbain1981", contact.urbain1981);
+}
+
+void fields(auto& io, Is<ContactTemperatures> auto& contact) {
+    contact_temperature_fields(io, contact);
+}
+
+void fields(auto& io, Is<SizeTemperatures> auto& size) {
+    io("diameter", size.diameter, Dimension::length);
+    contact_temperature_fields(io, size.contact);
+}
+
+void fields(auto& io, Is<TemperatureLimits> auto& limits) {
+    io.unless_empty("particle", limits.particle, Dimension::temperature);
+    io.unless_empty("wall", limits.wall, Dimension::temperature);
+    io.unless_empty("shear_modulus", limits.shear_modulus, Dimension::pressure);
+    io.unless_empty("glass_transition", limits.glass_transition, Dimension::temperature);
+    io.unless_empty("laws", limits.laws);
+    io.unless_empty("velocity", limits.velocity, Dimension::velocity);
+    io.unless_empty("by_size", limits.by_size);
+}
+
 template <class Io>
 void fields(Io& io, Is<SampleComparison> auto& sample) {
     LawColumns laws = columns_of(sample.laws);
@@ -134,6 +167,7 @@ void fields(Io& io, Is<SampleComparison> auto& sample) {
     io.unless_empty("interval_note", laws.interval_note);
     io.unless_empty("published", sample.published);
     io.unless_empty("glass", sample.glass);
+    io.unless_empty("temperature_limits", sample.temperature);
     if constexpr (Io::reads) sample.laws = laws_of(laws);
 }
 

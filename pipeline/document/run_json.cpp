@@ -348,6 +348,11 @@ static void fields(FieldWriter& io, const Case& data) {
     io("name", data.name);
     io("mixture_rule", data.mixture_rule);
     io.unless_empty("roughness", data.roughness, Dimension::length);
+    if (data.temperature.particle || data.temperature.wall)
+        io.object("temperature", [&](FieldWriter& temperature) {
+            temperature.unless_empty("particle", data.temperature.particle, Dimension::temperature);
+            temperature.unless_empty("wall", data.temperature.wall, Dimension::temperature);
+        });
     if (data.partner)
         io.object("partner", [&](FieldWriter& partner) {
             if (data.wall) fields(partner, *data.wall);

@@ -7,6 +7,7 @@
 
 #include "core/quantities/quantity.hpp"
 #include "pipeline/run/comparison/glass.hpp"
+#include "pipeline/run/comparison/temperature.hpp"
 #include "pipeline/run/comparison/velocities.hpp"
 #include "pipeline/run/stage.hpp"
 
@@ -257,7 +258,16 @@ ComparisonResult comparison_stage(const Run& run, StageRecord& record) {
         for (const auto& [law, velocity] : of.velocities.laws)
             gap.take(velocity, of.analytic.critical_velocity);
         result.samples.push_back(comparison_of(of, data, no_damping.at(of.sample.name)));
+        SampleComparison& sample = result.samples.back();
+        sample.temperature = temperature_limits(
+            {data.temperature, of.modulus, of.contact, of.velocities.laws, sample.reported});
+        if (sample.temperature)
+            for (const auto& [law, finding] : temperature_notes(*sample.temperature))
+                record.note(finding, sample.name, law);
     }
+    if (std::ranges::any_of(run.modulus.samples,
+                            [](const SampleModulus& each) { return each.glass.has_value(); }))
+        record.citations.insert(record.citations.end(), {"giordano2008, Table 1", "urbain1981"});
     const auto effects = glass_effects(run, result.samples);
     for (std::size_t i = 0; i < effects.size(); ++i) result.samples[i].glass = effects[i];
     result.equal_velocities = equal_velocities(data, run.contact, run.damping);

@@ -6,6 +6,7 @@
 #include "materials/glass/balance.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/present/text/result_text.hpp"
+#include "pipeline/run/comparison/temperature.hpp"
 #include "pipeline/run/stage.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/support/checks.hpp"
@@ -143,4 +144,126 @@ TEST_CASE("oxides and glass of a case: what contradicts itself is refused at its
     CHECK(refusal("- " + composition + "/oxides ; " + composition + "/glass_density = 2500") ==
           containing("belongs to a glass from chemistry"));
     CHECK(refusal("") == "");
+}
+
+namespace {
+
+/// The sample "fine" with its oxides, hot.
+const Artifacts& hot() {
+    static const Artifacts artifacts = [] {
+        Json document = example_with_oxides("from-chemistry");
+        document["temperature"] = Json::parse(R"({"particle": "1300 C", "wall": "400 C"})");
+        return computed_from(document);
+    }();
+    return artifacts;
+}
+
+bool has_note(const Artifacts& artifacts, const std::string& text) {
+    for (const Json& note : artifacts.at(comparison_artifact).document->at("notes"))
+        if (note.at("text").get<std::string>().find(text) != std::string::npos) return true;
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("comparison.json: up to which temperature a sample stays elastic, by law and size") {
+    const Json& glass = sample_of(hot(), modulus_artifact).at("glass");
+    const Json& limits = sample_of(hot(), comparison_artifact).at("temperature_limits");
+    CHECK(std::abs(number(limits.at("particle")) - 1573.15) < 1e-9);
+    CHECK(std::abs(number(limits.at("wall")) - 673.15) < 1e-9);
+    OxideAmounts melt = no_oxides();
+    for (const auto& [oxide, amount] : glass.at("composition").items())
+        melt[oxide_index(oxide)] = number(amount);
+    const double shear = number(glass.at("young_modulus")) / (2 * (1 + number(glass.at("poisson_ratio"))));
+    CHECK(relative_difference(number(limits.at("shear_modulus")), shear) < 1e-12);
+    const Json& law = limits.at("laws").at("dmt");
+    const Json& velocity = sample_of(hot(), critical_velocity_artifact).at("dmt");
+    CHECK(number(law.at("contact_time")) == number(velocity.at("contact_time")));
+    for (const ViscosityModel model : all_values<ViscosityModel>) {
+        const Json& found = law.at(std::string(name_of(model)));
+        const MeltViscosity viscosity(model, melt);
+        const double one = std::log10(shear * number(law.at("contact_time")));
+        CHECK(std::abs(viscosity.log10_at(number(found.at("elastic_up_to"))) - (one + 1)) < 1e-9);
+        CHECK(std::abs(viscosity.log10_at(number(found.at("relaxation_equals_contact"))) - one) < 1e-9);
+        CHECK(std::abs(viscosity.log10_at(number(found.at("liquid_from"))) - (one - 1)) < 1e-9);
+        const double ratio = std::pow(10.0, viscosity.log10_at(1573.15) - one);
+        CHECK(relative_difference(found.at("relaxation_over_contact").get<double>(), ratio) < 1e-9);
+        CHECK(found.at("regime") == name_of(contact_regime(ratio)));
+        CHECK(found.at("regime") != "elastic");
+    }
+    // Smaller particles touch for a shorter time, which scales with their size, and stay elastic when hotter.
+    const Json& sizes = limits.at("by_size");
+    REQUIRE(sizes.size() == 7);
+    for (std::size_t i = 1; i < sizes.size(); ++i) {
+        const double growth = number(sizes[i].at("diameter")) / number(sizes[i - 1].at("diameter"));
+        CHECK(growth > 1);
+        CHECK(relative_difference(number(sizes[i].at("contact_time")),
+                                  growth * number(sizes[i - 1].at("contact_time"))) < 1e-9);
+        CHECK(number(sizes[i].at("giordano2008").at("elastic_up_to")) <
+              number(sizes[i - 1].at("giordano2008").at("elastic_up_to")));
+    }
+    CHECK(std::abs(number(sizes.at(4).at("diameter")) - 88e-6) < 1e-12);
+}
+
+TEST_CASE("above its elastic limit a velocity is a lower bound, in these words") {
+    CHECK(has_note(hot(), "the velocity is a lower bound that elastic theory gives"));
+    const std::string text = comparison_text(hot().at(comparison_artifact).document->at("result"), 200);
+    CHECK(text == containing(" is a lower bound that elastic theory gives, by dmt; at 1300 C the glass is "));
+    CHECK(text.find("stick below") == std::string::npos);
+    CHECK(text == containing("(particle at 1300 C, wall at 400 C)"));
+    CHECK(result_json(read_run(hot()), comparison_artifact) ==
+          hot().at(comparison_artifact).document->at("result"));
+    CHECK(case_json(read_run(hot()).data) == hot().at(case_artifact).document->at("result"));
+}
+
+TEST_CASE("below it the answer stays, and its limit stands beside it") {
+    Json document = example_with_oxides("from-chemistry");
+    document["temperature"] = "300 C";
+    const Artifacts warm = computed_from(document);
+    const Json& law = sample_of(warm, comparison_artifact).at("temperature_limits").at("laws").at("dmt");
+    CHECK(law.at("giordano2008").at("regime") == "elastic");
+    CHECK_FALSE(has_note(warm, "lower bound"));
+    CHECK(has_note(warm, "moduli, work of adhesion and damping are those at room temperature"));
+    CHECK(comparison_text(warm.at(comparison_artifact).document->at("result"), 200) ==
+          containing("stick below"));
+    CHECK(sample_of(warm, critical_velocity_artifact) ==
+          sample_of(from_chemistry(), critical_velocity_artifact));
+}
+
+TEST_CASE("without chemistry nothing is known above 600 C, and that is said") {
+    Json document = test::with_one_sample(example_under("dmt"), {"dmt"});
+    document["temperature"] = "900 C";
+    const Artifacts unknown = computed_from(document);
+    CHECK(has_note(unknown, "at 900 C nothing is known of the glass without its chemistry"));
+    const Json& limits = sample_of(unknown, comparison_artifact).at("temperature_limits");
+    CHECK_FALSE(limits.contains("laws"));
+    document["temperature"] = "500 C";
+    CHECK_FALSE(has_note(computed_from(document), "nothing is known"));
+    for (const auto& [value, says] : std::initializer_list<std::pair<const char*, const char*>>{
+             {R"("900 m")", "/temperature"},
+             {R"({})", "no temperature is given"},
+             {R"({"value": 900, "unit": "C", "wall": "300 C"})", "both given"},
+             {R"({"particle": "-300 C"})", "/temperature/particle"}}) {
+        CAPTURE(value);
+        document["temperature"] = Json::parse(value);
+        CHECK(input_error_of([&] { return computed_from(document, "modulus"); }) == containing(says));
+    }
+}
+
+TEST_CASE("the scope of an answer: what the case states, and what it does not") {
+    Case data;
+    CHECK(scope_sentence(data) ==
+          "Holds for normal impact on a flat wall, dry, at room temperature, smooth surfaces; not stated: "
+          "temperature, roughness.");
+    const auto stated = [](double value, Dimension dimension) {
+        return Stated{.quantity = make_quantity(value, dimension)};
+    };
+    data.temperature.particle = stated(1173.15, Dimension::temperature);
+    data.roughness = stated(2e-9, Dimension::length);
+    CHECK(
+        scope_sentence(data) ==
+        "Holds for normal impact on a flat wall, dry, particle at 900 C, surfaces with a roughness of 2 nm.");
+    data.temperature.wall = data.temperature.particle;
+    data.roughness = stated(0, Dimension::length);
+    CHECK(scope_sentence(data) == "Holds for normal impact on a flat wall, dry, at 900 C, smooth surfaces.");
 }

@@ -11,6 +11,7 @@
 #include "core/text/text.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/present/text/result_text.hpp"
+#include "pipeline/run/comparison/temperature.hpp"
 
 namespace ashimpact {
 
@@ -46,6 +47,11 @@ std::string sticking_sentence(const SampleComparison& sample) {
         case Answer::Kind::velocity:
             break;
     }
+    if (const auto& limits = sample.temperature;
+        limits && limits->regime_of(reported.law).value_or(ContactRegime::elastic) != ContactRegime::elastic)
+        return fmt::format("{}: {} is a lower bound that elastic theory gives, by {}; at {} the glass is {}.",
+                           text, velocity, reported.law->name(), celsius(limits->particle->value()),
+                           name_of(*limits->regime_of(reported.law)));
     const std::string bounds = bounds_text(reported.interval);
     return text + " stick below " + velocity + (bounds.empty() ? "" : " (" + bounds + ")") +
            (reported.law ? ", by " + std::string(reported.law->name()) : "") + ".";
@@ -61,7 +67,7 @@ std::string measured_sentence(const SampleComparison& sample) {
 }
 
 /// What sticks of each sample, and why the velocity is that one. Older artifacts do not have it.
-std::string reported_text(const ComparisonResult& result, std::size_t width) {
+std::string reported_text(const ComparisonResult& result, std::size_t width, const std::string& scope) {
     std::string sentences;
     std::string reasons;
     bool any_interval = false;
@@ -75,6 +81,7 @@ std::string reported_text(const ComparisonResult& result, std::size_t width) {
                                 width);
     }
     if (any_interval) sentences += "In brackets: the interval that holds the velocity with 95 %.\n";
+    if (!scope.empty()) sentences += wrapped_line(scope, width);
     return sentences + "\nWhy:\n" + reasons + "\n";
 }
 
@@ -319,16 +326,38 @@ Answer answer_of(const ReportedVelocity& reported) {
     return {};
 }
 
-std::string comparison_text(const ComparisonResult& result, std::size_t width) {
-    const std::string title = result.name.empty() ? "" : wrapped_line(result.name, width, 0) + "\n";
-    return title + reported_text(result, width) + glass_text(result, width) +
-           assumptions_text(result, width) + laws_text(result, width) + interval_notes(result, width) +
-           contacts_text(result, width) + wrapped_line(result.conclusion, width, 0);
+std::string scope_sentence(const Case& data) {
+    const auto& [particle, wall] = data.temperature;
+    std::vector<std::string> missing;
+    std::string temperature;
+    if (particle && wall && particle->value() == wall->value())
+        temperature = "at " + celsius(particle->value());
+    else if (particle || wall)
+        temperature = (particle ? "particle at " + celsius(particle->value()) : "") +
+                      (particle && wall ? " and " : "") + (wall ? "wall at " + celsius(wall->value()) : "");
+    else
+        temperature = "at room temperature";
+    if (!particle && !wall) missing.emplace_back("temperature");
+    const std::string surfaces = data.roughness && data.roughness->value() > 0
+                                     ? "surfaces with a roughness of " + readable(data.roughness->quantity)
+                                     : "smooth surfaces";
+    if (!data.roughness) missing.emplace_back("roughness");
+    return fmt::format("Holds for normal impact on {}, dry, {}, {}{}.",
+                       data.partner ? "another sphere" : "a flat wall", temperature, surfaces,
+                       missing.empty() ? "" : "; not stated: " + joined(missing));
 }
 
-std::string comparison_text(Json result, std::size_t width) {
+std::string comparison_text(const ComparisonResult& result, std::size_t width, const std::string& scope) {
+    const std::string title = result.name.empty() ? "" : wrapped_line(result.name, width, 0) + "\n";
+    return title + reported_text(result, width, scope) + glass_text(result, width) +
+           temperature_text(result, width) + assumptions_text(result, width) + laws_text(result, width) +
+           interval_notes(result, width) + contacts_text(result, width) +
+           wrapped_line(result.conclusion, width, 0);
+}
+
+std::string comparison_text(Json result, std::size_t width, const std::string& scope) {
     result.erase("equal_velocities");  // not shown; their units depend on the damping law of the case
-    return comparison_text(from_json<ComparisonResult>(View(result), DampingLaw::constant), width);
+    return comparison_text(from_json<ComparisonResult>(View(result), DampingLaw::constant), width, scope);
 }
 
 std::vector<RemarkLine> remark_lines(const std::vector<Remark>& remarks, std::size_t samples) {

@@ -48,10 +48,20 @@ struct Answer {
 
 /// The summary that ends a run, in lines of at most @p width characters: the critical velocity to report of
 /// each sample and why; assumptions; velocities of all laws; moduli; the conclusion.
-[[nodiscard]] std::string comparison_text(const ComparisonResult& result, std::size_t width = output_width());
+/// @param scope from scope_sentence(); empty: not shown
+[[nodiscard]] std::string comparison_text(const ComparisonResult& result, std::size_t width = output_width(),
+                                          const std::string& scope = {});
+
+/// For what the results of a case hold, and what it does not state: "Holds for normal impact on a flat wall,
+/// dry, at room temperature, smooth surfaces; not stated: temperature, roughness."
+[[nodiscard]] std::string scope_sentence(const Case& data);
 
 /// The same of the result of comparison.json. @throws InputError for values that no stage can have written
-[[nodiscard]] std::string comparison_text(Json result, std::size_t width = output_width());
+[[nodiscard]] std::string comparison_text(Json result, std::size_t width = output_width(),
+                                          const std::string& scope = {});
+
+/// The part of that summary on temperatures; empty where neither a temperature nor chemistry is known.
+[[nodiscard]] std::string temperature_text(const ComparisonResult& result, std::size_t width);
 
 /// A note of an artifact of a run.
 struct Remark {

@@ -70,7 +70,7 @@ TEST_CASE("modulus --oxides: wrong chemistry is refused in one line that says wh
         sandbox.write("wrong.csv", table);
         check_refused(sandbox, "modulus xrd.csv --oxides wrong.csv", says);
     };
-    refused("Oxide,wt%\nSiO2,70\nAl2O3,50\n", "the oxides add up to 120 %");
+    refused("Oxide,wt%\nSiO2,70\nAl2O3,50\n", "wrong.csv: the oxides add up to 120 %");
     refused("Oxide,wt%\nSiO2,75\nAl2O3,-5\n", "wrong.csv: line 3, cell 2: the amount of Al2O3 is -5");
     refused("Oxide,wt%\nSiO2,70\nAl2O3,30\nQxO2,3\n", "no oxide is called \"QxO2\"");
     refused("Oxide,mol%\nSiO2,70\nAl2O3,30\n", "holds amounts of oxides by weight: \"mol%\"");
@@ -95,4 +95,27 @@ TEST_CASE("run: a laboratory's XRD and XRF files lead to a critical velocity") {
     CHECK(sandbox.json("results/0-case.json").at("provenance").at("inputs").size() == 3);
     CHECK(succeeded(sandbox, "inspect results/1-modulus.json").out == containing("glass-from-chemistry"));
     succeeded(sandbox, "run --from contact --no-report");
+}
+
+TEST_CASE("run --temperature: the limit on the first screen, in the report and as a figure") {
+    const Sandbox sandbox;
+    write_laboratory(sandbox);
+    sandbox.write("case.json", R"({
+        "name": "FA 7 on steel", "wall": {"young_modulus": "193 GPa", "poisson_ratio": 0.29},
+        "work_of_adhesion": "0.3 J/m2", "laws": ["dmt"], "oxides": "xrf-wide.csv", "glass": "from-chemistry",
+        "samples": [{"name": "FA 7", "diameter": "40 um", "composition": {"xrd": "xrd-wide.csv"}}]})");
+    const std::string text = succeeded(sandbox, "run case.json --temperature '900 C'").out;
+    CHECK(text == containing("Temperatures in C up to which the answer holds (particle at 900 C"));
+    const Json limits =
+        sandbox.json("results/comparison.json").at("result").at("samples").at(0).at("temperature_limits");
+    CHECK(limits.at("by_size").size() == 7);
+    CHECK(text == containing("Holds for normal impact on a flat wall, dry, at 900 C, smooth surfaces; not"));
+    CHECK(sandbox.read("results/report.html") ==
+          containing("Holds for normal impact on a flat wall, dry, at 900 C"));
+    CHECK(sandbox.read("results/report.html") == containing("<figure id=\"temperature\">"));
+    succeeded(sandbox, "figure temperature results -o viscosity.svg");
+    CHECK(sandbox.read("viscosity.svg") == containing("Giordano et al. 2008"));
+    check_refused(sandbox, "run case.json --temperature '900 m'", "--temperature");
+    check_refused(sandbox, "run case.json --temperature '900 C' --from fit",
+                  "--temperature: is part of the case");
 }

@@ -197,6 +197,7 @@ const std::vector<FigureMaker>& figure_makers() {
         {"sizes", sizes_figure},
         {"histories", histories_figure},
         {"energy", energy_figure},
+        {"temperature", temperature_figure, has_temperatures},
     };
     return makers;
 }

@@ -83,11 +83,17 @@ class RunData {
 [[nodiscard]] Figure energy_figure(const RunData& run);
 [[nodiscard]] Figure critical_velocity_figure(const RunData& run);
 [[nodiscard]] Figure sensitivity_figure(const RunData& run);
+[[nodiscard]] Figure temperature_figure(const RunData& run);
+
+/// Whether a run knows the viscosity of a glass, so that there is a figure of it.
+[[nodiscard]] bool has_temperatures(const RunData& run);
 
 /// A figure of a run, by its id.
 struct FigureMaker {
     std::string_view id;
     Figure (*make)(const RunData& run);
+    /// Whether a page has it; figures without data say why otherwise.
+    bool (*is_on_page)(const RunData& run) = [](const RunData&) { return true; };
 };
 
 /// All figures of a run, in the order of the report.

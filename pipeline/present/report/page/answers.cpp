@@ -12,6 +12,7 @@
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/page.hpp"
 #include "pipeline/present/text/result_text.hpp"
+#include "pipeline/run/comparison/temperature.hpp"
 
 namespace ashimpact::report {
 
@@ -50,7 +51,7 @@ std::string measured_sentence(const SampleData& sample) {
 }
 
 /// "a particle sticks when it is slower than 1.86 m/s (95 %: 1.60 to 2.16 m/s), by Maugis-Dugdale: ..."
-std::string reported_sentence(const ReportedVelocity& reported) {
+std::string reported_sentence(const ReportedVelocity& reported, std::optional<ContactRegime> regime) {
     const Answer answer = answer_of(reported);
     if (answer.kind == Answer::Kind::none) return "no critical velocity: " + escaped(reported.reason) + ".";
     const std::string velocity = fmt::format("<span class=\"value\">{}</span>", value_words(answer.velocity));
@@ -58,12 +59,45 @@ std::string reported_sentence(const ReportedVelocity& reported) {
         return "the critical velocity lies above " + velocity + escaped(": " + reported.reason + ".");
     if (answer.kind == Answer::Kind::below)
         return "the critical velocity lies below " + velocity + escaped(": " + reported.reason + ".");
+    if (regime.value_or(ContactRegime::elastic) != ContactRegime::elastic)
+        return fmt::format(
+                   "{} is a lower bound that elastic theory gives: the glass is {} at this temperature",
+                   velocity, name_of(*regime)) +
+               escaped(", by " + display_name(reported.law->name()) + ": " + reported.reason + ".");
     const std::string bounds = bounds_text(reported.interval);
     const bool outside = answer.velocity > fastest_in_model;
     return (outside ? "the critical velocity is " : "a particle sticks when it is slower than ") + velocity +
            escaped((bounds.empty() ? "" : " (95 %: " + bounds + " m/s)") +
                    (reported.law ? ", by " + display_name(reported.law->name()) : "") + ": " +
                    reported.reason + ".");
+}
+
+/// What the glass does during the contact of the reported law; none: not known.
+std::optional<ContactRegime> regime_of(const SampleComparison& sample) {
+    if (!sample.temperature || !sample.reported) return std::nullopt;
+    return sample.temperature->regime_of(sample.reported->law);
+}
+
+/// "Elastic up to 1180 C ...": the temperature limit of the reported law, and what the chemistry changes.
+std::string temperature_sentence(const SampleComparison& sample) {
+    if (!sample.temperature) return {};
+    const TemperatureLimits& limits = *sample.temperature;
+    std::string text = limits.particle ? "Particle at " + celsius(limits.particle->value()) + "." : "";
+    if (!limits.shear_modulus) {
+        if (limits.particle && limits.particle->value() > known_without_chemistry)
+            text += " Nothing is known of the glass there without its chemistry.";
+        return text;
+    }
+    const ContactTemperatures* contact =
+        sample.reported && sample.reported->law ? limits.laws.find(*sample.reported->law) : nullptr;
+    for (const SizeTemperatures& size : limits.by_size)
+        if (contact == nullptr && size.diameter == sample.diameter) contact = &size.contact;
+    if (contact == nullptr || !contact->giordano2008.elastic_up_to) return text;
+    text += (text.empty() ? "" : " ") + fmt::format("The glass is elastic during the contact up to {}",
+                                                    celsius(*contact->giordano2008.elastic_up_to));
+    if (const auto& urbain = contact->urbain1981.elastic_up_to)
+        text += " (" + celsius(*urbain) + " by Urbain)";
+    return text + ".";
 }
 
 /// "By each law: Hertz 1.10 m/s, JKR ...", where the laws were computed at all.
@@ -92,11 +126,12 @@ std::string inputs_sentence(const SampleComparison& sample) {
 
 /// The summary of a sample: the velocity to report, or why there is none; all laws; the inputs.
 std::string answer(const SampleData& sample) {
-    std::string html =
-        fmt::format("<li><strong>{}</strong>: {}", html_name(sample.name()),
-                    reported_sentence(sample.comparison->reported.value_or(ReportedVelocity{})));
+    std::string html = fmt::format("<li><strong>{}</strong>: {}", html_name(sample.name()),
+                                   reported_sentence(sample.comparison->reported.value_or(ReportedVelocity{}),
+                                                     regime_of(*sample.comparison)));
     for (const std::string& rest :
-         {by_each_law(sample), measured_sentence(sample), inputs_sentence(*sample.comparison)})
+         {by_each_law(sample), measured_sentence(sample), temperature_sentence(*sample.comparison),
+          inputs_sentence(*sample.comparison)})
         if (!rest.empty()) html += fmt::format("<span class=\"rest\">{}</span>", escaped(rest));
     return html + "</li>\n";
 }
@@ -332,11 +367,9 @@ std::string assumptions_html(const RunData& run) {
 }
 
 std::string validity_html(const RunData& run) {
-    const bool two_spheres = !run.samples().empty() && run.samples().front().contact->partner;
-    std::string html = fmt::format(
-        "<ul class=\"notes\"><li>Normal impact of {}; dry, at room temperature. Rotation, roughness, charge, "
-        "liquid and soft ash are not in it.</li>\n",
-        two_spheres ? "one smooth sphere on another" : "one sphere on a flat, smooth wall");
+    std::string html =
+        fmt::format("<ul class=\"notes\"><li>{} Rotation, charge, liquid and soft ash are not in it.</li>\n",
+                    escaped(scope_sentence(run.data())));
     double least = 1e300;
     double greatest = 0;
     bool yields = false;

@@ -14,6 +14,7 @@
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
+#include "pipeline/present/text/result_text.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/batch/parallel.hpp"
 
@@ -81,7 +82,9 @@ std::string heading(const std::vector<RunData>& runs) {
             "<h1>{}</h1>\n<p class=\"kind\">From the XRD result to the critical velocity of impact. Report "
             "of an ashimpact run.</p>\n",
             html_name(runs.front().data().name));
-        return html + answers_html(runs.front()) + "</header>\n";
+        return html + answers_html(runs.front()) +
+               fmt::format("<p class=\"where\">{}</p>\n", escaped(scope_sentence(runs.front().data()))) +
+               "</header>\n";
     }
     html += fmt::format(
         "<h1>{} runs side by side</h1>\n<p class=\"kind\">What differs between their inputs comes first, "
@@ -190,7 +193,8 @@ std::string figures_html(const std::vector<RunData>& runs) {
     html += '\n';
     std::vector<std::pair<const FigureMaker*, std::size_t>> wanted;
     for (const FigureMaker& maker : figure_makers())
-        for (std::size_t i = 0; i < runs.size(); ++i) wanted.emplace_back(&maker, i);
+        for (std::size_t i = 0; i < runs.size(); ++i)
+            if (maker.is_on_page(runs[i])) wanted.emplace_back(&maker, i);
     const auto drawn = in_parallel(wanted, [&](const auto& each) {
         const auto& [maker, i] = each;
         Figure figure = maker->make(runs[i]);
@@ -218,7 +222,8 @@ std::string run_page(const std::vector<RunData>& runs) {
         body += per_run(runs, "Answers", "answers", answers_html);
     }
     std::vector<std::string_view> ids;
-    for (const FigureMaker& maker : figure_makers()) ids.push_back(maker.id);
+    for (const FigureMaker& maker : figure_makers())
+        if (std::ranges::any_of(runs, maker.is_on_page)) ids.push_back(maker.id);
     body += html_contents(ids);
     body += per_run(runs, "Critical velocities", "comparison", comparison_html) + figures_html(runs) +
             per_run(runs, "What was assumed, inferred or reconstructed", "assumptions", assumptions_html) +
