@@ -210,6 +210,7 @@ TEST_CASE("above its elastic limit a velocity is a lower bound, in these words")
     const std::string text = comparison_text(hot().at(comparison_artifact).document->at("result"), 200);
     CHECK(text == containing(" is a lower bound that elastic theory gives, by dmt; at 1300 C the glass is "));
     CHECK(text.find("stick below") == std::string::npos);
+    CHECK(text.find("In brackets: the interval") == std::string::npos);
     CHECK(text == containing("(particle at 1300 C, wall at 400 C)"));
     CHECK(result_json(read_run(hot()), comparison_artifact) ==
           hot().at(comparison_artifact).document->at("result"));

@@ -27,6 +27,14 @@ std::string wrapped_line(const std::string& text, std::size_t width, std::size_t
     return wrapped(text, width, hanging) + "\n";
 }
 
+/// Whether the glass of a sample relaxes during the contact of the reported law: elastic theory then gives a
+/// lower bound of its velocity.
+bool is_lower_bound(const SampleComparison& sample) {
+    if (!sample.temperature || !sample.reported) return false;
+    const auto regime = sample.temperature->regime_of(sample.reported->law);
+    return regime && *regime != ContactRegime::elastic;
+}
+
 /// "Particles of 88 um stick below 1.93 m/s (1.89 to 1.96), by brach-dunn."
 std::string sticking_sentence(const SampleComparison& sample) {
     const ReportedVelocity& reported = *sample.reported;
@@ -47,11 +55,11 @@ std::string sticking_sentence(const SampleComparison& sample) {
         case Answer::Kind::velocity:
             break;
     }
-    if (const auto& limits = sample.temperature;
-        limits && limits->regime_of(reported.law).value_or(ContactRegime::elastic) != ContactRegime::elastic)
+    if (is_lower_bound(sample))
         return fmt::format("{}: {} is a lower bound that elastic theory gives, by {}; at {} the glass is {}.",
-                           text, velocity, reported.law->name(), celsius(limits->particle->value()),
-                           name_of(*limits->regime_of(reported.law)));
+                           text, velocity, reported.law->name(),
+                           celsius(sample.temperature->particle->value()),
+                           name_of(*sample.temperature->regime_of(reported.law)));
     const std::string bounds = bounds_text(reported.interval);
     return text + " stick below " + velocity + (bounds.empty() ? "" : " (" + bounds + ")") +
            (reported.law ? ", by " + std::string(reported.law->name()) : "") + ".";
@@ -74,7 +82,8 @@ std::string reported_text(const ComparisonResult& result, std::size_t width, con
     for (const SampleComparison& sample : result.samples) {
         if (!sample.reported) return {};
         const std::string law(sample.reported->law ? sample.reported->law->name() : "");
-        any_interval = any_interval || (sample.reported->velocity && sample.reported->interval);
+        any_interval = any_interval ||
+                       (sample.reported->velocity && sample.reported->interval && !is_lower_bound(sample));
         sentences += wrapped_line(sticking_sentence(sample), width);
         reasons += wrapped_line(fmt::format("{}{}: {}.{}", sample.name, law.empty() ? "" : " by " + law,
                                             sample.reported->reason, measured_sentence(sample)),

@@ -31,13 +31,11 @@ std::string regime_cell(const ContactTemperatures& contact) {
 
 std::vector<std::string> limit_cells(const ContactTemperatures& contact) {
     return {readable(contact.contact_time, "s"), limit_cell(contact, &GlassTemperatures::elastic_up_to),
-            limit_cell(contact, &GlassTemperatures::relaxation_equals_contact),
             limit_cell(contact, &GlassTemperatures::liquid_from), regime_cell(contact)};
 }
 
 std::string laws_by_temperature(const ComparisonResult& result, std::size_t width) {
-    TextTable table({"sample", "law", "contact", "elastic up to", "relaxes in one", "liquid from", "there"},
-                    2);
+    TextTable table({"sample", "law", "contact", "elastic up to", "liquid from", "there"}, 2);
     bool any = false;
     for (const SampleComparison& sample : result.samples) {
         if (!sample.temperature) continue;
@@ -55,7 +53,7 @@ std::string laws_by_temperature(const ComparisonResult& result, std::size_t widt
 }
 
 std::string sizes_by_temperature(const ComparisonResult& result, std::size_t width) {
-    TextTable table({"sample", "size", "contact", "elastic up to", "relaxes in one", "liquid from", "there"});
+    TextTable table({"sample", "size", "contact", "elastic up to", "liquid from", "there"});
     for (const SampleComparison& sample : result.samples) {
         if (!sample.temperature) continue;
         std::string name = sample.name;

@@ -12,8 +12,9 @@ namespace ashimpact::report {
 
 namespace {
 
-constexpr double coolest = 800;  // of the axis [K]
-constexpr double hottest = 2000;
+constexpr double zero_celsius = 273.15;  // [K]
+constexpr double coolest = 500;          // of the axis [C]
+constexpr double hottest = 1700;
 constexpr double step = 20;
 constexpr double most_viscous = 14;  // of the axis, log10 of Pa s
 
@@ -29,10 +30,11 @@ Series viscosity_series(const SampleData& sample, ViscosityModel model, Figure& 
     const std::string name = giordano ? "Giordano et al. 2008" : "Urbain et al. 1981";
     Series series{.name = name, .legend = name, .look = Look::of(giordano ? 0 : 1)};
     const MeltViscosity viscosity(model, oxides_of(*sample.modulus->glass));
-    for (double temperature = coolest; temperature <= hottest; temperature += step) {
+    for (double degrees = coolest; degrees <= hottest; degrees += step) {
+        const double temperature = degrees + zero_celsius;
         const double log10 = viscosity.log10_at(temperature);
         if (!(log10 <= most_viscous)) continue;
-        series.line.push_back({temperature, std::pow(10.0, log10)});
+        series.line.push_back({degrees, std::pow(10.0, log10)});
         figure.numbers.rows.push_back({sample.name(), name, temperature, std::pow(10.0, log10)});
     }
     return series;
@@ -84,13 +86,14 @@ Figure temperature_figure(const RunData& run) {
     for (const SampleData& sample : run.samples()) {
         if (!sample.modulus->glass || !sample.comparison->temperature) continue;
         XyPanel panel{.title = sample.name(),
-                      .x = {.label = "temperature", .unit = "K", .from = coolest, .to = hottest},
+                      .x = {.label = "temperature", .unit = "C", .from = coolest, .to = hottest},
                       .y = {.label = "viscosity", .unit = "Pa s", .spacing = Spacing::logarithmic}};
         for (const ViscosityModel model : all_values<ViscosityModel>)
             panel.series.push_back(viscosity_series(sample, model, figure));
         add_contact_lines(*sample.comparison, panel);
         if (const auto& particle = sample.comparison->temperature->particle)
-            panel.rules.push_back({.x = particle->value(), .label = celsius(particle->value())});
+            panel.rules.push_back(
+                {.x = particle->value() - zero_celsius, .label = celsius(particle->value())});
         figure.panels.emplace_back(std::move(panel));
     }
     if (figure.panels.empty())
