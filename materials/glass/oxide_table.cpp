@@ -623,6 +623,13 @@ const OxideSample& oxide_sample(const OxideResult& result, const std::string& na
     throw InputError("the oxides have no sample " + in_quotes(name), joined(names));
 }
 
+std::optional<Finding> other_sample_finding(const OxideSample& oxides, const std::string& sample) {
+    const bool unnamed = oxides.name == xrd::file_stem(oxides.analysis.source);
+    if (unnamed || word_key(oxides.name) == word_key(sample)) return std::nullopt;
+    return Finding{glass_code, Severity::remark,
+                   "the oxides are those of the sample " + in_quotes(oxides.name)};
+}
+
 OxideAnalysis read_oxides_json(const View& node) {
     OxideAnalysis analysis;
     if (node.json().is_array()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,11 @@ struct OxideResult {
 /// The sample of that name, else the only one of the file. @throws InputError with the names that there are
 [[nodiscard]] const OxideSample& oxide_sample(const OxideResult& result, const std::string& name,
                                               bool must_match);
+
+/// The remark that oxides are taken for a sample of another name; none where the file names none, or the
+/// same.
+[[nodiscard]] std::optional<Finding> other_sample_finding(const OxideSample& oxides,
+                                                          const std::string& sample);
 
 /// Reads the oxides of a case: an object with a fraction under each formula and "LOI", or a list of such
 /// objects with "oxide" and "weight_fraction". Errors: InputError with the JSON pointer.

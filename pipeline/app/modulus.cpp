@@ -268,6 +268,8 @@ GlassInputs glass_inputs(const std::string& sample, const std::optional<OxideRes
         return oxide_sample(*oxides, stated ? options["--oxides-sample"] : sample, stated);
     });
     warnings.insert(warnings.end(), chosen.warnings.begin(), chosen.warnings.end());
+    if (const auto other = stated ? std::nullopt : other_sample_finding(chosen, sample))
+        warnings.push_back(*other);
     inputs.oxides = chosen.analysis;
     inputs.source = !options.has("--glass")
                         ? GlassSource::from_chemistry

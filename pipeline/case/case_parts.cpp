@@ -106,6 +106,8 @@ OxideAnalysis read_oxide_file(const View& node, const View& file, const std::str
         });
         for (const auto* list : {&result.warnings, &chosen.warnings})
             warnings.insert(warnings.end(), list->begin(), list->end());
+        if (const auto other = stated ? std::nullopt : other_sample_finding(chosen, sample))
+            warnings.push_back(*other);
         OxideAnalysis analysis = chosen.analysis;
         analysis.source = name;
         return analysis;

@@ -115,6 +115,7 @@ TEST_CASE("comparison.json says what the chemistry of the glass changes, from ei
         comparison_text(from_chemistry().at(comparison_artifact).document->at("result"), 200);
     CHECK(text == containing("Glass of the catalogue -> glass from its chemistry:\n  fine: E "));
     CHECK(text == containing("; the chemistry counts"));
+    CHECK(text == containing("it follows E* and the dynamic v_c stays."));
 }
 
 TEST_CASE("artifacts with a glass read back to the same run") {

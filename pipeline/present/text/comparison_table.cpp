@@ -115,6 +115,12 @@ std::string glass_text(const ComparisonResult& result, std::size_t width) {
             width);
     }
     if (text.empty()) return text;
+    const auto has_dynamic = [](const SampleComparison& sample) {
+        return sample.glass && sample.glass->dynamic_velocity;
+    };
+    if (std::ranges::any_of(result.samples, has_dynamic))
+        text += wrapped_line(
+            "Where measured impacts give the damping, it follows E* and the dynamic v_c stays.", width);
     return "Glass of the catalogue -> glass from its chemistry:\n" + text + "\n";
 }
 

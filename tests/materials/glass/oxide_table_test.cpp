@@ -139,6 +139,13 @@ TEST_CASE("a spreadsheet of an XRF laboratory, in both formats") {
     }
 }
 
+TEST_CASE("oxides of a sample of another name are told") {
+    const OxideSample named = only("Sample,SiO2,Al2O3\nFA 1,60,40\n");
+    CHECK(other_sample_finding(named, "FA 2")->text == "the oxides are those of the sample \"FA 1\"");
+    CHECK_FALSE(other_sample_finding(named, "fa1"));
+    CHECK_FALSE(other_sample_finding(only("SiO2,60\nAl2O3,40\n"), "FA 2"));
+}
+
 TEST_CASE("a total that does not fit is doubted") {
     CHECK(tells(only("Oxide,wt%\nSiO2,60\nAl2O3,30\nTotal,99\n").warnings, "the total is given as 99 %"));
     CHECK_FALSE(tells(only("Oxide,wt%\nSiO2,60\nAl2O3,30\nTotal,90.2\n").warnings, "the total"));

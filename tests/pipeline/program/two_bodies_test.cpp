@@ -230,7 +230,7 @@ TEST_CASE("a case with a second sphere: measured impacts, edits of the spheres, 
                      " --work-of-adhesion 0.3 --damping" + digits(velocity["damping"]));
     CHECK(relative_difference(number(direct["critical_velocity"]), number(velocity["critical_velocity"])) <
           1e-6);
-    CHECK(sandbox.read("two/report.html") == containing("one smooth sphere on another"));
+    CHECK(sandbox.read("two/report.html") == containing("normal impact on another sphere"));
 
     Json artifact = sandbox.json("two/2-contact.json");
     artifact["result"]["samples"][0]["partner"]["radius"]["value"] = 50e-6;
