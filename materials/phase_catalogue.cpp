@@ -230,7 +230,12 @@ PhaseSet read_user_phases(const View& list) {
     return set;
 }
 
-PhaseCatalogue::PhaseCatalogue(std::vector<PhaseSet> sets) : sets_(std::move(sets)) {}
+PhaseCatalogue::PhaseCatalogue(std::vector<PhaseSet> sets) : sets_(std::move(sets)) {
+    for (std::size_t i = 0; i < sets_.size(); ++i)
+        for (std::size_t k = 0; k < sets_[i].phases.size(); ++k)
+            for (const auto& name : names_of(sets_[i].phases[k]))
+                places_.try_emplace(phase_key(name), Position{i, k});
+}
 
 PhaseCatalogue PhaseCatalogue::preferring(std::string_view set) const {
     std::vector<PhaseSet> sets = sets_;
@@ -252,11 +257,10 @@ PhaseCatalogue PhaseCatalogue::overridden_by(PhaseSet set) const {
 }
 
 PhaseCatalogue::Found PhaseCatalogue::find(const std::string& key, std::size_t sets) const {
-    for (std::size_t i = 0; i < sets; ++i)
-        for (const Phase& phase : sets_[i].phases)
-            for (const auto& name : names_of(phase))
-                if (phase_key(name) == key) return {.phase = &phase, .set = i};
-    return {};
+    const auto found = places_.find(key);
+    if (found == places_.end() || found->second.set >= sets) return {};
+    const auto& [set, phase] = found->second;
+    return {.phase = &sets_[set].phases[phase], .set = set};
 }
 
 std::optional<ResolvedPhase> PhaseCatalogue::named(std::string_view name, const std::string& key) const {

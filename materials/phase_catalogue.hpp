@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -119,7 +120,14 @@ class PhaseCatalogue {
     void refuse_lacking(std::string_view name) const;
     [[nodiscard]] std::vector<std::string> nearest_names(std::string_view name) const;
 
+    /// Position of a phase: its set, and its place in that.
+    struct Position {
+        std::size_t set;
+        std::size_t phase;
+    };
+
     std::vector<PhaseSet> sets_;
+    std::unordered_map<std::string, Position> places_;  ///< of the first phase with a key
 };
 
 /// The form in which names are compared: ASCII lower case, Greek letters spelled, subscripts as digits,
