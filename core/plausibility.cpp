@@ -20,13 +20,26 @@ constexpr std::array ranges{
     PlausibleRange{Dimension::length, 10e-9, 5e-3, "10 nm to 5 mm", {"um", "nm", "mm"}, "diameter"},
     PlausibleRange{
         Dimension::length, 5e-9, 2.5e-3, "5 nm to 2.5 mm", {"um", "nm", "mm"}, "radius effective_radius"},
-    PlausibleRange{Dimension::length, 1e-11, 1e-6, "0.01 nm to 1 um", {"nm", "um", "pm"}, "roughness"},
+    PlausibleRange{
+        Dimension::length, 1e-11, 1e-6, "0.01 nm to 1 um", {"nm", "um", "pm"}, "roughness cohesion_range"},
+    PlausibleRange{Dimension::length, 10e-9, 1e-3, "10 nm to 1 mm", {"um", "nm", "mm"}, "pixel_size"},
+    PlausibleRange{Dimension::mass, 1e-23, 2e-3, "1e-23 kg to 2 g", {"ug", "ng", "pg"}, "mass"},
     PlausibleRange{Dimension::pressure,
                    10e6,
                    1.2e12,
                    "10 MPa to 1.2 TPa",
                    {"GPa", "MPa", "kPa"},
                    "young_modulus contact_modulus"},
+    PlausibleRange{
+        Dimension::pressure, 1e5, 1e11, "100 kPa to 100 GPa", {"MPa", "GPa", "kPa"}, "yield_pressure"},
+    PlausibleRange{
+        Dimension::pressure, 1e3, 1e12, "1 kPa to 1 TPa", {"MPa", "GPa", "kPa"}, "cohesive_stress"},
+    PlausibleRange{Dimension::pressure,
+                   100,
+                   1e11,
+                   "100 J/m3 to 100 GJ/m3",
+                   {"MJ/m3", "GJ/m3", "kJ/m3"},
+                   "cohesion_energy_density"},
     PlausibleRange{Dimension::density,
                    50,
                    25e3,
@@ -38,7 +51,7 @@ constexpr std::array ranges{
                    20,
                    "1e-5 to 20 J/m2",
                    {"mJ/m2", "uJ/m2", "J/m2"},
-                   "work_of_adhesion surface_energy surface_energies"},
+                   "work_of_adhesion surface_energy surface_energies interfacial_energy"},
     PlausibleRange{Dimension::velocity,
                    1e-6,
                    2000,
@@ -139,24 +152,21 @@ class Doubts {
         if (const auto written = writing_of(node, range.dimension)) add(range, *written, place);
     }
 
-    /// @param unit of the numbers; empty: SI
+    /// The first value outside gets a doubt; every one may be refused. @param unit of the numbers; empty: SI
     void take_column(const PlausibleRange& range, const Json& values, const std::string& unit,
                      const std::string& place) {
         if (!bare_ && unit.empty()) return;
-        std::optional<Writing> worst;
-        std::string where;
+        std::optional<Finding> first;
         for (std::size_t i = 0; i < values.size(); ++i) {
             const Json value = unit.empty() || !values[i].is_number()
                                    ? values[i]
                                    : Json{{"value", values[i]}, {"unit", unit}};
             const auto written = writing_of(value, range.dimension);
-            if (!written || !(written->value > 0)) continue;
-            if (worst && factor_outside(range, written->value) <= factor_outside(range, worst->value))
-                continue;
-            worst = written;
-            where = child_pointer(place, i);
+            if (!written) continue;
+            auto doubt = implausible_at(child_pointer(place, i), range, *written);
+            if (!first) first = std::move(doubt);
         }
-        if (worst) add(range, *worst, where);
+        if (first) findings_.push_back(*std::move(first));
     }
 
     void add(const PlausibleRange& range, const Writing& written, const std::string& place) {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 
+#include "core/plausibility.hpp"
 #include "core/quantities/checks.hpp"
 #include "core/text/error.hpp"
 
@@ -76,6 +77,13 @@ double sphere_density(double radius, double mass) {
     require_positive("radius", radius, Dimension::length);
     require_positive("mass", mass, Dimension::mass);
     return mass / (4.0 / 3.0 * std::numbers::pi * radius * radius * radius);
+}
+
+std::optional<Finding> implausible_mass(double radius, double mass) {
+    if (!plausible_range("mass")->holds(mass)) return std::nullopt;
+    auto doubt = implausible(*plausible_range("density"), {sphere_density(radius, mass)});
+    if (doubt) doubt->text.insert(0, "density of the sphere: ");
+    return doubt;
 }
 
 double work_of_adhesion(AdhesionRule rule, const SurfaceEnergies& energies) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/finding.hpp"
 #include "core/quantities/names.hpp"
 
 namespace ashimpact {
@@ -43,6 +44,10 @@ struct RigidWall {};
 
 /// Returns the apparent density of a sphere [kg/m3] from its mass, the inverse of sphere_mass.
 [[nodiscard]] double sphere_density(double radius, double mass);
+
+/// The doubt about the density of a sphere that follows from its radius [m] and mass [kg]. None if the mass
+/// itself is implausible: that is a doubt of its own.
+[[nodiscard]] std::optional<Finding> implausible_mass(double radius, double mass);
 
 /// How the work of adhesion w follows from the surface energies g1, g2 of the two bodies.
 enum class AdhesionRule {

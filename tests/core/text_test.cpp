@@ -399,6 +399,16 @@ TEST_CASE("a value far from what ash has is doubted; a thousand times beyond, it
           {"--velocity", "3000 m/s",
            "--velocity: 3000 m/s is outside of what is plausible, 1e-6 to 2,000 m/s"},
           {"--to-velocity", "1e30", "1e+30 has no unit and is 1e+30 m/s; allowed: 1e-6 to 2,000 m/s", true},
+          {"--mass", "1 kg", "--mass: 1 kg is outside of what is plausible, 1e-23 kg to 2 g"},
+          {"--partner-mass", "44", "44 has no unit and is 44 kg, did you mean 44 ug?", true},
+          {"--cohesion-energy-density", "100 MJ/m3", ""},
+          {"--cohesion-energy-density", "2 J/m3",
+           "--cohesion-energy-density: 2 Pa is outside of what is plausible, 100 J/m3 to 100 GJ/m3"},
+          {"--cohesion-energy-density", "1e20", "1e+20 has no unit and is 1e+20 Pa; allowed: 100 J/m3", true},
+          {"--yield-pressure", "35.3", "did you mean 35.3 MPa?", true},
+          {"--cohesive-stress", "1e13 Pa", "--cohesive-stress: 1e+04 GPa is outside"},
+          {"--cohesion-range", "0.4", "did you mean 0.4 nm?", true},
+          {"--pixel-size", "2", "did you mean 2 um?", true},
           {"--velocity", "junk", ""},  // refused by whoever needs it
           {"--damping", "1e30", ""}}) {
         CAPTURE(each.option);
@@ -431,7 +441,10 @@ TEST_CASE("quantities of a document are doubted by their keys, a column once") {
     }
     CHECK(places == std::vector<std::string>{"/diameter", "/phases/0/density",
                                              "/work_of_adhesion/surface_energies/particle", "/radius/median",
-                                             "/velocity/values/2"});
+                                             "/velocity/values/1"});  // the first that is outside
+    CHECK(input_error_of([&] {
+              return implausible_values(json::parse(R"({"radius": [1e-6, 0.1, 44]})"));
+          }).starts_with("/radius/2: 44 has no unit"));
     CHECK(critical_velocity_text(499, "499 m/s") == "499 m/s");
     CHECK(critical_velocity_text(2.4e16, "") == "above 500 m/s, outside the model");
 }

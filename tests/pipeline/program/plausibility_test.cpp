@@ -69,6 +69,11 @@ TEST_CASE("a bare number far from what ash has is refused at every door, with th
 TEST_CASE("with its unit it counts, and is warned of before anything else") {
     const Sandbox sandbox;
     write_files(sandbox);
+    Json sweep = sandbox.json("sweep.json");
+    sweep["impact"]["radius"] = "44 um";
+    sweep["impact"].erase("density");
+    sweep["impact"]["mass"] = "1 mg";
+    sandbox.write("sweep.json", sweep.dump());
     for (const auto& [command, says] :
          {std::pair{
               std::string("impact --law hertz --velocity '2 m/s' --diameter '90 m'") + usual_contact,
@@ -78,7 +83,12 @@ TEST_CASE("with its unit it counts, and is warned of before anything else") {
            "warning: quick.csv: line 4: v_in: 3000 m/s is outside"},
           {"impact --law hertz --velocity '2 m/s' --diameter '88 um' --mass '1 kg' --contact-modulus '90 "
            "GPa'",
-           "warning: density of the sphere by --mass: "}}) {
+           "warning: --mass: 1 kg is outside of what is plausible"},
+          {"impact --law hertz --velocity '2 m/s' --diameter '88 um' --mass '1 mg' --contact-modulus '90 "
+           "GPa'",
+           "warning: --mass: density of the sphere: 2.803e+06 kg/m3 is outside"},
+          {"sweep sweep.json -o out.json",
+           "warning: mass: density of the sphere: 2.803e+06 kg/m3 is outside"}}) {
         CAPTURE(command);
         CHECK(test::ashimpact_program(sandbox, command).err.starts_with(says));
     }
