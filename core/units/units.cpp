@@ -270,6 +270,22 @@ std::string allowed(Dimension dimension) {
     return with_article(name) + " [" + std::string(unit) + "], e.g. " + std::string(examples);
 }
 
+/// Whether what follows a number in a text makes it a range of quantities: "-100 um", " um to 100 um".
+bool is_rest_of_range(std::string_view rest, Dimension expected) {
+    for (const std::string_view between : {"-", "\u2013", "..", "to ", "bis "}) {
+        const auto place = rest.find(between);
+        if (place == std::string_view::npos) continue;
+        const std::string_view unit = trimmed(rest.substr(0, place));
+        std::string_view end = trimmed(rest.substr(place + between.size()));
+        double value = 0;
+        if ((!unit.empty() && !read_unit(unit)) || take_decimal(end, value) != std::errc{}) continue;
+        const auto end_unit = read_unit(trimmed(end));
+        if (end_unit ? end_unit->powers == read_unit(si_unit(expected))->powers : unit.empty() && end.empty())
+            return true;
+    }
+    return false;
+}
+
 /// The factor rounded to 15 significant digits: a product of unit factors has errors beyond them.
 double without_rounding_noise(double factor) {
     return whole_decimal(fmt::format("{:.14e}", factor)).value_or(factor);
@@ -393,6 +409,12 @@ double parse_quantity(std::string_view text, Dimension expected) {
         if (const std::string remedy = remedy_for_commas(trimmed(plain)); !remedy.empty())
             throw InputError(in_quotes(text) + " has a decimal comma, " + remedy, allowed(expected));
     const std::string_view unit = trimmed(rest);
+    if (!unit.empty() && is_rest_of_range(rest, expected))
+        throw InputError(in_quotes(text) + " is a range",
+                         "one value: " + allowed(expected) + "; ranges are for `ashimpact sweep`" +
+                             (expected == Dimension::length ? " and, as meshes of two sieves, for the "
+                                                              "\"diameter\" of a sample in a case"
+                                                            : ""));
     return unit.empty() ? value : to_si(value, unit, expected);
 }
 
