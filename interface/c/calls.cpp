@@ -192,10 +192,7 @@ Parameter alternative_to(Parameter parameter) {
 std::string note_on(Law law, Parameter parameter) {
     const std::string name(name_of(parameter));
     const auto reason = idle_reason(law, name);
-    if (!reason) return {};
-    if (parameter > Parameter::restitution)
-        throw InputError("law " + std::string(law.name()) + " takes no " + name);
-    return name + ": " + *reason;
+    return reason ? name + ": " + idle_words(*reason) : std::string();
 }
 
 void Parameters::set(Parameter parameter, Strided source) {

@@ -40,7 +40,6 @@ inline constexpr std::size_t most_parameters = 24;
 /// What may be set instead: mass for density, diameter for effective_radius, vice versa; others: themselves.
 [[nodiscard]] Parameter alternative_to(Parameter parameter);
 /// A line on a parameter that changes nothing with the law, empty if it counts.
-/// @throws InputError if it belongs to other laws
 [[nodiscard]] std::string note_on(Law law, Parameter parameter);
 
 /// Mass of a sphere [kg] from density [kg/m3] and diameter [m]. All interfaces use it, so that their results

@@ -43,8 +43,20 @@ std::optional<std::string> idle_reason(Law law, std::string_view name) {
                         : name == "work_of_adhesion" ? law.uses_work_of_adhesion()
                                                      : own == law_parameters().end() || law.takes(*own);
     if (counts) return std::nullopt;
-    return std::string(law.name()) + (name == "yield_pressure" ? " never yields" : " does not use it") +
-           ", so it changes nothing";
+    return std::string(law.name()) + (name == "yield_pressure" ? " never yields" : " does not use it");
+}
+
+std::optional<std::string> idle_reason(std::span<const Law> laws, std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const Law law : laws) {
+        if (!idle_reason(law, name)) return std::nullopt;
+        names.push_back(law.name());
+    }
+    return laws.size() == 1 ? idle_reason(laws.front(), name) : "none of " + joined(names) + " uses it";
+}
+
+std::string idle_words(const std::string& reason) {
+    return reason + ", so it changes nothing";
 }
 
 std::string ParameterFault::problem() const {

@@ -245,7 +245,7 @@ TEST_CASE("an input that no law uses is said, not refused") {
     json["impact"]["work_of_adhesion"] = "0.3 J/m2";
     const SweepSpec spec = read_sweep_spec(json.dump()).spec;
     REQUIRE(spec.warnings.size() == 1);
-    CHECK(spec.warnings[0] == test::containing("work_of_adhesion changes nothing"));
+    CHECK(spec.warnings[0] == test::containing("work_of_adhesion: hertz does not use it, so it changes nothing"));
 }
 
 TEST_CASE("every parameter of a law is an input of its own, by its name") {

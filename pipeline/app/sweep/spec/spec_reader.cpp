@@ -6,6 +6,7 @@
 #include "core/json/view.hpp"
 #include "core/plausibility.hpp"
 #include "core/text/text.hpp"
+#include "materials/contact_properties.hpp"
 #include "pipeline/app/sweep/spec/spec.hpp"
 #include "pipeline/case/case_parts.hpp"
 #include "pipeline/files/schema.hpp"
@@ -57,11 +58,15 @@ void require_input(const View& document, const SweepSpec& spec, ImpactInput inpu
         with_article(dimension_name(dimension_of(input, spec.damping_law))) + " here or in /variables");
 }
 
-/// Warns of an input that no law of the sweep uses.
-void warn_unused(SweepSpec& spec, ImpactInput input, bool used) {
-    if (!used && is_given(spec, input))
-        spec.warnings.push_back(std::string(name_of(input)) +
-                                " changes nothing: no law of the sweep uses it");
+/// Warns of the inputs that no law of the sweep uses.
+void warn_idle(SweepSpec& spec) {
+    std::vector<Law> laws;
+    for (const LawChoice& choice : spec.laws) laws.push_back(choice.law);
+    for (std::size_t i = 0; i < impact_input_count(); ++i) {
+        const auto input = static_cast<ImpactInput>(i);
+        const auto reason = is_given(spec, input) ? idle_reason(laws, name_of(input)) : std::nullopt;
+        if (reason) spec.warnings.push_back(std::string(name_of(input)) + ": " + idle_words(*reason));
+    }
 }
 
 /// The mass of a sphere stands in the sweep as such, or as its density.
@@ -74,6 +79,27 @@ void require_one_mass(const View& document, const SweepSpec& spec, ImpactInput d
                                    "one of the two");
     if (!is_given(spec, mass))
         require_input(document, spec, density, ", and so is " + in_quotes(name_of(mass)));
+}
+
+/// From the least to the greatest value of an input.
+Support range_of(const SweepSpec& spec, ImpactInput input) {
+    if (const auto& fixed = spec.fixed[static_cast<std::size_t>(input)]) return {*fixed, *fixed};
+    return support_of(std::ranges::find(spec.variables, input, &SweepVariable::input)->distribution);
+}
+
+/// Warns if no radius with no mass makes a sphere of a plausible density.
+void warn_of_mass(SweepSpec& spec, ImpactInput radius_input, ImpactInput mass_input) {
+    if (!is_given(spec, radius_input) || !is_given(spec, mass_input)) return;
+    const Support radius = range_of(spec, radius_input);
+    const Support mass = range_of(spec, mass_input);
+    const PlausibleRange& plausible = *plausible_range("density");
+    const auto density = [](double r, double m) { return sphere_density(1, 1) * m / (r * r * r); };
+    const double lightest = density(radius.highest, mass.lowest);  // 0 where either has no bound
+    const double heaviest = density(radius.lowest, mass.highest);
+    if (lightest <= plausible.greatest && heaviest >= plausible.least) return;
+    const auto doubt = lightest > plausible.greatest ? implausible_mass(radius.highest, mass.lowest)
+                                                     : implausible_mass(radius.lowest, mass.highest);
+    if (doubt) spec.warnings.push_back(std::string(name_of(mass_input)) + ": " + doubt->text);
 }
 
 void check_inputs(const View& document, SweepSpec& spec) {
@@ -93,10 +119,9 @@ void check_inputs(const View& document, SweepSpec& spec) {
     const bool yielding = any_law(spec, [](Law law) { return law.is_plastic(); });
     if (adhesive) require_input(document, spec, ImpactInput::work_of_adhesion);
     if (yielding) require_input(document, spec, ImpactInput::yield_pressure);
-    warn_unused(spec, ImpactInput::work_of_adhesion, adhesive);
-    warn_unused(spec, ImpactInput::yield_pressure, yielding);
-    for (const LawParameter& parameter : law_parameters())
-        warn_unused(spec, input_of(parameter), any_law(spec, [&](Law law) { return law.takes(parameter); }));
+    warn_idle(spec);
+    warn_of_mass(spec, ImpactInput::radius, ImpactInput::mass);
+    warn_of_mass(spec, ImpactInput::partner_radius, ImpactInput::partner_mass);
     for (const LawChoice& choice : spec.laws) {
         const auto fault = parameter_fault(
             choice.law, [&](const LawParameter& parameter) { return is_given(spec, input_of(parameter)); });
