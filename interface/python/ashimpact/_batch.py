@@ -179,6 +179,13 @@ def _warn_of_doubts(arrays: Mapping[str, Numbers]) -> None:
         for value in {positive.min(), positive.max()} if positive.size else ():
             if doubt := _core.doubt_about(name, value):
                 warnings.warn(doubt, UserWarning, stacklevel=5)
+    for whose in ("", "partner_"):
+        if f"{whose}mass" in arrays and np.all(arrays[f"{whose}radius"] > 0.0):
+            radius, mass = np.broadcast_arrays(arrays[f"{whose}radius"], arrays[f"{whose}mass"])
+            density = mass / radius**3
+            for place in {int(np.nanargmin(density)), int(np.nanargmax(density))} if np.any(density > 0.0) else ():
+                if doubt := _core.doubt_about_mass(radius[place], mass[place]):
+                    warnings.warn(whose + doubt, UserWarning, stacklevel=5)
 
 
 def _require_positive(name: str, values: Numbers) -> None:
@@ -232,6 +239,8 @@ def _call(arguments: dict[str, Any], *numbers: str) -> tuple[_core.Call, tuple[i
     if "partner_radius" in arrays:
         mass = _joint("mass", mass, _mass(arrays, "partner_"))
         radius = _joint("radius", radius, arrays["partner_radius"])
+    if arguments["damping_law"] != "constant" and "damping" in needed and not np.any(arrays["damping"]):
+        warnings.warn("damping_law: there is no damping, so it changes nothing", UserWarning, stacklevel=4)
     columns = {"mass": mass, "effective_radius": radius, **{name: arrays[name] for name in (*needed, *own)}}
     count = int(np.prod(shape, dtype=np.int64))
     detachment, threads = arguments["detachment"], arguments["threads"]

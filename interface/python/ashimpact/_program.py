@@ -303,22 +303,24 @@ def analyse_impacts(
         if isinstance(impacts, (str, os.PathLike)):
             file = _path(impacts)
         else:
-            text = _table_of(impacts, given)
+            if decimal is not None and given:
+                raise _core.InputError("decimal is given with numbers; allowed: with a file, or a table that holds texts")
+            text = _table_of(impacts, given, "," if decimal == "comma" else ".")
             with open(file, "w", encoding="utf-8") as out:
                 out.write(text)
         document: Document = json.loads(_call("damping", *words, "--impacts", file, "--json", hidden=hidden))
         return document
 
 
-def _table_of(impacts: Any, given: Mapping[str, npt.ArrayLike]) -> str:
-    """Measured impacts as a table for the program."""
+def _table_of(impacts: Any, given: Mapping[str, npt.ArrayLike], mark: str) -> str:
+    """Measured impacts as a table for the program, with the decimal mark that its texts have."""
     if impacts is not None:
         if not hasattr(impacts, "columns") or not hasattr(impacts, "itertuples"):
             raise _core.InputError(
                 f"impacts is a {type(impacts).__name__}; allowed: a file name, a pandas table, or velocity"
             )
         cells = impacts.astype(object).where(impacts.notna(), "")
-        return _csv_text([str(name) for name in impacts.columns], list(cells.itertuples(index=False)))
+        return _csv_text([str(name) for name in impacts.columns], list(cells.itertuples(index=False)), mark)
     headings = {"velocity": "v_in [m/s]", "rebound_velocity": "v_r [m/s]", "restitution": "e_n [1]"}
     if "velocity" not in given or len(given) != 2:
         raise _core.InputError(
@@ -326,16 +328,20 @@ def _table_of(impacts: Any, given: Mapping[str, npt.ArrayLike]) -> str:
         )
     arrays, shape = flat_arrays(given)
     rows = zip(*(np.broadcast_to(array, int(np.prod(shape))) for array in arrays.values()))
-    return _csv_text([headings[name] for name in given], [list(row) for row in rows])
+    return _csv_text([headings[name] for name in given], [list(row) for row in rows], mark)
 
 
-def _csv_text(headings: Sequence[str], rows: Sequence[Sequence[Any]]) -> str:
+def _csv_text(headings: Sequence[str], rows: Sequence[Sequence[Any]], mark: str) -> str:
     """A table of measured impacts as the program reads it; numbers with all their digits."""
+
+    def text_of(cell: Any) -> str:
+        return repr(float(cell)).replace(".", mark) if is_real(cell) else cell if isinstance(cell, str) else repr(cell)
+
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(headings)
     for row in rows:
-        writer.writerow([repr(float(cell)) if is_real(cell) else cell if isinstance(cell, str) else repr(cell) for cell in row])
+        writer.writerow([text_of(cell) for cell in row])
     return text.getvalue()
 
 

@@ -16,6 +16,7 @@
 #include "core/version.hpp"
 #include "interface/c/calls.hpp"
 #include "interface/law_inputs.hpp"
+#include "materials/contact_properties.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace py = pybind11;
@@ -156,6 +157,12 @@ std::optional<std::string> doubt_about(const std::string& name, double value) {
     return doubt ? std::optional(name + ": " + doubt->text) : std::nullopt;
 }
 
+/// The doubt about the density of a sphere that follows from its mass, in words; none if it is plausible.
+std::optional<std::string> doubt_about_mass(double radius, double mass) {
+    const auto doubt = implausible_mass(radius, mass);
+    return doubt ? std::optional("mass: " + doubt->text) : std::nullopt;
+}
+
 /// The doubt about the greatest critical velocity of several [m/s].
 std::optional<std::string> doubt_about_velocity(double greatest) {
     const auto doubt = outside_model(greatest);
@@ -189,6 +196,7 @@ PYBIND11_MODULE(_core, module) {
     module.def("law_parameters", &table_of_law_parameters);
     module.def("damping_laws", &damping_laws);
     module.def("doubt_about", &doubt_about);
+    module.def("doubt_about_mass", &doubt_about_mass);
     module.def("doubt_about_velocity", &doubt_about_velocity);
     module.def("unit_of_quantity", &unit_of_quantity);
     py::class_<PythonCall>(module, "Call")

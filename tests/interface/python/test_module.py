@@ -79,7 +79,6 @@ class Impacts(unittest.TestCase):
             (dict(law="sjkr"), "cohesion_energy_density"),
             (dict(law="maugis-dugdale", work_of_adhesion=0.3), "tabor"),
             (dict(law="maugis-dugdale", work_of_adhesion=0.3, tabor=2.0, cohesion_range=4e-10), "tabor"),
-            (dict(law="jkr", work_of_adhesion=0.3, tabor=2.0), "law jkr takes no tabor"),
             (dict(law="sjkr", cohesion_energy_density=-1.0), "cohesion_energy_density"),
         ):
             with self.subTest(given=given), self.assertRaises(ashimpact.InputError) as caught:
@@ -221,6 +220,8 @@ class Impacts(unittest.TestCase):
             (dict(radius=44.0), "radius: 44 m is outside of what is plausible, 5 nm to 2.5 mm"),
             (dict(radius=[22e-6, 22e-6], density=[2.3, 2300.0]), "density: 2.3 kg/m3"),
             (dict(radius=22e-6, damping=10.0), "above 500 m/s, outside the model"),
+            (dict(radius=22e-6, density=None, mass=1.0), "mass: 1 kg is outside of what is plausible"),
+            (dict(radius=22e-6, density=None, mass=[1e-10, 1e-6]), "mass: density of the sphere: 2.242e\\+07 kg/m3 is outside"),
         ):
             with self.subTest(doubt=doubt), self.assertWarnsRegex(UserWarning, doubt) as caught:
                 ashimpact.critical_velocities(**{**ASH, **numbers})
@@ -300,6 +301,7 @@ class Impacts(unittest.TestCase):
         for given, expected in (
             (dict(law="hertz", work_of_adhesion=0.3), "work_of_adhesion: hertz does not use it, so it changes nothing"),
             (dict(law="jkr", work_of_adhesion=0.3, yield_pressure=1e9), "yield_pressure: jkr never yields, so it changes nothing"),
+            (dict(law="jkr", work_of_adhesion=0.3, tabor=2.0), "tabor: jkr does not use it, so it changes nothing"),
         ):
             with self.assertWarnsRegex(UserWarning, expected) as caught:
                 ashimpact.critical_velocities(**base, **given)
