@@ -26,7 +26,7 @@
 #include "pipeline/app/contact/single_contact.hpp"
 #include "pipeline/app/run_stages.hpp"
 #include "pipeline/case/case_reader.hpp"
-#include "pipeline/document/artifact.hpp"
+#include "pipeline/document/edits.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/report/drawing/figure.hpp"

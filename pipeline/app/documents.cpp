@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -20,7 +21,9 @@
 #include "pipeline/app/terminal.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/document/artifact.hpp"
+#include "pipeline/document/edits.hpp"
 #include "pipeline/document/results_json.hpp"
+#include "pipeline/document/run_folder.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/schema.hpp"
 #include "pipeline/present/report/drawing/figure.hpp"
@@ -29,6 +32,7 @@
 #include "pipeline/present/report/sweep/sweep_page.hpp"
 #include "pipeline/present/text/layout.hpp"
 #include "pipeline/present/text/result_text.hpp"
+#include "pipeline/run/stage.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/damping/damping.hpp"
 
@@ -202,32 +206,59 @@ report::RunData loaded(const std::filesystem::path& folder, const std::string& l
     return {read_run(load_artifacts(folder, report::report_artifacts())), label};
 }
 
-/// Refuses what is neither the folder of a run nor one of its artifacts.
-void require_known(const std::vector<std::string>& given) {
-    const std::vector<std::string> files(report::report_artifacts().begin(),
-                                         report::report_artifacts().end());
+/// Where the artifacts of a figure are: in the folder of a run, single ones elsewhere.
+struct FigureFiles {
+    std::filesystem::path folder;
+    std::map<std::string, std::filesystem::path, std::less<>> single;  ///< folder by file
+};
+
+/// Sorts the arguments. @throws InputError for what is neither the folder of a run nor an artifact of one
+/// that the figure shows, and for what would count for nothing beside another argument
+FigureFiles files_of(const std::vector<std::string>& given, const report::FigureMaker& figure) {
+    FigureFiles files;
+    const std::vector<std::string_view>& all = report::report_artifacts();
+    std::string folder;
     for (const std::string& name : given) {
+        const std::filesystem::path path(name);
+        const std::string file = path.filename().string();
         std::error_code ignored;
-        const std::string file = std::filesystem::path(name).filename().string();
-        if (!std::filesystem::is_directory(name, ignored) && std::ranges::find(files, file) == files.end())
-            throw InputError("is no artifact of a run", "the folder of a run, or " + joined(files))
+        if (std::filesystem::is_directory(path, ignored)) {
+            if (!folder.empty())
+                throw InputError("is given beside the folder " + folder, "one run; report shows several")
+                    .at(FileName{name});
+            folder = name;
+            continue;
+        }
+        if (std::ranges::find(all, file) == all.end())
+            throw InputError(
+                "is no artifact of a run",
+                "the folder of a run, or " + joined(std::vector<std::string>(all.begin(), all.end())))
                 .at(FileName{name});
+        std::vector<std::string> shown{std::string(case_artifact)};
+        shown.insert(shown.end(), figure.shows.begin(), figure.shows.end());
+        if (std::ranges::find(shown, file) == shown.end())
+            throw InputError("figure " + std::string(figure.id) + " shows nothing of it",
+                             joined(shown) + ", or the folder of a run")
+                .at(FileName{name});
+        if (!files.single.try_emplace(file, path.parent_path()).second)
+            throw InputError("another " + file + " is given too", "one of the two").at(FileName{name});
     }
+    files.folder =
+        folder.empty() ? std::filesystem::path(given.front()).parent_path() : std::filesystem::path(folder);
+    return files;
 }
 
-/// The artifacts of one run: the given files or a folder, completed from the folder of the first.
-Artifacts gathered(const std::vector<std::string>& given) {
-    require_known(given);
-    const std::filesystem::path first(given.front());
-    const auto folder = std::filesystem::is_directory(first) ? first : first.parent_path();
+/// The artifacts of one run for a figure: those that are given, completed from the folder.
+Artifacts gathered(const std::vector<std::string>& given, const report::FigureMaker& figure) {
+    const FigureFiles files = files_of(given, figure);
+    complete_interrupted(files.folder);
     Artifacts artifacts;
     for (const std::string_view file : report::report_artifacts()) {
-        auto from = folder;
-        for (const std::string& name : given)
-            if (std::filesystem::path(name).filename() == file)
-                from = std::filesystem::path(name).parent_path();
-        artifacts.add(load_artifacts(from, {file}).at(file));
+        const auto single = files.single.find(file);
+        artifacts.add(loaded_artifact(single == files.single.end() ? files.folder : single->second, file));
+        warn_of(artifacts.at(file).doubts, artifacts.at(file).place);
     }
+    require_one_state(artifacts, figure.shows);
     return artifacts;
 }
 
@@ -270,8 +301,9 @@ void run_report_command(const CommandOptions& options, std::ostream& out) {
 
 void run_figure_command(const CommandOptions& options, std::ostream& out) {
     const report::FigureFormat format = report::format_of(options["--output"]);
-    const report::RunData run(read_run(gathered(options.list("artifacts"))), "");
-    const report::Figure figure = report::figure_named(options["name"], run);
+    const report::FigureMaker& maker = report::figure_maker_named(options["name"]);
+    const report::RunData run(read_run(gathered(options.list("artifacts"), maker)), "");
+    const report::Figure figure = maker.make(run);
     if (figure.panels.empty())
         throw InputError("has nothing to show in this run: " + figure.caption, "another figure")
             .at(options["name"]);

@@ -15,7 +15,6 @@
 #include "core/text/text.hpp"
 #include "core/version.hpp"
 #include "pipeline/document/fields.hpp"
-#include "pipeline/document/run_folder.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/schema.hpp"
 #include "pipeline/run/stage.hpp"
@@ -187,21 +186,6 @@ Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view f
                         edited,
                         std::move(doubts)};
     });
-}
-
-Artifacts load_artifacts(const std::filesystem::path& folder, const std::vector<std::string_view>& files) {
-    complete_interrupted(folder);
-    std::vector<Artifact> of_one_run;
-    of_one_run.reserve(files.size());
-    for (const std::string_view file : files) {
-        of_one_run.push_back(loaded_artifact(folder, file));
-        for (const Finding& doubt : of_one_run.back().doubts)
-            spdlog::warn("warning: {}: {}", of_one_run.back().place, doubt.text);
-    }
-    require_one_run(of_one_run);
-    Artifacts artifacts;
-    for (Artifact& artifact : of_one_run) artifacts.add(std::move(artifact));
-    return artifacts;
 }
 
 std::vector<Note> read_notes(const View& artifact) {

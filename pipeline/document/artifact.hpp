@@ -35,6 +35,8 @@ class Artifacts {
     [[nodiscard]] bool has(std::string_view file) const;
     /// The name of an artifact in messages; of a computed one that of the first, which it was computed from.
     [[nodiscard]] const std::string& place_of(std::string_view file) const;
+    /// All of them, in the order in which they were added.
+    [[nodiscard]] const std::vector<Artifact>& list() const { return artifacts_; }
 
   private:
     std::vector<Artifact> artifacts_;
@@ -57,10 +59,6 @@ struct Envelope {
 
 /// An artifact of an earlier run, checked against its schema. An edited one is taken, with a warning.
 [[nodiscard]] Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view file);
-
-/// Artifacts of a finished run, checked against their schemas. @throws InputError naming the file
-[[nodiscard]] Artifacts load_artifacts(const std::filesystem::path& folder,
-                                       const std::vector<std::string_view>& files);
 
 /// The notes of an artifact; of one without "notes" its warnings, as remarks of code "warning".
 [[nodiscard]] std::vector<Note> read_notes(const View& artifact);

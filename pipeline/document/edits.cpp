@@ -7,9 +7,14 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
+#include "core/json/document.hpp"
 #include "core/text/text.hpp"
+#include "pipeline/document/results_json.hpp"
+#include "pipeline/document/run_folder.hpp"
 #include "pipeline/files/file.hpp"
+#include "pipeline/run/stage.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/contact/law_parameters.hpp"
 
@@ -131,9 +136,46 @@ std::string allowed_edits(std::string_view file) {
     return text;
 }
 
-}  // namespace
+/// The stage that writes an artifact; null for the case.
+const Stage* stage_of(std::string_view file) {
+    const auto found = std::ranges::find(stages(), file, &Stage::file);
+    return found == stages().end() ? nullptr : &*found;
+}
 
-void require_edits_to_count(const Artifact& edited, const Stage& stage, const Json& computed) {
+/// The first stage that reads an artifact.
+const Stage& first_reader(std::string_view file) {
+    return *std::ranges::find_if(stages(), [&](const Stage& stage) {
+        return std::ranges::find(stage.reads, file) != stage.reads.end();
+    });
+}
+
+std::filesystem::path folder_of(const Artifact& artifact) {
+    return std::filesystem::path(artifact.place).parent_path();
+}
+
+/// Whether an artifact was computed from this version of another one. None: it does not read it.
+std::optional<bool> is_computed_from(const Artifact& artifact, const Artifact& other) {
+    const Stage* stage = stage_of(artifact.file);
+    if (stage == nullptr || std::ranges::find(stage->reads, other.file) == stage->reads.end())
+        return std::nullopt;
+    for (const Json& input : artifact.document->at("provenance").at("inputs"))
+        if (input.at("file") == other.file) return has_hash(other, input.at("sha256"));
+    return std::nullopt;
+}
+
+/// Files with all that they were computed from, in the order of a run.
+std::vector<std::string_view> with_sources(std::span<const std::string_view> files) {
+    std::vector<std::string_view> all(files.begin(), files.end());
+    for (auto stage = stages().rbegin(); stage != stages().rend(); ++stage)
+        if (std::ranges::find(all, stage->file) != all.end())
+            for (const std::string_view file : stage->reads)
+                if (std::ranges::find(all, file) == all.end()) all.push_back(file);
+    std::ranges::sort(all);  // the names of files begin with their numbers
+    return all;
+}
+
+/// Refuses edits of an artifact that do not count. @param computed what its stage computes
+void require_to_count(const Artifact& edited, const Stage& stage, const Json& computed) {
     const Json& samples = edited.document->at("result").at("samples");
     const Json& others = computed.at("samples");
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -152,18 +194,66 @@ void require_edits_to_count(const Artifact& edited, const Stage& stage, const Js
     }
 }
 
-void require_up_to_date(const std::vector<Artifact>& all, const Artifacts& read) {
+/// The same, of an artifact whose stage reads those of @p artifacts.
+void require_to_count(const Artifact& edited, const Artifacts& artifacts, ContactModels& models) {
+    const Stage* stage = stage_of(edited.file);
+    if (!edited.edited || stage == nullptr) return;
+    Artifacts inputs;
+    for (const std::string_view file : stage->reads)
+        inputs.add(artifacts.has(file) ? artifacts.at(file) : loaded_artifact(folder_of(edited), file));
+    Run before = read_run(inputs);
+    compute_stage(*stage, before, models);
+    require_to_count(edited, *stage, as_read_back(result_json(before, stage->file)));
+}
+
+}  // namespace
+
+void require_up_to_date(const std::vector<Artifact>& all, const IsUsed& is_used) {
     for (const Artifact& artifact : all) {
-        // What the comparison takes from the histories does not rest on critical velocities.
-        if (!read.has(artifact.file) || artifact.file == histories_artifact) continue;
-        for (const Json& input : artifact.document->at("provenance").at("inputs"))
-            for (const Artifact& other : all)
-                if (other.file == input.at("file") && !has_hash(other, input.at("sha256")))
-                    throw InputError(
-                        "was computed from another " + other.file + " than the one beside it",
-                        fmt::format("--from {}", artifact.document->at("stage").get<std::string>()))
-                        .at(FileName{artifact.place});
+        if (!is_used(artifact.file)) continue;
+        for (const Artifact& other : all)
+            if (!is_computed_from(artifact, other).value_or(true))
+                throw InputError("was computed from another " + other.file + " than the one beside it",
+                                 fmt::format("--from {} of `ashimpact run -o {}`",
+                                             first_reader(other.file).name, folder_of(artifact).string()))
+                    .at(FileName{artifact.place});
     }
+}
+
+void require_edits_to_count(const Artifacts& artifacts, ContactModels& models) {
+    for (const Artifact& artifact : artifacts.list()) require_to_count(artifact, artifacts, models);
+}
+
+void require_one_state(const Artifacts& artifacts, std::span<const std::string_view> used) {
+    require_one_run(artifacts.list());
+    const auto sources = with_sources(used);
+    require_up_to_date(artifacts.list(), [&](std::string_view file) {
+        return std::ranges::find(sources, file) != sources.end();
+    });
+    ContactModels models;
+    for (const std::string_view file : sources) {
+        if (!artifacts.has(file)) continue;
+        const Artifact& artifact = artifacts.at(file);
+        const bool was_checked = std::ranges::any_of(artifacts.list(), [&](const Artifact& other) {
+            return is_computed_from(other, artifact).value_or(false);
+        });
+        if (!was_checked) require_to_count(artifact, artifacts, models);
+    }
+}
+
+Artifacts load_artifacts(const std::filesystem::path& folder, const std::vector<std::string_view>& files) {
+    complete_interrupted(folder);
+    Artifacts artifacts;
+    for (const std::string_view file : with_sources(files)) {
+        const bool wanted = std::ranges::find(files, file) != files.end();
+        std::error_code ignored;
+        if (!wanted && !std::filesystem::is_regular_file(folder / file, ignored)) continue;
+        artifacts.add(loaded_artifact(folder, file));
+        for (const Finding& doubt : artifacts.at(file).doubts)
+            spdlog::warn("warning: {}: {}", artifacts.at(file).place, doubt.text);
+    }
+    require_one_state(artifacts, files);
+    return artifacts;
 }
 
 }  // namespace ashimpact

@@ -12,7 +12,7 @@
 #include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
 #include "pipeline/case/case_reader.hpp"
-#include "pipeline/document/artifact.hpp"
+#include "pipeline/document/edits.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/inference/calibration/published_damping.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -11,11 +12,12 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include "pipeline/document/artifact.hpp"
+#include "pipeline/document/edits.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/page.hpp"
+#include "pipeline/run/stage.hpp"
 #include "solver/contact/pair.hpp"
 #include "tests/pipeline/sandbox.hpp"
 
@@ -98,6 +100,41 @@ TEST_CASE("`report` makes the same bytes again from the artifacts alone") {
     test::succeeded(paper(), "report results results -o both.html");
     CHECK(paper().read("both.html") == test::containing("the runs have the same inputs"));
     CHECK(paper().read("both.html") == test::containing("<figure id=\"restitution-2\">"));
+}
+
+TEST_CASE("a figure shows no number of an artifact beside those that it lists") {
+    const auto shown = [](const FigureMaker& maker, const Run& run) {
+        const Figure figure = maker.make(RunData(run, ""));
+        return html_of(figure, "figure");
+    };
+    const auto blank = [](auto& result) {
+        for (auto& sample : result.samples) {
+            std::string name = sample.name;
+            sample = {};
+            sample.name = std::move(name);
+        }
+    };
+    const Run& whole = paper_run().run();
+    for (const FigureMaker& maker : figure_makers())
+        for (const std::string_view file : report_artifacts()) {
+            if (std::ranges::find(maker.shows, file) != maker.shows.end()) continue;
+            Run run = whole;
+            if (file == modulus_artifact) blank(run.modulus);
+            if (file == contact_artifact) blank(run.contact);
+            if (file == analytic_artifact) blank(run.analytic);
+            if (file == restitution_artifact) blank(run.restitution);
+            if (file == damping_artifact) blank(run.damping);
+            if (file == fit_artifact) blank(run.fit);
+            if (file == critical_velocity_artifact) blank(run.critical_velocity);
+            if (file == histories_artifact) blank(run.histories);
+            if (file == comparison_artifact) {
+                blank(run.comparison);
+                run.comparison.conclusion.clear();
+            }
+            CAPTURE(maker.id);
+            CAPTURE(file);
+            CHECK((shown(maker, run) == shown(maker, whole)));
+        }
 }
 
 TEST_CASE("the numbers of a figure are those of the artifact") {

@@ -10,6 +10,7 @@
 #include "core/plausibility.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
+#include "pipeline/run/stage.hpp"
 
 namespace ashimpact::report {
 
@@ -185,27 +186,34 @@ std::string short_label(const std::string& factor) {
 
 const std::vector<FigureMaker>& figure_makers() {
     static const std::vector<FigureMaker> makers{
-        {"critical-velocity", critical_velocity_figure},
-        {"sensitivity", sensitivity_figure},
-        {"composition", composition_figure},
-        {"static-force", static_force_figure},
-        {"regime-map", regime_map_figure},
-        {"restitution", restitution_figure},
-        {"damping", damping_figure},
-        {"damping-fit", damping_fit_figure},
-        {"contact-time", contact_time_figure},
-        {"sizes", sizes_figure},
-        {"histories", histories_figure},
-        {"energy", energy_figure},
-        {"temperature", temperature_figure, has_temperatures},
+        {"critical-velocity",
+         critical_velocity_figure,
+         {analytic_artifact, critical_velocity_artifact, comparison_artifact}},
+        {"sensitivity", sensitivity_figure, {critical_velocity_artifact}},
+        {"composition", composition_figure, {modulus_artifact}},
+        {"static-force", static_force_figure, {}},
+        {"regime-map",
+         regime_map_figure,
+         {contact_artifact, critical_velocity_artifact, comparison_artifact}},
+        {"restitution",
+         restitution_figure,
+         {restitution_artifact, critical_velocity_artifact, histories_artifact, comparison_artifact}},
+        {"damping", damping_figure, {restitution_artifact, damping_artifact, histories_artifact}},
+        {"damping-fit",
+         damping_fit_figure,
+         {restitution_artifact, damping_artifact, fit_artifact, critical_velocity_artifact}},
+        {"contact-time", contact_time_figure, {restitution_artifact, damping_artifact, histories_artifact}},
+        {"sizes", sizes_figure, {contact_artifact, restitution_artifact, damping_artifact}},
+        {"histories", histories_figure, {contact_artifact, histories_artifact}},
+        {"energy", energy_figure, {histories_artifact}},
     };
     return makers;
 }
 
-Figure figure_named(std::string_view id, const RunData& run) {
+const FigureMaker& figure_maker_named(std::string_view id) {
     std::vector<std::string> ids;
     for (const FigureMaker& maker : figure_makers()) {
-        if (maker.id == id) return maker.make(run);
+        if (maker.id == id) return maker;
         ids.emplace_back(maker.id);
     }
     throw InputError("no figure is called " + in_quotes(id) + did_you_mean(id, ids), joined(ids));

@@ -92,15 +92,17 @@ class RunData {
 struct FigureMaker {
     std::string_view id;
     Figure (*make)(const RunData& run);
-    /// Whether a page has it; figures without data say why otherwise.
-    bool (*is_on_page)(const RunData& run) = [](const RunData&) { return true; };
+    std::vector<std::string_view> shows;  ///< artifacts that it shows numbers of, beside the case
 };
 
 /// All figures of a run, in the order of the report.
 [[nodiscard]] const std::vector<FigureMaker>& figure_makers();
 
 /// The figure of that id. @throws InputError naming the others
-[[nodiscard]] Figure figure_named(std::string_view id, const RunData& run);
+[[nodiscard]] const FigureMaker& figure_maker_named(std::string_view id);
+[[nodiscard]] inline Figure figure_named(std::string_view id, const RunData& run) {
+    return figure_maker_named(id).make(run);
+}
 
 // What figures share.
 
