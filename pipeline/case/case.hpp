@@ -43,8 +43,9 @@ using Adhesion = std::variant<Stated, AdhesionFromSurfaces>;
 
 /// Impacts as measured; binned, and with the uncertainty of a camera, if the case has these keys.
 struct MeasuredRestitution {
-    std::string source{};      ///< in words, with what was done to them
-    MeasurementSet impacts{};  ///< with the warnings of the file they were read from
+    std::string source{};            ///< in words, with what was done to them
+    MeasurementSet impacts{};        ///< with the warnings of the file they were read from
+    bool by_camera_of_case = false;  ///< their uncertainty is that of the camera of the whole case
 };
 
 /// Restitution data to be reconstructed from published fits eta(e); see reconstructed_velocity().

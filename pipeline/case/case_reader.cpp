@@ -15,6 +15,7 @@
 #include "core/quantities/checks.hpp"
 #include "core/tables/workbook/workbook.hpp"
 #include "core/text/text.hpp"
+#include "materials/contact_properties.hpp"
 #include "materials/xrd/xrd.hpp"
 #include "pipeline/case/case_parts.hpp"
 #include "pipeline/files/file.hpp"
@@ -211,6 +212,14 @@ void check_parameters(Law law, const Sample& sample, const View& node) {
                   fault->allowed());
 }
 
+/// Refuses the surface energy of a second sphere beside a wall. @param node the case or a sample
+void require_other_body(const Case& data, const View& node) {
+    const auto adhesion = node.find("work_of_adhesion");
+    if (data.partner || !adhesion || !adhesion->is_object() || !adhesion->has("surface_energies")) return;
+    if (const auto stray = adhesion->at("surface_energies").find("partner"))
+        stray->fail("the other body is a wall", "\"wall\", or \"partner\" of the case: a second sphere");
+}
+
 /// Checks that concern the case as a whole. @throws InputError
 void check_whole(const Case& data, const View& document) {
     std::set<std::string> names;
@@ -232,7 +241,9 @@ void check_whole(const Case& data, const View& document) {
             nodes[i].fail("\"work_of_adhesion\" is missing, here and in the case",
                           "an energy per area, such as \"0.3 J/m2\"");
         for (const LawChoice& choice : data.laws) check_parameters(choice.law, sample, nodes[i]);
+        require_other_body(data, nodes[i]);
     }
+    require_other_body(data, document);
 }
 
 /// The wall, or the second sphere in its place.
@@ -248,6 +259,14 @@ void read_other_body(const View& document, Case& data) {
         data.wall = read_wall(*partner);
 }
 
+/// The doubt about the density that follows from the mass of a second sphere.
+std::optional<Finding> doubt_about_mass(const std::optional<PartnerSphere>& partner) {
+    if (!partner || !partner->mass) return std::nullopt;
+    auto doubt = implausible_mass(partner->diameter.value() / 2, partner->mass->value());
+    if (doubt) doubt->text.insert(0, "/partner/mass: ");
+    return doubt;
+}
+
 Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputFiles& files,
                     std::vector<SampleFinding>& findings) {
     Case data{.name = document.at("name").text()};
@@ -255,6 +274,7 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
     const auto published = read_published_set(document, files, findings);
     if (const auto rule = document.find("mixture_rule")) data.mixture_rule = named<MixtureRule>(rule->text());
     read_other_body(document, data);
+    if (const auto doubt = doubt_about_mass(data.partner)) findings.push_back({{}, *doubt});
     if (const auto roughness = document.find("roughness")) {
         data.roughness = read_stated(*roughness, Dimension::length);
         at_place(roughness->pointer(),
@@ -423,6 +443,8 @@ LoadedCase load_case(const std::optional<std::string>& file, bool allow_outside)
         LoadedCase loaded;
         add_implausible(document, loaded.findings);
         loaded.data = read_case_with(View(document), built_in_phases(), files, loaded.findings);
+        for (SampleFinding& unused : unused_statements(View(document), loaded.data))
+            loaded.findings.push_back(std::move(unused));
         loaded.inputs = files.used();
         if (const auto remains = example_remains(document, text, loaded.inputs); !remains.empty())
             loaded.findings.push_back(

@@ -12,14 +12,9 @@
 #include "materials/phase_catalogue.hpp"
 #include "pipeline/case/case.hpp"
 #include "pipeline/case/input_files.hpp"
+#include "pipeline/case/unused_statements.hpp"
 
 namespace ashimpact {
-
-/// A finding on a sample of the case, or on the whole case (no sample).
-struct SampleFinding {
-    std::string sample;
-    Finding finding;
-};
 
 /// A case with the files it was read from.
 struct LoadedCase {

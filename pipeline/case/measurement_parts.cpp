@@ -128,10 +128,12 @@ MeasuredRestitution read_measured(const View& node, InputFiles& files, const std
         data.impacts = read_measurement_columns(node);
     }
     if (const auto source = node.find("source")) data.source = source->text();
-    if (const auto own = node.find("camera"))
+    if (const auto own = node.find("camera")) {
         apply_camera(*own, data);
-    else if (camera && !data.impacts.has_noise())
+    } else if (camera && !data.impacts.has_noise()) {
         apply_camera(*camera, data);
+        data.by_camera_of_case = true;
+    }
     const auto place = node.find("file");
     at_place((place ? *place : node).pointer(), [&] {
         if (!place) return check_impacts(data.impacts);

@@ -171,6 +171,57 @@ TEST_CASE("two sieves give evenly distributed diameters between their meshes, wi
     CHECK(loaded(document).data.samples[1].diameter.value() == 9e-5);
 }
 
+TEST_CASE("a statement of a case that changes nothing is named with the reason; a default is none") {
+    const auto unused = [](const Json& document) {
+        std::vector<std::string> texts;
+        for (const SampleFinding& each : loaded(document).findings)
+            if (each.finding.code == unused_code) texts.push_back(each.sample + each.finding.text);
+        return texts;
+    };
+    const Json example = test::with_one_sample(test::example_case(), {"hertz", "dmt"});
+    CHECK(unused(example).empty());
+    CHECK(unused(case_json(loaded(example).data)).empty());  // its options are all stated, as defaults
+    for (const auto& [edits, said] : std::vector<std::pair<std::string, std::string>>{
+             {R"(/samples/0/contact_modulus = "90 GPa")",
+              "/wall changes nothing, as every sample states its contact_modulus"},
+             {R"(/samples/0/poisson_ratio = 0.2 ; /wall = {"contact_modulus": "90 GPa"})",
+              "fine/samples/0/poisson_ratio changes no impact, as the contact_modulus of both bodies is "
+              "stated"},
+             {"/particle = {\"density\": 2300}",
+              "/particle/density changes no impact, as every sample states its own"},
+             {"/particle = {\"tabor\": 2}",
+              "/particle/tabor changes no impact, as none of hertz, dmt uses it"},
+             {"/samples/0/cohesion_energy_density = \"1 MJ/m3\"",
+              "fine/samples/0/cohesion_energy_density changes no impact, as none of hertz, dmt uses it"},
+             {"/laws = [\"hertz\"]", "/work_of_adhesion changes no impact, as hertz does not use it"},
+             {"/laws = [\"hertz\"] ; - /work_of_adhesion ; /roughness = \"1 nm\"",
+              "/roughness changes no impact, as hertz does not use it"},
+             {"- /samples/0/restitution", "/camera changes nothing, as no sample has measured impacts"},
+             {R"(/samples/0/restitution/camera = {"frame_rate": 1e5, "pixel_size": "2 um"})",
+              "/camera changes nothing, as the impacts of every sample state their uncertainty or a camera "
+              "of "
+              "their own"},
+             {"/damping_law = \"tsuji\" ; /fit = {\"order\": 3}",
+              "/fit/order changes nothing, as that takes constant damping"},
+             {"/fit = {\"direct_order\": 3}",
+              "/fit/direct_order changes nothing, as it is of earlier versions"},
+             {"- /samples/0/restitution ; - /camera ; /histories = {\"points\": 9}",
+              "/histories/points changes nothing, as no sample has restitution data"},
+             {"/published = \"dong2013\"",
+              "/published changes nothing, as it has values of none of the samples"},
+             {R"(/phases = [{"name": "opal", "density": "2 g/cm3", "young_modulus": "50 GPa"}])",
+              "phases of /phases that no sample has change nothing (opal)"}}) {
+        CAPTURE(edits);
+        CHECK(unused(test::edited(example, edits)) == std::vector{said});
+    }
+    Json energies = example;
+    energies["work_of_adhesion"] = {{"surface_energies", {{"particle", 0.04}, {"partner", 0.5}}},
+                                    {"rule", "girifalco-good"}};
+    CHECK(
+        test::input_error_of([&] { static_cast<void>(loaded(energies)); }) ==
+        test::containing("case.json: /work_of_adhesion/surface_energies/partner: the other body is a wall"));
+}
+
 TEST_CASE("what a sample does not state it takes from the case") {
     Json document = test::example_case();
     document["particle"] = {{"density", "2000 kg/m3"}, {"poisson_ratio", 0.21}};
