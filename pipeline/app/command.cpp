@@ -274,11 +274,14 @@ void Command::add_allow_outside_flag() {
     add_flag("--allow-outside", "the case may name files outside of its own folder");
 }
 
-void Command::add_table_options() {
-    add("--sheet", "NAME", "of a spreadsheet with several tables");
-    add("--decimal", "MARK",
-        "point or comma, before the decimals of all numbers of the table; default: by the numbers "
-        "themselves");
+void Command::add_table_options(CLI::Option* table) {
+    CLI::Option* sheet = add("--sheet", "NAME", "of a spreadsheet with several tables");
+    CLI::Option* decimal = add("--decimal", "MARK",
+                               "point or comma, before the decimals of all numbers of the table; default: by "
+                               "the numbers themselves");
+    if (table == nullptr) return;
+    sheet->needs(table);
+    decimal->needs(table);
 }
 
 void Command::add_sphere_options() {

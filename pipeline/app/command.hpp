@@ -37,8 +37,9 @@ class Command {
     void add_json_flag();
     void add_case_argument();
     void add_allow_outside_flag();
-    /// What a table of a file needs to be read: --sheet, --decimal.
-    void add_table_options();
+    /// What a table of a file needs to be read: --sheet, --decimal. @param table the option that
+    /// names the file, which they need; null: an argument does
+    void add_table_options(CLI::Option* table = nullptr);
     /// The size and the mass of a sphere: --radius, --diameter, --density, --mass.
     void add_sphere_options();
     /// The options that describe a contact. @param required whether the command cannot do without

@@ -43,10 +43,6 @@ MeasurementSet read_impacts(const CommandOptions& options) {
     MeasurementSet set =
         read_measurements(read_file(options["--impacts"]), options["--impacts"], table_options(options));
     warn_of(set.warnings, options["--impacts"]);
-    if (options.has("--frame-rate") != options.has("--pixel-size"))
-        throw InputError("one of the two is missing", "both or neither").at("--frame-rate, --pixel-size");
-    if (options.has("--frames") && !options.has("--frame-rate"))
-        throw InputError("is given without a camera", "with --frame-rate and --pixel-size").at("--frames");
     if (options.has("--frame-rate")) {
         const Camera camera{.frame_rate = read_frame_rate(options),
                             .pixel_size = options.number("--pixel-size", Dimension::length),
@@ -177,7 +173,7 @@ std::string result_text(const MeasuredDamping& result, const MeasurementSet& set
 /// `damping --impacts FILE`: intervals are those of the impacts; the contact counts as exactly known.
 void run_measured_damping_command(const CommandOptions& options, std::ostream& out) {
     const ContactChoice choice = read_contact(options);
-    if (read_damping(options).law != DampingLaw::constant)
+    if (read_damping_law(options) != DampingLaw::constant)
         throw InputError("a series of impacts is read with constant damping", "constant").at("--damping-law");
     const MeasurementSet set = read_impacts(options);
     MeasuredDampingOptions how;
@@ -198,21 +194,13 @@ void run_measured_damping_command(const CommandOptions& options, std::ostream& o
 
 void run_damping_command(const CommandOptions& options, std::ostream& out) {
     if (options.has("--impacts")) {
-        if (options.has("--velocity") || options.has("--restitution"))
-            throw InputError("a table of impacts and a single one are both given", "one of the two")
-                .at("--impacts");
         run_measured_damping_command(options, out);
         return;
     }
-    if (options.has("--frame-rate") || options.has("--pixel-size") || options.has("--bin") ||
-        options.has("--frames") || options.has("--size-scatter") || options.has("--sheet") ||
-        options.has("--decimal"))
-        throw InputError("belong to a table of impacts", "--impacts FILE")
-            .at("--frame-rate, --pixel-size, --frames, --size-scatter, --bin, --sheet, --decimal");
     const ContactChoice choice = read_contact(options);
     const DampingProblem problem{.law = choice.law,
                                  .detachment = choice.detachment,
-                                 .damping_law = read_damping(options).law,
+                                 .damping_law = read_damping_law(options),
                                  .contact = choice.contact,
                                  .velocity = options.positive("--velocity", Dimension::velocity),
                                  .restitution = options.number("--restitution", Dimension::fraction)};
@@ -237,22 +225,34 @@ void add_damping(const CommandLine& line) {
                                "  (the same with --impacts impacts.csv instead of the last two)",
                                run_damping_command);
     command.add_contact_options(true);
-    command.add("--velocity", "Q", "at first touch, \"2 m/s\"");
-    command.add("--restitution", "X", "e_n; 0: the smallest damping that captures");
-    command.add("--impacts", "FILE",
-                "instead of one impact a table of many (CSV, .xlsx, .ods), with a heading such as "
-                "\"v_in [m/s], v_r [m/s]\": damping of each, fits, critical velocity with its interval");
-    command.add_table_options();
-    command.add("--frame-rate", "X", "of the camera, frames per second");
-    command.add("--pixel-size", "Q", "of the camera, in the object, \"2 um\"");
+    CLI::Option* velocity = command.add("--velocity", "Q", "at first touch, \"2 m/s\"");
+    CLI::Option* restitution =
+        command.add("--restitution", "X", "e_n; 0: the smallest damping that captures");
+    CLI::Option* table =
+        command
+            .add("--impacts", "FILE",
+                 "instead of one impact a table of many (CSV, .xlsx, .ods), with a heading such as "
+                 "\"v_in [m/s], v_r [m/s]\": damping of each, fits, critical velocity with its interval")
+            ->excludes(velocity, restitution);
+    command.add_table_options(table);
+    CLI::Option* rate = command.add("--frame-rate", "X", "of the camera, frames per second")->needs(table);
+    CLI::Option* pixel =
+        command.add("--pixel-size", "Q", "of the camera, in the object, \"2 um\"")->needs(table)->needs(rate);
+    rate->needs(pixel);
     command.add("--frames", "N", "positions that each velocity is the slope of; default 2")
-        ->check(whole_number(2, 10'000));
-    command.add("--size-scatter", "X",
-                "relative standard deviation of single diameters, such as of a sieve, \"5 %\"");
+        ->check(whole_number(2, 10'000))
+        ->needs(rate);
+    command
+        .add("--size-scatter", "X",
+             "relative standard deviation of single diameters, such as of a sieve, \"5 %\"")
+        ->needs(table);
     command.add("--order", "N", "of the polynomial that is extrapolated; default 2")
-        ->check(whole_number(1, 6));
-    command.add_flag("--robust", "bisquare weights in the extrapolated polynomial");
-    command.add("--bin", "N", "rebounds to be put into one point")->check(whole_number(1, 1'000'000));
+        ->check(whole_number(1, 6))
+        ->needs(table);
+    command.add_flag("--robust", "bisquare weights in the extrapolated polynomial")->needs(table);
+    command.add("--bin", "N", "rebounds to be put into one point")
+        ->check(whole_number(1, 1'000'000))
+        ->needs(table);
     command.add_json_flag();
 }
 

@@ -88,6 +88,8 @@ void read_ranges(const CommandOptions& options, ExportSubject& subject) {
                          "0 for the same damping at every size, 2 for the same e of Hertz spheres, ...")
             .at("--damping-exponent");
     if (options.has("--damping-exponent")) {
+        if (subject.one_size() || subject.damping.is_zero())
+            warn_idle("--damping-exponent", subject.one_size() ? "there is one size" : "there is no damping");
         subject.damping.exponent = options.number("--damping-exponent", Dimension::fraction);
         if (std::abs(subject.damping.exponent) > 10)
             throw InputError("is " + shortest(subject.damping.exponent),

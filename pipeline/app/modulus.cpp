@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -310,6 +312,16 @@ SampleEstimate estimated(const XrdSample& sample, const PhaseCatalogue& catalogu
     return result;
 }
 
+/// Whether a sample has a phase of the first set of a catalogue, which are those of the user.
+bool takes_own_phases(const std::vector<SampleEstimate>& samples, const PhaseCatalogue& catalogue) {
+    const std::vector<Phase>& own = catalogue.sets().front().phases;
+    return std::ranges::any_of(samples, [&](const SampleEstimate& sample) {
+        return std::ranges::any_of(sample.composition.components, [&](const Component& component) {
+            return std::ranges::find(own, component.phase.name, &Phase::name) != own.end();
+        });
+    });
+}
+
 void run_modulus_command(const CommandOptions& options, std::ostream& out) {
     const MixtureRule rule = at_place("--rule", [&] { return named<MixtureRule>(options["--rule"]); });
     const PhaseCatalogue catalogue = catalogue_of(options);
@@ -329,6 +341,9 @@ void run_modulus_command(const CommandOptions& options, std::ostream& out) {
         estimate.warnings.insert(estimate.warnings.begin(), result.warnings.begin(), result.warnings.end());
         estimates.push_back(std::move(estimate));
     }
+
+    if (options.has("--phases") && !takes_own_phases(estimates, catalogue))
+        warn_idle("--phases", "no sample has one of them");
 
     if (!options.has("--json")) {
         for (const SampleEstimate& estimate : estimates)

@@ -42,8 +42,7 @@ Sphere read_sphere(const CommandOptions& options, const std::string& prefix) {
             .at(prefix + "density, " + prefix + "mass");
     if (by_mass) {
         const double mass = options.positive(prefix + "mass", Dimension::mass);
-        if (const auto doubt = implausible(*plausible_range("density"), {sphere_density(radius, mass)}))
-            warn_of({*doubt}, "density of the sphere by " + prefix + "mass");
+        if (const auto doubt = implausible_mass(radius, mass)) warn_of({*doubt}, prefix + "mass");
         return {radius, mass};
     }
     const double density = options.positive(prefix + "density", Dimension::density);
@@ -66,7 +65,7 @@ std::optional<Sphere> read_partner(const CommandOptions& options) {
 /// Warns of an option that is given and changes nothing with the law. @return whether it is one
 bool warn_if_idle(const CommandOptions& options, const std::string& option, Law law, std::string_view name) {
     const auto reason = options.has(option) ? idle_reason(law, name) : std::nullopt;
-    if (reason) spdlog::warn("warning: {}: {}", option, *reason);
+    if (reason) warn_idle(option, *reason);
     return reason.has_value();
 }
 
@@ -156,8 +155,8 @@ EnergyUnit unit_for(double energy) {
             std::pow(10.0, unit_power - decimals)};
 }
 
-/// The energy before an impact and the terms after it, without those of zero. The greatest term after takes
-/// what rounding leaves, so that the printed terms add up.
+/// The energy before an impact and the terms after it, without those of zero. The term after that is greatest
+/// in magnitude takes what rounding leaves, so that the printed terms add up.
 void add_energy(TextList& list, const EnergyLedger& energy) {
     const EnergyUnit unit = unit_for(energy.incident);
     const auto steps = [&](double joule) { return std::llround(joule / unit.step); };
@@ -172,7 +171,8 @@ void add_energy(TextList& list, const EnergyLedger& energy) {
                      std::pair{"  left in the contact", steps(energy.potential)}};
     long long rounding = steps(energy.incident) + steps(energy.at_touch);
     for (const auto& term : after) rounding -= term.second;
-    std::ranges::max_element(after, {}, [](const auto& term) { return term.second; })->second += rounding;
+    std::ranges::max_element(after, {}, [](const auto& term) { return std::abs(term.second); })->second +=
+        rounding;
     add("incident energy", steps(energy.incident));
     if (steps(energy.at_touch) != 0) add("  at first touch", steps(energy.at_touch));
     for (const auto& [name, count] : after)
@@ -252,11 +252,18 @@ ContactChoice read_contact(const CommandOptions& options) {
     return {law, detachment, contact, sphere, partner};
 }
 
-Damping read_damping(const CommandOptions& options) {
+DampingLaw read_damping_law(const CommandOptions& options) {
     const std::string& name = options["--damping-law"];
-    const DampingLaw law = at_place(
-        "--damping-law", [&] { return name.empty() ? DampingLaw::constant : named<DampingLaw>(name); });
-    if (!options.has("--damping")) return {law, 0};
+    return at_place("--damping-law",
+                    [&] { return name.empty() ? DampingLaw::constant : named<DampingLaw>(name); });
+}
+
+Damping read_damping(const CommandOptions& options) {
+    const DampingLaw law = read_damping_law(options);
+    if (!options.has("--damping")) {
+        if (law != DampingLaw::constant) warn_idle("--damping-law", "there is no damping");
+        return {law, 0};
+    }
     const double coefficient = options.number("--damping", dimension_of(law));
     return at_place("--damping", [&] {
         require_not_negative("damping", coefficient, dimension_of(law));
@@ -301,6 +308,10 @@ std::string regime_text(const Regime& regime) {
     list.add("contact radius", fmt::format("at most {}, {} of R*", readable(regime.contact_radius, "m"),
                                            readable_number(regime.relative_contact_radius)));
     return list.text(0);
+}
+
+void warn_idle(const std::string& option, const std::string& reason) {
+    spdlog::warn("warning: {}: {}", option, idle_words(reason));
 }
 
 void add_notes(Json& json, const std::vector<Finding>& findings) {

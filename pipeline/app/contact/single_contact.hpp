@@ -79,6 +79,9 @@ struct ContactChoice {
 /// The contact of the options of a command. @throws InputError naming the option
 [[nodiscard]] ContactChoice read_contact(const CommandOptions& options);
 
+/// The damping law. @throws InputError naming the option
+[[nodiscard]] DampingLaw read_damping_law(const CommandOptions& options);
+
 /// The damping law and its coefficient, 0 where it was not given. @throws InputError naming the option
 [[nodiscard]] Damping read_damping(const CommandOptions& options);
 
@@ -96,6 +99,9 @@ void add_model(TextList& list, Law law, Detachment detachment, const Damping& da
 
 /// Adds findings to the "notes" of a command's --json, if there are any.
 void add_notes(Json& json, const std::vector<Finding>& findings);
+
+/// Warns of an option that changes nothing. @param reason "there is one size"
+void warn_idle(const std::string& option, const std::string& reason);
 
 /// Puts findings on standard error as warnings. @param place a file, or empty
 void warn_of(const std::vector<Finding>& findings, const std::string& place = {});
