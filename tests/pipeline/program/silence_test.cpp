@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What counts for nothing is said, what mixes two states or two runs is refused.
+#include <filesystem>
+#include <string>
+#include <tuple>
+
+#include <doctest/doctest.h>
+
+#include "tests/pipeline/sandbox.hpp"
+
+using namespace ashimpact;
+using test::ashimpact_program;
+using test::check_refused;
+using test::containing;
+using test::Sandbox;
+
+namespace {
+
+constexpr auto elastic_sphere = " --radius '44 um' --density 2600 --contact-modulus '90 GPa'";
+constexpr auto adhesive_sphere =
+    " --radius '44 um' --density 2600 --contact-modulus '90 GPa' --work-of-adhesion 0.3";
+constexpr auto export_run = "export lammps results --sample '88 um' --law dmt -o out";
+
+/// Edits the result of an artifact of folder "results", by JSON pointer.
+void edit_result(const Sandbox& sandbox, const std::string& file, const std::string& edits) {
+    const std::string path = "results/" + file;
+    sandbox.write(path, test::edited(sandbox.json(path), edits).dump());
+}
+
+constexpr auto slower =
+    "/result/samples/0/dmt/critical_velocity/value = 1.5 ; - /result/samples/0/dmt/critical_velocity/interval"
+    " ; - /result/samples/0/dmt/interval ; - /result/samples/0/dmt/check";
+
+/// A case of one quick sample without the restitution data that its camera is for.
+Json bare_case() {
+    Json document = test::with_one_sample(test::example_case(), {"hertz"});
+    document["samples"][0].erase("restitution");
+    return document;
+}
+
+}  // namespace
+
+TEST_CASE("export, report and figure refuse artifacts computed from another state than the edited one") {
+    const Sandbox sandbox;
+    test::put_built_in_run(sandbox);
+    edit_result(sandbox, "2-contact.json", "/result/samples/0/work_of_adhesion/value = 0.5");
+    const std::string says =
+        "was computed from another 2-contact.json than the one beside it; allowed: --from analytic of "
+        "`ashimpact run -o results`";
+    check_refused(sandbox, export_run, says);
+    check_refused(sandbox, "report results -o r.html", "results/3-analytic.json: " + says);
+    check_refused(sandbox, "figure critical-velocity results -o f.svg", "results/3-analytic.json: " + says);
+    test::succeeded(sandbox, "figure composition results -o f.svg");  // rests on the modulus alone
+    test::succeeded(sandbox, "run --from analytic");
+    test::succeeded(sandbox, "report results -o r.html");
+    test::succeeded(sandbox, export_run);
+    CHECK(sandbox.read("out/assumptions.md") == containing("w = 0.5000 +- 0.0053 J/m2"));
+}
+
+TEST_CASE("export computes from an edited critical velocity; a report waits for what follows from it") {
+    const Sandbox sandbox;
+    test::put_built_in_run(sandbox);
+    test::succeeded(sandbox, export_run);
+    const std::string before = sandbox.read("out/expected.json");
+    edit_result(sandbox, "7-critical-velocity.json", slower);
+    test::succeeded(sandbox, export_run);
+    CHECK(sandbox.read("out/expected.json") != before);
+    CHECK(sandbox.read("out/expected.json") == containing("1.485"));
+    check_refused(sandbox, "report results",
+                  "results/8-histories.json: was computed from another 7-critical-velocity.json than the one "
+                  "beside it; allowed: --from histories of");
+    const auto partly = test::succeeded(sandbox, "run --from comparison");
+    CHECK(partly.err == containing("no report (results/8-histories.json: was computed from another"));
+    CHECK_FALSE(sandbox.has("results/report.html"));
+    test::succeeded(sandbox, "run --from histories");
+    CHECK(sandbox.has("results/report.html"));
+
+    edit_result(sandbox, "7-critical-velocity.json", "/result/samples/0/dmt/dissipated/value = 1e-7");
+    check_refused(sandbox, export_run, "/dissipated/value: was edited, and only part of what comes after");
+}
+
+TEST_CASE("an edited comparison is refused by a report, which shows its numbers from other artifacts too") {
+    const Sandbox sandbox;
+    test::put_built_in_run(sandbox);
+    edit_result(sandbox, "comparison.json", "/result/samples/0/analytic_critical_velocity/value = 9");
+    check_refused(sandbox, "report results",
+                  "results/comparison.json: /result/samples/0/analytic_critical_velocity/value: was edited");
+}
+
+TEST_CASE("a run from its own 0-case.json in the current folder is up to date") {
+    const Sandbox sandbox;
+    test::write_example(sandbox, test::with_one_sample(test::example_case(), {"hertz"}));
+    test::succeeded(sandbox, "run case.json -o out");
+    std::filesystem::copy(sandbox.path("out/0-case.json"), sandbox.path("0-case.json"));
+    Json whole = sandbox.json("0-case.json")["result"];
+    sandbox.write("0-case.json", whole.dump());
+    test::succeeded(sandbox, "run 0-case.json -o again");
+    test::succeeded(sandbox, "run -o again --from comparison");
+    test::succeeded(sandbox, "report again");
+}
+
+TEST_CASE("a figure takes artifacts of one run, and those that it shows") {
+    const Sandbox sandbox;
+    test::put_built_in_run(sandbox);
+    std::filesystem::copy(sandbox.folder() / "results", sandbox.folder() / "other");
+    test::succeeded(
+        sandbox,
+        "figure histories results/8-histories.json other/2-contact.json -o f.svg");  // the same run
+    std::filesystem::remove(sandbox.path("f.svg"));
+    Json histories = sandbox.json("other/8-histories.json");
+    histories["provenance"]["run"] = std::string(64, 'a');
+    sandbox.write("other/8-histories.json", histories.dump());
+    check_refused(sandbox, "figure histories other/8-histories.json results/2-contact.json -o f.svg",
+                  "is of another run than 0-case.json beside it");
+    check_refused(sandbox, "figure histories other/8-histories.json results -o f.svg",
+                  "other/8-histories.json: is of another run");
+    check_refused(sandbox, "figure damping results other -o f.svg",
+                  "other: is given beside the folder results; allowed: one run; report shows several");
+    check_refused(sandbox, "figure damping results/5-damping.json other/5-damping.json -o f.svg",
+                  "other/5-damping.json: another 5-damping.json is given too");
+    check_refused(sandbox, "figure composition results/1-modulus.json results/8-histories.json -o f.svg",
+                  "results/8-histories.json: figure composition shows nothing of it; allowed: 0-case.json, "
+                  "1-modulus.json, or the folder of a run");
+}
+
+TEST_CASE("an option that changes nothing is said or refused") {
+    const Sandbox sandbox;
+    for (const std::string option : {"--order 3", "--robust", "--bin 3", "--frames 3", "--size-scatter 0.1"})
+        check_refused(sandbox,
+                      "damping --law hertz --velocity 2 --restitution 0.5 " + option + elastic_sphere,
+                      option.substr(0, option.find(' ')) + " requires --");
+    for (const auto& [command, says] :
+         {std::pair{std::string("export table --law dmt --damping 1e-3 --damping-exponent 2 -o out") +
+                        adhesive_sphere,
+                    "warning: --damping-exponent: there is one size, so it changes nothing"},
+          {std::string("export table --law dmt --to-diameter '100 um' --damping-exponent 2 -o out") +
+               adhesive_sphere,
+           "warning: --damping-exponent: there is no damping, so it changes nothing"},
+          {std::string("impact --law dmt --velocity 2 --damping-law tsuji") + adhesive_sphere,
+           "warning: --damping-law: there is no damping, so it changes nothing"},
+          {std::string("impact --law hertz --velocity 2 --tabor 2 --roughness '1 nm'") + adhesive_sphere,
+           "warning: --roughness: hertz does not use it, so it changes nothing"}}) {
+        CAPTURE(command);
+        CHECK(test::succeeded(sandbox, command).err == containing(says));
+    }
+}
+
+TEST_CASE("run names what changes nothing in a case, calibrate too") {
+    const Sandbox sandbox;
+    Json document = bare_case();
+    document["particle"] = {{"contact_modulus", "90 GPa"}, {"tabor", 2}};
+    test::write_example(sandbox, document);
+    const auto run = test::succeeded(sandbox, "run case.json -o out");
+    for (const char* says :
+         {"1 x 0-case.json: /wall changes nothing, as every sample states its contact_modulus",
+          "1 x 0-case.json: /camera changes nothing, as no sample has measured impacts",
+          "1 x 0-case.json: /particle/tabor changes no impact, as hertz does not use it",
+          "1 x 0-case.json: /work_of_adhesion changes no impact, as hertz does not use it"})
+        CHECK(run.err == containing(says));
+    document["samples"][0]["published"] = {{"critical_velocity", {{"hertz", 1}}},
+                                           {"critical_damping", {{"hertz", 0.01}}}};
+    sandbox.write("case.json", document.dump());
+    CHECK(ashimpact_program(sandbox, "calibrate case.json --free density").err ==
+          containing("warning: /camera changes nothing, as no sample has measured impacts"));
+}
+
+TEST_CASE("energy that rounding leaves is not shown as dissipated") {
+    const Sandbox sandbox;
+    const auto run =
+        test::succeeded(sandbox, std::string("impact --law jkr --velocity 0.01") + adhesive_sphere);
+    CHECK(run.out == containing("capture"));
+    CHECK(run.out != containing("dissipated"));
+    CHECK(run.out == containing("left in the contact  -20.35 fJ"));
+}
+
+TEST_CASE("a range in the place of one value is named as one") {
+    const Sandbox sandbox;
+    for (const auto& [command, says] :
+         {std::tuple{std::string("impact --law hertz --diameter '80-100 um' --velocity 2 --density 2600 "
+                                 "--contact-modulus 9e10"),
+                     "--diameter: \"80-100 um\" is a range; allowed: one value: a length [m], e.g. 44 um, "
+                     "4.4e-5 m; ranges are for `ashimpact sweep` and, as meshes of two sieves, for the "
+                     "\"diameter\" of a sample in a case"},
+          {std::string("impact --law hertz --velocity '2 to 3 m/s'") + elastic_sphere,
+           "--velocity: \"2 to 3 m/s\" is a range; allowed: one value: a velocity [m/s], e.g. 2 m/s, 150 "
+           "cm/s; "
+           "ranges are for `ashimpact sweep`"}})
+        check_refused(sandbox, command, says);
+}
