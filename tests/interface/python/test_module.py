@@ -302,6 +302,7 @@ class Impacts(unittest.TestCase):
             (dict(law="hertz", work_of_adhesion=0.3), "work_of_adhesion: hertz does not use it, so it changes nothing"),
             (dict(law="jkr", work_of_adhesion=0.3, yield_pressure=1e9), "yield_pressure: jkr never yields, so it changes nothing"),
             (dict(law="jkr", work_of_adhesion=0.3, tabor=2.0), "tabor: jkr does not use it, so it changes nothing"),
+            (dict(law="hertz", damping_law="tsuji"), "damping_law: there is no damping, so it changes nothing"),
         ):
             with self.assertWarnsRegex(UserWarning, expected) as caught:
                 ashimpact.critical_velocities(**base, **given)
@@ -427,6 +428,7 @@ class Documents(unittest.TestCase):
             (dict(columns, radius=np.ma.masked), "radius has masked values"),
             (dict(columns, law=True), "law is True; allowed: a text"),
             (dict(columns, law=["dmt"]), "hertz, dmt"),
+            (dict(columns, decimal="comma"), "decimal is given with numbers"),
             (dict(columns, sheet=""), "--sheet: is empty"),
             (dict(columns, sheet="--json"), "a sheet is named"),
         ):
