@@ -196,7 +196,7 @@ Stated read_positive(const View& node, std::string_view name, Dimension dimensio
 
 Stated read_diameter(const View& node, std::vector<Finding>& notes) {
     static const std::regex meshes(
-        "^ *([0-9.]+) *([a-zA-Z\u00b5\u03bc]*) *(?:-|\u2013|to|bis) *([0-9.]+) *([a-zA-Z\u00b5\u03bc]+) *$");
+        "^ *([0-9.]+) *([a-zA-Z\u00b5\u03bc]*) *(?:-|\u2013|to|bis) *([0-9.]+) *([a-zA-Z\u00b5\u03bc]*) *$");
     std::smatch match;
     const std::string text = node.json().is_string() ? node.text() : "";
     const auto end = [&](std::size_t number, std::size_t unit) {
@@ -208,6 +208,8 @@ Stated read_diameter(const View& node, std::vector<Finding>& notes) {
         if (!std::regex_match(text, match, meshes)) throw;
     }
     return at_place(node.pointer(), [&] {
+        if (match.length(4) == 0)
+            throw InputError("the meshes " + in_quotes(text) + " have no unit", "\"80-100 um\"");
         const double from = end(1, match.length(2) > 0 ? 2 : 4);
         const double to = end(3, 4);
         require_positive("diameter", from, Dimension::length);

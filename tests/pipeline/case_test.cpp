@@ -167,6 +167,10 @@ TEST_CASE("two sieves give evenly distributed diameters between their meshes, wi
         document["samples"][1]["diameter"] = wrong;
         CHECK_THROWS_AS(static_cast<void>(loaded(document)), InputError);
     }
+    document["samples"][1]["diameter"] = "80-100";
+    CHECK(
+        test::input_error_of([&] { static_cast<void>(loaded(document)); }) ==
+        test::containing("/samples/1/diameter: the meshes \"80-100\" have no unit; allowed: \"80-100 um\""));
     document["samples"][1]["diameter"] = "9e-5 m";
     CHECK(loaded(document).data.samples[1].diameter.value() == 9e-5);
 }

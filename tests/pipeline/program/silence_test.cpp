@@ -186,4 +186,6 @@ TEST_CASE("a range in the place of one value is named as one") {
            "cm/s; "
            "ranges are for `ashimpact sweep`"}})
         check_refused(sandbox, command, says);
+    check_refused(sandbox, std::string("impact --law hertz --velocity '2 m/s..3 m/s'") + elastic_sphere,
+                  "is a range");
 }
