@@ -29,6 +29,9 @@ struct LawParameter {
     std::optional<double> otherwise{};  ///< default value; none: a value must be given [SI]
     /// Parameters of a law that share a number other than 0 are alternatives: exactly one must be given.
     int choice = 0;
+    /// Power of the unit of overlap with which the parameter goes in softened contacts. Needed for a length,
+    /// whose dimension leaves it open; see length_power() in solver/dem/softening.hpp.
+    std::optional<double> length_power{};
 };
 
 /// Most parameters with a value that a contact pair carries.

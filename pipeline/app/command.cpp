@@ -312,12 +312,19 @@ void Command::add_contact_options(bool required) {
     add("--detachment", "NAME",
         "where the contact ends: zero-overlap, zero-force, pull-off, load-controlled; default: that of the "
         "law");
+    add_damping_law_option();
+}
+
+void Command::add_damping_law_option() {
     add("--damping-law", "NAME", joined(names_of<DampingLaw>()) + "; the unit of the damping goes with it",
         std::string(name_of(DampingLaw::constant)));
 }
 
 void Command::add_damping_option() {
     add("--damping", "Q", "\"0.0141 kg/s\"; default: none");
+    add("--damping-restitution", "X",
+        "instead: the damping with which an impact without adhesion has this restitution");
+    add("--at", "Q", "velocity at which it does, \"2 m/s\"; not needed for tsuji");
 }
 
 TableOptions table_options(const CommandOptions& options) {

@@ -44,6 +44,8 @@ class Command {
     void add_sphere_options();
     /// The options that describe a contact. @param required whether the command cannot do without
     void add_contact_options(bool required);
+    void add_damping_law_option();
+    /// --damping, or --damping-restitution with --at.
     void add_damping_option();
 
   private:

@@ -11,6 +11,7 @@
 #include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
 #include "pipeline/app/command.hpp"
+#include "pipeline/app/contact/damping_choice.hpp"
 #include "pipeline/case/case.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/export/folder.hpp"
@@ -28,7 +29,8 @@ constexpr auto mark_of_export = "expected.json";  // every exported folder has o
 /// The subject of the options of an impact.
 ExportSubject subject_of_options(const CommandOptions& options) {
     const ContactChoice choice = read_contact(options);
-    const Damping damping = read_damping(options);
+    const DampingChoice damping_choice = read_damping_choice(options, choice.contact);
+    const Damping& damping = damping_choice.damping;
     const double diameter = 2 * choice.sphere.radius;
     ExportSubject subject{
         .law = choice.law,
@@ -47,6 +49,8 @@ ExportSubject subject_of_options(const CommandOptions& options) {
                                    "from the command line{}",
                                    readable(choice.contact.work_of_adhesion, "J/m2"),
                                    options.has("--roughness") ? ", lowered by --roughness" : "")};
+    if (damping_choice.requested)
+        subject.origins.push_back(requested_words(*damping_choice.requested, damping));
     if (choice.partner) subject.partner = {choice.partner->radius, choice.partner->mass};
     for (const LawParameter& parameter : choice.law.parameters())
         if (choice.contact.parameters.has(parameter))
@@ -118,7 +122,7 @@ void refuse_contact_options(const CommandOptions& options) {
     for (const char* name :
          {"--radius", "--diameter", "--density", "--mass", "--partner-radius", "--partner-diameter",
           "--partner-density", "--partner-mass", "--roughness", "--contact-modulus", "--work-of-adhesion",
-          "--yield-pressure", "--damping", "--detachment"})
+          "--yield-pressure", "--damping", "--damping-restitution", "--at", "--detachment"})
         if (options.has(name)) refuse(name);
     for (const LawParameter& parameter : law_parameters())
         if (options.has(option_of(parameter))) refuse(option_of(parameter));
@@ -164,6 +168,14 @@ void run_export_command(const CommandOptions& options, const TableImage& image, 
     const ExportCode& code = export_code(options["code"]);
     ExportSubject subject = subject_of(options);
     read_ranges(options, subject);
+    if (options.has("--soften")) {
+        if (!code.no_contact.empty())
+            throw InputError(fmt::format("{}: {}", code.name, code.no_contact),
+                             "lammps, liggghts, yade, table")
+                .at("--soften");
+        subject = softened(std::move(subject), options.number("--soften", Dimension::fraction));
+        require_small_overlaps(subject);
+    }
     warn_of(sizes_outside_model(subject));
     const ExportFolder files = code.folder(subject, image);
     const std::filesystem::path folder(options["--output"]);
@@ -203,6 +215,10 @@ void add_export(const CommandLine& line, const CommandBody& body) {
     command.add("--to-velocity", "Q", "largest velocity; default: 10 v_c, at least 10 m/s");
     command.add("--damping-exponent", "N",
                 "for several sizes: damping goes with (diameter/that of the sphere)^N; 0: the same for all");
+    command.add(
+        "--soften", "S",
+        "divide E* by S > 1 and scale what goes with it: contacts S^0.4 times longer, the same e and v_c; "
+        "for lammps, liggghts, yade, table");
     command.add("-o,--output", "DIR", "folder to write")->required();
 }
 

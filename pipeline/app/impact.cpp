@@ -16,7 +16,9 @@
 #include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
 #include "pipeline/app/command.hpp"
+#include "pipeline/app/contact/damping_choice.hpp"
 #include "pipeline/app/contact/single_contact.hpp"
+#include "pipeline/app/contact/softened_contact.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/text/layout.hpp"
@@ -74,8 +76,8 @@ Solution solve(const CommandOptions& options, const Impact& impact) {
 
 void run_impact_command(const CommandOptions& options, std::ostream& out) {
     const ContactChoice choice = read_contact(options);
-    const Damping damping = read_damping(options);
-    const Impact impact = choice.impact(damping, options.positive("--velocity", Dimension::velocity));
+    const DampingChoice damping = read_damping_choice(options, choice.contact);
+    const Impact impact = choice.impact(damping.damping, options.positive("--velocity", Dimension::velocity));
     const auto [result, time_step] = solve(options, impact);
     warn_of(regime_of(impact, result.maximum_overlap).warnings);
     if (options.has("--trajectory")) {
@@ -84,10 +86,11 @@ void run_impact_command(const CommandOptions& options, std::ostream& out) {
         spdlog::info("{}: {} points", options["--trajectory"], points.size());
     }
     if (!options.has("--json")) {
-        out << impact_text(impact, result);
+        out << impact_text(impact, result) << requested_text(damping);
         return;
     }
     Json json = impact_json(impact, result);
+    add_requested(json, damping);
     json["method"] = options["--method"];
     if (time_step > 0) json["time_step"] = quantity_json(time_step, Dimension::time);
     add_notes(json, options.doubts());
@@ -121,9 +124,10 @@ std::string result_text(const CriticalVelocityProblem& problem, const CriticalVe
 
 void run_critical_velocity_command(const CommandOptions& options, std::ostream& out) {
     const ContactChoice choice = read_contact(options);
+    const DampingChoice damping = read_damping_choice(options, choice.contact);
     const CriticalVelocityProblem problem{.law = choice.law,
                                           .detachment = choice.detachment,
-                                          .damping = read_damping(options),
+                                          .damping = damping.damping,
                                           .contact = choice.contact};
     const CriticalVelocity result = at_place("--damping", [&] { return critical_velocity(problem); });
     std::string regime_at_capture;
@@ -141,11 +145,12 @@ void run_critical_velocity_command(const CommandOptions& options, std::ostream& 
     if (options.has("--json")) {
         Json json{{"law", problem.law.name()}};
         json.update(critical_velocity_json(law_critical_velocity(problem), problem.damping.law));
+        add_requested(json, damping);
         add_notes(json, doubts);
         out << write_json(json, Digits::seventeen);
         return;
     }
-    out << result_text(problem, result) + regime_at_capture;
+    out << result_text(problem, result) + regime_at_capture + requested_text(damping);
 }
 
 /// One body of the pair. @p young and @p poisson name the options
@@ -223,6 +228,9 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
     const double energy = separation_energy(adhesive);
     const double velocity = std::sqrt(2 * energy / pair.mass);
     const double tabor = tabor_parameter(adhesive, usual_separation);
+    const DampingChoice choice = read_damping_choice(options, pair);
+    const bool damped = options.has("--damping") || choice.requested;
+    const auto soft = read_softening(options, pair, damped ? std::optional(choice.damping) : std::nullopt);
     std::vector<Finding> doubts = options.doubts();
     if (const auto doubt = outside_model(velocity)) doubts.push_back(*doubt);
     if (options.has("--json")) {
@@ -233,6 +241,12 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
                   {"separation_energy", quantity_json(energy, Dimension::energy)},
                   {"critical_velocity", quantity_json(velocity, Dimension::velocity)},
                   {"tabor_parameter", tabor}};
+        if (damped) {
+            json["damping_law"] = name_of(choice.damping.law);
+            json["damping"] = quantity_json(choice.damping.coefficient, unit_of(choice.damping.law));
+        }
+        add_requested(json, choice);
+        if (soft) json["softened"] = softened_json(*soft);
         add_notes(json, doubts);
         out << write_json(json, Digits::seventeen);
         return;
@@ -247,7 +261,12 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
              critical_velocity_text(
                  velocity, readable(velocity, "m/s") + ": below it adhesion captures without damping"));
     list.add("Tabor parameter", readable_number(tabor) + " (DMT holds below 0.1, JKR above 5)");
-    out << list.text(0);
+    if (damped)
+        list.add("damping",
+                 fmt::format("{} ({})", readable(choice.damping.coefficient, unit_of(choice.damping.law)),
+                             name_of(choice.damping.law)));
+    if (soft) add_softened(list, *soft);
+    out << list.text(0) << requested_text(choice);
 }
 
 }  // namespace
@@ -276,6 +295,10 @@ void add_contact_commands(const CommandLine& line) {
     contact.add("--interfacial-energy", "Q", "of both, for the rule dupre");
     contact.add("--adhesion-rule", "NAME", "girifalco-good, dong2013, dupre: w from surface energies");
     contact.add("--roughness", "Q", "rms of both surfaces, reduces w (Rabinovich et al. 2000)");
+    contact.add_damping_law_option();
+    contact.add_damping_option();
+    contact.add("--soften", "S",
+                "also the constants with E* divided by S > 1 and the same e and v_c, for DEM codes");
     contact.add_json_flag();
 
     Command impact = line.add("impact", "One normal impact of a sphere on a flat wall",

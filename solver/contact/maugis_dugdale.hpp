@@ -37,6 +37,7 @@ inline constexpr LawParameter cohesion_range{
     .example = "0.4 nm",
     .typical = 4e-10,
     .choice = 1,
+    .length_power = 1,  // a gap, along the overlap
 };
 
 /// Maugis 1992 (J. Colloid Interface Sci. 150:243): elastic spheres with a cohesive zone of constant stress

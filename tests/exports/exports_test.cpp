@@ -254,6 +254,55 @@ TEST_CASE("inputs carry the conversions of the code") {
         }
 }
 
+TEST_CASE("a softened folder has the impacts of the stiff contact, and constants that follow E*") {
+    ExportSubject stiff = ash("dmt");
+    stiff.to_velocity = 2;
+    const ExportSubject soft = softened(stiff, 1000);
+    CHECK(stretch_of(soft) == doctest::Approx(std::pow(1000, 0.4)).epsilon(1e-14));
+    CHECK(stiffened(soft).contact.contact_modulus == 90e9);
+    const auto expected = expected_impacts(stiff);
+    const auto impacts = expected_impacts(soft);
+    REQUIRE(impacts.size() == expected.size());
+    for (std::size_t i = 0; i < impacts.size(); ++i) {
+        CHECK(impacts[i].velocity == expected[i].velocity);
+        CHECK(impacts[i].restitution == expected[i].restitution);
+        // The softened contact itself has that restitution, with the time and the overlap that are stated.
+        const ImpactResult solved = solve_impact(impact_at(soft, impacts[i].diameter, impacts[i].velocity));
+        CHECK(relative_difference(solved.restitution, impacts[i].restitution) < 1e-12);
+        CHECK(relative_difference(*impacts[i].maximum_overlap, solved.maximum_overlap) < 1e-12);
+        CHECK(impacts[i].contact_time.has_value() == solved.contact_time.has_value());
+        if (solved.contact_time)
+            CHECK(relative_difference(*impacts[i].contact_time, *solved.contact_time) < 1e-12);
+    }
+    const ExportFolder folder = lammps_folder(soft);
+    CHECK(contains(content(folder, "ash_wall.in"), "# Softened: E* is divided by 1000"));
+    CHECK(contains(content(folder, "ash_wall.in"), "dmt 180000000 0.000889"));
+    CHECK(contains(content(folder, "ash_wall.in"), " 0.00946436"));  // gamma = w/2
+    CHECK(contains(content(folder, "README.md"), "damping constant 0.0141 kg/s"));
+    CHECK(contains(content(folder, "README.md"), "Softened by 1000"));
+    CHECK(contains(content(folder, "assumptions.md"), "lost: forces of contact, adhesion and pull-off"));
+    CHECK_FALSE(contains(content(lammps_folder(stiff), "README.md"), "oftened"));
+    CHECK_FALSE(contains(content(lammps_folder(stiff), "expected.json"), "softening"));
+    CHECK(contains(content(liggghts_folder(soft), "ash_material.in"), "peratomtype 180000000\n"));
+    CHECK(contains(content(yade_folder(soft), "impacts.py"), "= 90000000,"));
+    const ImpactTable table = make_impact_table(soft);
+    for (const ExpectedImpact& each : impacts)
+        CHECK(std::abs(restitution(table, each.diameter, each.velocity) - each.restitution) < table_accuracy);
+}
+
+TEST_CASE("a softened contact overlaps by at most 5 % of R* in the impacts of a folder") {
+    ExportSubject subject = ash("dmt");
+    const std::string refused = input_error_of([&] {
+        require_small_overlaps(softened(subject, 1000));
+        return 0;
+    });
+    CHECK(contains(refused, "--soften: at 9.044 m/s the contact of 88 um softened 1000 times overlaps by"));
+    subject.to_velocity = 2;
+    CHECK_NOTHROW(require_small_overlaps(softened(subject, 1000)));
+    CHECK_THROWS_AS(require_small_overlaps(softened(subject, 100'000)), InputError);
+    CHECK_THROWS_AS(static_cast<void>(softened(subject, 1)), InputError);
+}
+
 TEST_CASE(
     "LAMMPS gets the damping along its nodes: lines between them, and what it is at either end beyond") {
     ExportSubject subject = ash("dmt");

@@ -30,6 +30,8 @@ EQUAL = ["--radius", "20 um", "--density", "2300 kg/m3", "--partner-radius", "20
          "--contact-modulus", "90 GPa"]
 PAIR_DAMPING = ["--damping", "0.002 kg/s"]
 BREAKS = ["--detachment", "load-controlled"]
+# E* divided by 1000: impacts of 2 m/s overlap by 4 % of R*.
+SOFT = ["--soften", "1000", "--to-velocity", "2 m/s", "--velocity", "1.9 m/s"]
 SJKR = ["--law", "sjkr", "--cohesion-energy-density", "2 GJ/m3"] + ASH
 HERTZ, DMT, BRACH_DUNN, JKR = (["--law", law] + ASH + (ADHESION if law != "hertz" else [])
                                for law in ("hertz", "dmt", "brach-dunn", "jkr"))
@@ -66,8 +68,17 @@ def cases():
     yield "lammps", "pair-dmt", DMT + PARTNER + PAIR_DAMPING
     yield "liggghts", "pair-dmt", DMT + PARTNER + PAIR_DAMPING
     yield "table", "pair-jkr", JKR + PARTNER + PAIR_DAMPING + SIZES + ["1"]
+    for code in ("lammps", "liggghts", "table"):
+        yield code, "softened", DMT + CONSTANT + SIZES + ["2"] + SOFT
     if not WHOLE:
         return
+    for code in ("lammps", "liggghts", "yade"):
+        yield code, "softened-brach-dunn", BRACH_DUNN + CONSTANT + SOFT
+        yield code, "softened-sjkr", SJKR + ["--damping-law", "contact-radius", "--damping", "2000 Pa s"] + SOFT
+        if code != "yade":
+            yield code, "softened-pair", DMT + PARTNER + PAIR_DAMPING + ["--soften", "100", "--to-velocity", "1 m/s"]
+    yield "yade", "softened-en", (HERTZ + ["--damping-law", "tsuji", "--damping", "0.5", "--detachment", "zero-force"]
+                                  + SOFT)
     for law in ("hertz", "dmt", "jkr"):
         equal = ["--law", law] + EQUAL + (ADHESION if law != "hertz" else []) + PAIR_DAMPING
         yield "lammps", "pair-equal-" + law, equal + (BREAKS if law == "jkr" else [])
@@ -236,10 +247,33 @@ def check_refusals():
             ("table", DMT + CONSTANT + SIZES + ["2", "--roughness", "1 nm"], "--roughness"),
             ("openfoam", ["--law", "maugis-dugdale", "--tabor", "2"] + ASH + ADHESION + CONSTANT + SIZES + ["2"],
              "--cohesion-range"),
+            ("liggghts", DMT + CONSTANT + ["--soften", "1000"], "--to-velocity"),
+            ("openfoam", DMT + CONSTANT + SOFT, "--soften"), ("fluent", DMT + CONSTANT + SOFT, "--soften"),
             ("table", DMT + CONSTANT + ["--to-velocity", "1 mm/s"], "--to-velocity")):
         folder, refused = exported("refused", code, *options)
         if refused.returncode != 2 or reason not in refused.stderr or os.path.exists(folder):
             fail("%s is not refused with %r: %s" % (code, reason, refused.stderr))
+
+
+def check_softened(code):
+    """A softened folder is judged by the expected impacts of the stiff one; its contacts last 1000^0.4 times longer."""
+    stiff, said = exported(code + "-stiff", code, *DMT, *CONSTANT, *SIZES, "2", *SOFT[2:])
+    soft = os.path.join(WORK, code + "-softened")
+    if said.returncode != 0:
+        return fail("%s stiff: not exported: %s" % (code, said.stderr))
+    with open(os.path.join(stiff, "expected.json")) as file:
+        expected = json.load(file)
+    with open(os.path.join(soft, "expected.json")) as file:
+        softened = json.load(file)
+    if softened.pop("softening", {}).get("factor") != 1000 or len(softened["impacts"]) != len(expected["impacts"]):
+        fail("%s softened: expected.json" % code)
+    for one, other in zip(softened["impacts"], expected["impacts"]):
+        times = one.pop("contact_time"), other.pop("contact_time")
+        if one != other:
+            fail("%s softened: expects another impact: %r, %r" % (code, one, other))
+        if all(times) and abs(times[0]["value"] / times[1]["value"] / 1000 ** 0.4 - 1) > 1e-12:
+            fail("%s softened: contact times %r" % (code, times))
+    return None
 
 
 def check_names():
@@ -368,6 +402,8 @@ def main():
     for code, name, options in cases():
         if not CODES or code.split()[0] in CODES:
             check(code, name, options)
+            if name == "softened":
+                check_softened(code)
     check_order()
     if (not CODES or "lammps" in CODES) and installed("lammps"):
         check_cloud()

@@ -61,6 +61,7 @@ const std::map<std::string, Words>& units() {
                                                   {"--yield-pressure", pressures},
                                                   {"--cohesive-stress", pressures},
                                                   {"--velocity", velocities},
+                                                  {"--at", velocities},
                                                   {"--density", densities},
                                                   {"--particle-density", densities},
                                                   {"--mass", {"kg", "ug", "ng"}},

@@ -288,15 +288,18 @@ std::string lammps_conversion(const DemModel& model, std::string_view body, std:
 ExportFolder lammps_pair_folder(const ExportSubject& subject) {
     const DemModel& model = pair_model(subject, lammps);
     const bool breaks = model.end == Detachment::load_controlled;
-    const std::string file = fmt::format(
-        "# Ash and its partner: law {}, contact ends at {}. Needs `pair_style granular` and the variables\n"
-        "# ash_type and partner_type. `damping velocity` must stand there: the default, viscoelastic, is "
-        "another law.\n{}pair_coeff       ${{ash_type}} ${{partner_type}} {} tangential {} damping "
-        "velocity\n",
-        subject.law.name(), name_of(subject.detachment),
-        breaks ? "# Under jkr this version ends in an error with `linear_nohistory`.\n" : "",
-        lammps_model(model, subject.contact, pair_damping(subject)),
-        breaks ? "linear_history 0 0 0" : "linear_nohistory 0 0");
+    const std::string file =
+        softening_comment(subject) +
+        fmt::format(
+            "# Ash and its partner: law {}, contact ends at {}. Needs `pair_style granular` and the "
+            "variables\n"
+            "# ash_type and partner_type. `damping velocity` must stand there: the default, viscoelastic, is "
+            "another law.\n{}pair_coeff       ${{ash_type}} ${{partner_type}} {} tangential {} damping "
+            "velocity\n",
+            subject.law.name(), name_of(subject.detachment),
+            breaks ? "# Under jkr this version ends in an error with `linear_nohistory`.\n" : "",
+            lammps_model(model, subject.contact, pair_damping(subject)),
+            breaks ? "linear_history 0 0 0" : "linear_nohistory 0 0");
     std::vector<std::string> conversions{
         lammps_conversion(model, "a pair", "E/(2(1 - nu^2))"),
         "R* and m* are those that LAMMPS makes of the radii and masses of both"};
@@ -367,6 +370,7 @@ ExportFolder lammps_folder(const ExportSubject& subject, const TableImage& /*ima
     const double damping =
         damps_itself(model, subject.damping) ? subject.damping.nodes.front().coefficient : 0;
     const std::string file =
+        softening_comment(subject) +
         fmt::format(
             "# Ash on the wall z = ash_wall_z: law {}, contact ends at zero overlap. Needs the variable "
             "ash_wall_z.\n# `damping velocity` must stand there: the default, viscoelastic, is another law. "
@@ -394,6 +398,7 @@ ExportFolder liggghts_folder(const ExportSubject& subject, const TableImage& /*i
     const DemModel& model = wall_model(subject, liggghts);
     const AddedForces added = added_to(model, subject);
     const std::string file =
+        softening_comment(subject) +
         fmt::format(
             "# Ash on the wall z = ash_wall_z: law {}, contact ends at zero overlap. Needs the variable "
             "ash_wall_z, and\n# ash_material.in before. The wall gives the Hertz repulsion alone.\n"

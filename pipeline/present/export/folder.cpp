@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -17,6 +18,7 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "core/version.hpp"
+#include "solver/dem/softening.hpp"
 #include "solver/motion/regime.hpp"
 
 namespace ashimpact {
@@ -52,6 +54,12 @@ std::vector<double> velocities_of(const ExportSubject& subject, double diameter)
     return sorted_once(std::move(velocities));
 }
 
+/// A positive number with two digits, not above it: "8.3", "140".
+std::string rounded_down(double value) {
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
+    return readable_number(std::floor(value / unit * (1 + 1e-12)) * unit, 2);
+}
+
 std::string_view template_text(std::string_view path) {
     const auto text = embedded_file("export/" + std::string(path));
     if (!text) throw std::logic_error("no template export/" + std::string(path));
@@ -72,6 +80,62 @@ std::string damping_words(const ExportSubject& subject) {
     return words;
 }
 
+/// One softened constant: "w 300 mJ/m2 -> 18.93 mJ/m2".
+std::string change(std::string_view name, double before, double after, std::string_view unit) {
+    return fmt::format("{} {} -> {}", name, readable(before, unit), readable(after, unit));
+}
+
+/// The constants of a softened contact, before and after.
+std::string softened_constants(const ExportSubject& subject) {
+    const ContactPair& soft = subject.contact;
+    const ContactPair& stiff = subject.stiff->contact;
+    std::vector<std::string> changes{change("E*", stiff.contact_modulus, soft.contact_modulus, "Pa")};
+    if (subject.law.uses_work_of_adhesion())
+        changes.push_back(change("w", stiff.work_of_adhesion, soft.work_of_adhesion, "J/m2"));
+    if (std::isfinite(stiff.yield_pressure))
+        changes.push_back(change("p_y", stiff.yield_pressure, soft.yield_pressure, "Pa"));
+    for (const LawParameter& parameter : subject.law.parameters())
+        if (stiff.parameters.has(parameter))
+            changes.push_back(change(parameter.name, stiff.parameters[parameter], soft.parameters[parameter],
+                                     si_unit(parameter.dimension)));
+    if (!subject.damping.is_zero())
+        changes.push_back(change(fmt::format("damping {}", name_of(subject.damping.law)),
+                                 subject.stiff->nodes.front().coefficient,
+                                 subject.damping.nodes.front().coefficient, unit_of(subject.damping.law)));
+    return joined(changes);
+}
+
+/// What softening changed and what it loses, for assumptions.md.
+std::vector<std::string> softening_lines(const ExportSubject& subject) {
+    const std::string stretch = readable_number(stretch_of(subject));
+    double overlap = 0;
+    double shortest_contact = std::numeric_limits<double>::infinity();
+    for (const ExpectedImpact& each : expected_impacts(subject)) {
+        overlap = std::max(
+            overlap, each.maximum_overlap.value_or(0) / contact_at(subject, each.diameter).effective_radius);
+        shortest_contact = std::min(shortest_contact, each.contact_time.value_or(shortest_contact));
+    }
+    std::vector<std::string> lines{
+        fmt::format("softened by S = {}: {}; e at every velocity and v_c are those of the stiff contact",
+                    shortest(subject.stiff->factor), softened_constants(subject)),
+        fmt::format("contacts last {0} times longer{1}; the time step may be {0} times longer, too", stretch,
+                    std::isfinite(shortest_contact)
+                        ? fmt::format(", the shortest now {}", readable(shortest_contact, "s"))
+                        : ""),
+        fmt::format("overlaps are {} times greater: up to {} % of R* in the impacts of expected.json, where "
+                    "{} % is the limit of the laws",
+                    stretch, readable_number(100 * overlap, 2),
+                    readable_number(100 * greatest_softened_overlap)),
+        fmt::format("lost: forces of contact, adhesion and pull-off among them, are {} times weaker against "
+                    "weight, drag and all that is not softened: what stays on a wall in gravity or shear is "
+                    "not that of the stiff contact",
+                    stretch),
+        fmt::format("lost: rolling resistance and heat transfer, which go with the contact radius, now {} "
+                    "times greater; friction that depends on the time of contact",
+                    readable_number(std::sqrt(stretch_of(subject))))};
+    return lines;
+}
+
 std::string range_words(const ExportSubject& subject) {
     return subject.one_size() ? "a diameter of " + readable(subject.from_diameter, "m")
                               : fmt::format("diameters from {} to {}", readable(subject.from_diameter, "m"),
@@ -90,11 +154,12 @@ std::string geometry_words(const ExportSubject& subject) {
 /// What regime_of() remarks on the impacts of the folder, each once.
 std::set<std::string> remarks(const ExportSubject& subject) {
     std::set<std::string> lines;
-    for (const Finding& doubt : sizes_outside_model(subject)) lines.insert(doubt.text);
-    for (const ExpectedImpact& each : expected_impacts(subject)) {
+    const ExportSubject stiff = stiffened(subject);
+    for (const Finding& doubt : sizes_outside_model(stiff)) lines.insert(doubt.text);
+    for (const ExpectedImpact& each : expected_impacts(stiff)) {
         if (!each.maximum_overlap) continue;
         const Regime regime =
-            regime_of(impact_at(subject, each.diameter, each.velocity), *each.maximum_overlap);
+            regime_of(impact_at(stiff, each.diameter, each.velocity), *each.maximum_overlap);
         for (const Finding& warning : regime.warnings)
             lines.insert(readable(each.diameter, "m") + ": " + warning.text);
     }
@@ -102,6 +167,14 @@ std::set<std::string> remarks(const ExportSubject& subject) {
 }
 
 }  // namespace
+
+std::string softening_comment(const ExportSubject& subject) {
+    if (!subject.stiff) return "";
+    return fmt::format(
+        "# Softened: E* is divided by {}; e and v_c are those of the stiff contact. See "
+        "assumptions.md.\n",
+        shortest(subject.stiff->factor));
+}
 
 std::string exact(double value) {
     return fmt::format("{:.17g}", value);
@@ -131,19 +204,28 @@ ExportFile unchanged(std::string_view path) {
 }
 
 TemplateValues common_values(const ExportSubject& subject) {
-    return {{"law", std::string(subject.law.name())},
-            {"detachment", std::string(name_of(subject.detachment))},
-            {"damping", damping_words(subject)},
-            {"version", std::string(program_version())},
-            {"diameter", exact(subject.reference_diameter())},
-            {"density", exact(subject.density)},
-            {"other_body", subject.partner ? "on another sphere" : "on a wall"},
-            {"density_words", readable(subject.density, "kg/m3")},
-            {"contact_modulus", exact(subject.contact.contact_modulus)},
-            {"work_of_adhesion", exact(subject.contact.work_of_adhesion)},
-            {"range", range_words(subject)},
-            {"smallest", exact(subject.from_diameter)},
-            {"largest", exact(subject.to_diameter)}};
+    return {
+        {"law", std::string(subject.law.name())},
+        {"detachment", std::string(name_of(subject.detachment))},
+        {"damping", damping_words(stiffened(subject))},
+        {"softening",
+         subject.stiff ? fmt::format("Softened by {0}: contacts last {1} times longer, with the e and v_c of "
+                                     "the stiff contact. The numbers of this folder are not those of the "
+                                     "material;\nadhesion is {1} times weaker against weight and drag. "
+                                     "`assumptions.md` lists what else is lost.\n",
+                                     shortest(subject.stiff->factor), readable_number(stretch_of(subject)))
+                       : ""},
+        {"softening_comment", softening_comment(subject)},
+        {"version", std::string(program_version())},
+        {"diameter", exact(subject.reference_diameter())},
+        {"density", exact(subject.density)},
+        {"other_body", subject.partner ? "on another sphere" : "on a wall"},
+        {"density_words", readable(subject.density, "kg/m3")},
+        {"contact_modulus", exact(subject.contact.contact_modulus)},
+        {"work_of_adhesion", exact(subject.contact.work_of_adhesion)},
+        {"range", range_words(subject)},
+        {"smallest", exact(subject.from_diameter)},
+        {"largest", exact(subject.to_diameter)}};
 }
 
 ExportFile assumptions(const ExportSubject& subject, const std::vector<std::string>& conversions) {
@@ -153,9 +235,11 @@ ExportFile assumptions(const ExportSubject& subject, const std::vector<std::stri
         "- {}{}: {}\n- damping: {}\n- law {}, contact ends at {}; one normal impact on {}, no rotation, no "
         "friction\n",
         range_words(subject), subject.one_size() ? "" : ", E*, w and density the same for all of them",
-        geometry_words(subject), damping_words(subject), subject.law.name(), name_of(subject.detachment),
-        subject.partner ? "the other sphere" : "a flat wall");
+        geometry_words(subject), damping_words(stiffened(subject)), subject.law.name(),
+        name_of(subject.detachment), subject.partner ? "the other sphere" : "a flat wall");
     text += "\n## What they became\n\n";
+    if (subject.stiff)
+        for (const std::string& line : softening_lines(subject)) text += "- " + line + "\n";
     for (const std::string& conversion : conversions) text += "- " + conversion + "\n";
     text += "\n## What the model holds for\n\n";
     const auto lines = remarks(subject);
@@ -178,20 +262,53 @@ std::vector<Finding> sizes_outside_model(const ExportSubject& subject) {
 }
 
 std::vector<ExpectedImpact> expected_impacts(const ExportSubject& subject) {
+    const ExportSubject stiff = stiffened(subject);
+    const double stretch = stretch_of(subject);
     std::vector<ExpectedImpact> impacts;
-    for (const double diameter : sizes_of(subject))
-        for (const double velocity : velocities_of(subject, diameter)) {
-            const ImpactResult result = solve_impact(impact_at(subject, diameter, velocity));
-            if (result.maximum_overlap > largest_overlap * contact_at(subject, diameter).effective_radius)
+    for (const double diameter : sizes_of(stiff))
+        for (const double velocity : velocities_of(stiff, diameter)) {
+            const ImpactResult result = solve_impact(impact_at(stiff, diameter, velocity));
+            if (result.maximum_overlap > largest_overlap * contact_at(stiff, diameter).effective_radius)
                 continue;
             impacts.push_back({.diameter = diameter,
                                .velocity = velocity,
                                .outcome = result.outcome,
                                .restitution = result.restitution,
                                .contact_time = result.contact_time,
-                               .maximum_overlap = result.maximum_overlap});
+                               .maximum_overlap = stretch * result.maximum_overlap});
+            if (result.contact_time) *impacts.back().contact_time *= stretch;
         }
     return impacts;
+}
+
+void require_small_overlaps(const ExportSubject& subject) {
+    if (!subject.stiff) return;
+    const auto share = [&](double diameter, double velocity) {
+        const Impact impact = impact_at(subject, diameter, velocity);
+        return solve_impact(impact).maximum_overlap / impact.contact.effective_radius;
+    };
+    const ExpectedImpact* worst = nullptr;
+    double greatest = greatest_softened_overlap;
+    const auto impacts = expected_impacts(subject);
+    for (const ExpectedImpact& each : impacts)
+        if (const double here = share(each.diameter, each.velocity); here > greatest) {
+            greatest = here;
+            worst = &each;
+        }
+    if (worst == nullptr) return;
+    // The overlap goes with S^(2/5), and by Hertz with v^(4/5).
+    const double excess = greatest / greatest_softened_overlap;
+    double velocity = worst->velocity * std::pow(excess, -1.25);
+    while (share(worst->diameter, velocity) > greatest_softened_overlap) velocity *= 0.98;
+    const double factor = subject.stiff->factor * std::pow(excess, -2.5);
+    throw InputError(fmt::format("at {} the contact of {} softened {} times overlaps by {} % of R*",
+                                 readable(worst->velocity, "m/s"), readable(worst->diameter, "m"),
+                                 shortest(subject.stiff->factor), readable_number(100 * greatest, 2)),
+                     fmt::format("up to {} %: {}--to-velocity \"{} m/s\"",
+                                 readable_number(100 * greatest_softened_overlap),
+                                 factor > 1.05 ? fmt::format("--soften {}, or ", rounded_down(factor)) : "",
+                                 rounded_down(velocity)))
+        .at("--soften");
 }
 
 ExportFile expected_json(const ExportSubject& subject, std::string_view code, const Json& more) {
@@ -205,6 +322,8 @@ ExportFile expected_json(const ExportSubject& subject, std::string_view code, co
     if (subject.partner)
         document["partner"] = {{"radius", quantity_json(subject.partner->radius, Dimension::length)},
                                {"mass", quantity_json(subject.partner->mass, Dimension::mass)}};
+    if (subject.stiff)
+        document["softening"] = {{"factor", subject.stiff->factor}, {"stretch", stretch_of(subject)}};
     document.update(more);
     document["impacts"] = Json::array();
     for (const ExpectedImpact& impact : expected_impacts(subject))
@@ -219,9 +338,12 @@ ExportFile expected_json(const ExportSubject& subject, std::string_view code, co
 
 std::span<const ExportCode> export_codes() {
     static constexpr std::array codes{
-        ExportCode{"openfoam", openfoam_folder}, ExportCode{"lammps", lammps_folder},
-        ExportCode{"liggghts", liggghts_folder}, ExportCode{"yade", yade_folder},
-        ExportCode{"fluent", fluent_folder},     ExportCode{"table", table_folder, "compare.py"}};
+        ExportCode{"openfoam", openfoam_folder, "run.sh", "its parcels take e and v_c without a contact"},
+        ExportCode{"lammps", lammps_folder},
+        ExportCode{"liggghts", liggghts_folder},
+        ExportCode{"yade", yade_folder},
+        ExportCode{"fluent", fluent_folder, "run.sh", "its particles take e and v_c without a contact"},
+        ExportCode{"table", table_folder, "compare.py"}};
     return codes;
 }
 

@@ -35,14 +35,19 @@ using TemplateValues = std::map<std::string, std::string, std::less<>>;
 /// A number that every code reads back as the same double: 17 significant digits.
 [[nodiscard]] std::string exact(double value);
 
-/// Values that every template may use: law, detachment, damping, E*, w, sizes, version.
+/// Values that every template may use: law, detachment, damping, E*, w, sizes, version. E* and w are those of
+/// the exported contact; where it is softened, the words for its damping are those of the stiff one.
 [[nodiscard]] TemplateValues common_values(const ExportSubject& subject);
+
+/// A line of comment for an input of a softened contact; empty if it is not softened.
+[[nodiscard]] std::string softening_comment(const ExportSubject& subject);
 
 /// assumptions.md: sources of the numbers, their conversions (a line each), limits of the model.
 [[nodiscard]] ExportFile assumptions(const ExportSubject& subject,
                                      const std::vector<std::string>& conversions);
 
-/// An impact that the other code has to reproduce.
+/// An impact that the other code has to reproduce: outcome and restitution are of the stiff contact, times
+/// and overlap of the exported one.
 struct ExpectedImpact {
     double diameter;  ///< [m]
     double velocity;  ///< [m/s]
@@ -54,6 +59,10 @@ struct ExpectedImpact {
 
 /// The doubts about critical velocities of the sizes whose impacts are expected, by size.
 [[nodiscard]] std::vector<Finding> sizes_outside_model(const ExportSubject& subject);
+
+/// Refuses a softened contact that overlaps too much in these impacts. @throws InputError with the factor and
+/// the velocity that are allowed
+void require_small_overlaps(const ExportSubject& subject);
 
 /// Impacts of the smallest, the largest, the reference size and one between, at 0.99 and 1.01 v_c, at
 /// multiples of v_c up to the largest velocity, and at the subject's own velocity.
@@ -71,6 +80,7 @@ struct ExportCode {
     /// The files of a subject. @throws InputError for a subject that the code cannot do, with the reason
     ExportFolder (*folder)(const ExportSubject&, const TableImage&);
     std::string_view script = "run.sh";  ///< runs and compares
+    std::string_view no_contact{};       ///< why there is no contact to soften; empty: there is one
 };
 
 [[nodiscard]] std::span<const ExportCode> export_codes();

@@ -15,6 +15,7 @@
 #include "pipeline/document/edits.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/run/stage.hpp"
+#include "solver/dem/softening.hpp"
 #include "solver/inference/calibration/published_damping.hpp"
 #include "solver/motion/damping_inversion.hpp"
 
@@ -198,6 +199,27 @@ double SizedDamping::coefficient(double diameter, double velocity) const {
 
 bool SizedDamping::is_zero() const {
     return std::ranges::all_of(nodes, [](const DampingNode& node) { return node.coefficient == 0; });
+}
+
+ExportSubject softened(ExportSubject subject, double factor) {
+    at_place("--soften", [&] { require_softening(factor); });
+    subject.stiff = StiffContact{factor, subject.contact, subject.damping.nodes};
+    const double damping = softening_of(subject.damping.law, subject.contact, factor);
+    for (DampingNode& node : subject.damping.nodes) node.coefficient *= damping;
+    subject.contact = softened(subject.contact, factor);
+    return subject;
+}
+
+ExportSubject stiffened(ExportSubject subject) {
+    if (!subject.stiff) return subject;
+    subject.contact = subject.stiff->contact;
+    subject.damping.nodes = subject.stiff->nodes;
+    subject.stiff.reset();
+    return subject;
+}
+
+double stretch_of(const ExportSubject& subject) {
+    return subject.stiff ? stretch_of(subject.stiff->factor) : 1;
 }
 
 void require_wall(const ExportSubject& subject, const std::string& reason) {

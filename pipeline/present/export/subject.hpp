@@ -41,6 +41,13 @@ struct PartnerBody {
     double mass;    ///< [kg]
 };
 
+/// The contact that a softened one stands for; the restitutions and critical velocities of both are the same.
+struct StiffContact {
+    double factor;  ///< S > 1, by which E* was divided [1]
+    ContactPair contact;
+    std::vector<DampingNode> nodes;
+};
+
 /// Subject of an export: one kind of particle on one flat wall, or on one other sphere, over a range of sizes
 /// and velocities. E*, w and density are the same for every size; on a wall R* = d/2.
 struct ExportSubject {
@@ -55,10 +62,21 @@ struct ExportSubject {
     std::optional<double> to_velocity{};   ///< largest v_in; none: ten times the largest v_c, at least 10 m/s
     std::optional<double> velocity{};      ///< of one more impact to check [m/s]
     std::vector<std::string> origins{};    ///< sources of E, w and damping, a line each
+    std::optional<StiffContact> stiff{};   ///< what contact and damping were before they were softened
 
     [[nodiscard]] double reference_diameter() const { return damping.reference_diameter; }
     [[nodiscard]] bool one_size() const { return from_diameter == to_diameter; }
 };
+
+/// The subject with E* divided by a factor and all constants that go with it. @throws InputError naming
+/// --soften if the factor is not above 1
+[[nodiscard]] ExportSubject softened(ExportSubject subject, double factor);
+
+/// The subject before softening; itself if it is not softened.
+[[nodiscard]] ExportSubject stiffened(ExportSubject subject);
+
+/// Factor of the softened contact's times and overlaps; 1 if the subject is not softened [1].
+[[nodiscard]] double stretch_of(const ExportSubject& subject);
 
 /// @throws InputError if the subject has a partner. @param reason why the code can only do a wall
 void require_wall(const ExportSubject& subject, const std::string& reason);

@@ -5,7 +5,7 @@
 import json
 import math
 
-CONTACT_MODULUS, DENSITY, WORK_OF_ADHESION = @contact_modulus@, @density@, @work_of_adhesion@
+@softening_comment@CONTACT_MODULUS, DENSITY, WORK_OF_ADHESION = @contact_modulus@, @density@, @work_of_adhesion@
 LAW, DAMPING_LAW = "@law@", "@damping_law@"
 COHESION_ENERGY_DENSITY = @cohesion_energy_density@    # of law sjkr
 COEFFICIENT, REFERENCE_DIAMETER, EXPONENT = @coefficient@, @diameter@, @exponent@

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What users of DEM codes type: a requested restitution, a softened contact.
+#include <cmath>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "core/json/document.hpp"
+#include "tests/pipeline/sandbox.hpp"
+#include "tests/support/checks.hpp"
+
+using namespace ashimpact;
+using namespace ashimpact::test;
+
+namespace {
+
+const std::string dem_ash =
+    " --radius '44 um' --density '2600 kg/m3' --contact-modulus '90 GPa' --work-of-adhesion '0.3 J/m2'";
+
+Json json_of(const Sandbox& sandbox, const std::string& arguments) {
+    return Json::parse(succeeded(sandbox, arguments + " --json").out);
+}
+
+double si(const Json& quantity) {
+    return quantity["value"].get<double>();
+}
+
+}  // namespace
+
+TEST_CASE("a damping for a restitution gives it without adhesion, and less with it") {
+    const Sandbox sandbox;
+    const std::string requested = " --damping-restitution 0.3 --at '2 m/s'";
+    const std::string impact = "impact --velocity '2 m/s'" + dem_ash + requested;
+    for (const std::string damping_law : {"constant", "contact-radius"}) {
+        CAPTURE(damping_law);
+        const std::string by = " --damping-law " + damping_law;
+        const Json hertz = json_of(sandbox, impact + " --law hertz" + by);
+        CHECK(relative_difference(si(hertz["restitution"]), 0.3) < 1e-12);
+        const Json dmt = json_of(sandbox, impact + " --law dmt" + by);
+        CHECK(si(dmt["damping"]) == si(hertz["damping"]));
+        CHECK(si(dmt["restitution"]) < 0.3);
+        const Json& answer = dmt["damping_restitution"];
+        CHECK(si(answer["requested"]) == 0.3);
+        CHECK(si(answer["velocity"]) == 2);
+        CHECK(si(answer["damping"]) == si(dmt["damping"]));
+        REQUIRE(answer["codes"].size() == 4);
+        CHECK(answer["codes"][0]["code"] == "LAMMPS 2022-01");
+        // Measured with LAMMPS and LIGGGHTS themselves at time steps of 1 ps.
+        CHECK(si(answer["codes"][0]["restitution"]) == doctest::Approx(0.439596).epsilon(1e-5));
+        CHECK(si(answer["codes"][1]["restitution"]) == doctest::Approx(0.3).epsilon(1e-9));
+    }
+    const std::string text = succeeded(sandbox, impact + " --law dmt").out;
+    CHECK(text == containing("damping for a restitution  0.3 without adhesion at 2 m/s"));
+    CHECK(text == containing("LAMMPS 2022-01 asked for it"));
+    const std::string of_law = " --law dmt" + dem_ash + requested;
+    CHECK(si(json_of(sandbox, "critical-velocity" + of_law)["damping_restitution"]["damping"]) ==
+          si(json_of(sandbox, impact + " --law dmt")["damping"]));
+    CHECK(si(json_of(sandbox, "contact" + dem_ash + requested)["damping"]) ==
+          si(json_of(sandbox, impact + " --law dmt")["damping"]));
+    CHECK_FALSE(json_of(sandbox, "impact --law dmt --velocity 2 --damping 0.01" + dem_ash)
+                    .contains("damping_restitution"));
+}
+
+TEST_CASE("tsuji needs no velocity for its restitution, the others do") {
+    const Sandbox sandbox;
+    const std::string impact = "impact --law hertz --velocity '1 m/s' --damping-restitution 0.3" + dem_ash;
+    const Json alone = json_of(sandbox, impact + " --damping-law tsuji");
+    CHECK(relative_difference(si(alone["restitution"]), 0.3) < 1e-12);
+    CHECK(alone["damping_restitution"]["velocity"].is_null());
+    const auto idle = ashimpact_program(sandbox, impact + " --damping-law tsuji --at '2 m/s' --json");
+    CHECK(idle.status == 0);
+    CHECK(idle.err ==
+          containing("--at: by damping law 'tsuji' the restitution is the same at every velocity"));
+    CHECK(Json::parse(idle.out)["restitution"] == alone["restitution"]);
+    check_refused(sandbox, impact, "--at: is missing: by damping law 'constant' the restitution depends");
+    check_refused(sandbox, impact + " --at '-2 m/s'", "--at: ");
+    check_refused(sandbox, impact + " --at 2 --damping 1",
+                  "--damping, --damping-restitution: both are given");
+    check_refused(sandbox, "impact --law hertz --velocity 1 --at 2" + dem_ash, "--at: belongs to");
+    for (const char* wrong : {"0", "1.2", "-0.3", "nan", "'30 m'"})
+        check_refused(
+            sandbox,
+            "impact --law hertz --velocity 1 --at 2 --damping-restitution " + std::string(wrong) + dem_ash,
+            "--damping-restitution");
+}
+
+TEST_CASE("contact lists the constants of a softened contact") {
+    const Sandbox sandbox;
+    const std::string contact = "contact --damping '0.0141 kg/s'" + dem_ash;
+    const Json json = json_of(sandbox, contact + " --soften 1000");
+    const Json& soft = json["softened"];
+    CHECK(si(json["contact_modulus"]) == 90e9);
+    CHECK(si(soft["contact_modulus"]) == 90e6);
+    CHECK(relative_difference(si(soft["work_of_adhesion"]), 0.3 * std::pow(1000, -0.4)) < 1e-14);
+    CHECK(relative_difference(si(soft["damping"]), 0.0141 * std::pow(1000, -0.4)) < 1e-14);
+    CHECK(relative_difference(soft["stretch"].get<double>(), std::pow(1000, 0.4)) < 1e-14);
+    const Json& factors = soft["parameter_factors"];
+    CHECK(relative_difference(factors["yield_pressure"].get<double>(), std::pow(1000, -0.8)) < 1e-14);
+    CHECK(relative_difference(factors["cohesion_range"].get<double>(), std::pow(1000, 0.4)) < 1e-14);
+    CHECK(factors["tabor"] == 1.0);
+    CHECK(relative_difference(soft["damping_factors"]["contact-radius"].get<double>(), std::pow(1000, -0.6)) <
+          1e-14);
+    // The softened constants have the critical velocity of the stiff ones.
+    const auto critical = [&](const Json& pair, double damping) {
+        return si(json_of(sandbox,
+                          "critical-velocity --law brach-dunn --radius '44 um' --density 2600"
+                          " --contact-modulus " +
+                              pair["contact_modulus"]["value"].dump() + " --work-of-adhesion " +
+                              pair["work_of_adhesion"]["value"].dump() + " --damping " +
+                              Json(damping).dump())["critical_velocity"]);
+    };
+    CHECK(relative_difference(critical(soft, si(soft["damping"])), critical(json, 0.0141)) < 1e-12);
+    CHECK_FALSE(json_of(sandbox, contact).contains("softened"));
+    CHECK(succeeded(sandbox, contact + " --soften 1000").out == containing("softened by 1000"));
+    for (const char* wrong : {"1", "0", "-5", "nan", "inf", "1e300", "'2 m'", "many"})
+        check_refused(sandbox, contact + " --soften " + wrong, "--soften: ");
+}
+
+TEST_CASE("exports refuse a softening that no contact follows or that goes too far") {
+    const Sandbox sandbox;
+    const std::string lammps = "export lammps --law dmt --damping '0.0141 kg/s' -o d" + dem_ash;
+    for (const char* wrong : {"1", "0.5", "nan"})
+        check_refused(sandbox, lammps + " --soften " + wrong, "--soften: ");
+    for (const std::string code : {"openfoam", "fluent"})
+        check_refused(sandbox,
+                      "export " + code + " --law dmt --damping '0.0141 kg/s' --soften 10 -o d" + dem_ash,
+                      code + ": its ");
+    // What the refusal allows is taken.
+    const std::string line =
+        check_refused(sandbox, lammps + " --soften 1000", "softened 1000 times overlaps by");
+    const auto after = [&](const std::string& word) {
+        const auto at = line.find(word);
+        REQUIRE(at != std::string::npos);
+        return std::to_string(std::stod(line.substr(at + word.size())));
+    };
+    succeeded(sandbox, lammps + " --soften " + after("allowed: up to 5 %: --soften "));
+    succeeded(sandbox, lammps + " --soften 1000 --to-velocity " + after("--to-velocity \""));
+    CHECK(sandbox.read("d/README.md") == containing("Softened by 1000: contacts last 15.85 times longer"));
+    CHECK(sandbox.read("d/assumptions.md") == containing("E* 90 GPa -> 90 MPa, w 300 mJ/m2 -> 18.93 mJ/m2"));
+    CHECK(sandbox.json("d/expected.json")["softening"]["factor"] == 1000);
+}
