@@ -186,3 +186,24 @@ TEST_CASE("the page for DEM users states what formulas in use deliver") {
         CHECK(contains(text, row));
     }
 }
+
+TEST_CASE("the page for DEM users states what cohesion leaves of a restitution") {
+    const std::string text = page();
+    const ContactPair contact = ash(0.3);
+    const Damping damping = damping_without_adhesion(DampingLaw::tsuji, contact, 1, 0.3);
+    for (const char* name : {"hertz", "dmt", "jkr"}) {
+        const Law law = Law::named(name);
+        std::string row = "|";
+        for (const double velocity : {0.3, 1.0, 2.0})
+            row += fmt::format(
+                " {:.4f} |",
+                solve_impact({law, law.default_detachment(), damping, contact, velocity}).restitution);
+        const auto critical = critical_velocity({law, law.default_detachment(), damping, contact}).value;
+        row += critical ? fmt::format(" {:.4f} m/s |", *critical) : " never |";
+        CAPTURE(name);
+        CAPTURE(row);
+        const auto at = text.find("| " + std::string(name));
+        REQUIRE(at != std::string::npos);
+        CHECK(contains(text.substr(at, text.find('\n', at) - at), row));
+    }
+}
