@@ -76,6 +76,8 @@ def cases():
         yield code, "softened-brach-dunn", BRACH_DUNN + CONSTANT + SOFT
         yield code, "softened-sjkr", SJKR + ["--damping-law", "contact-radius", "--damping", "2000 Pa s"] + SOFT
         if code != "yade":
+            yield code, "softened-far", (HERTZ + ["--damping-law", "tsuji", "--damping", "0.5", "--soften", "1e5",
+                                                  "--velocity", "2 cm/s", "--to-velocity", "3 cm/s"])
             yield code, "softened-pair", DMT + PARTNER + PAIR_DAMPING + ["--soften", "100", "--to-velocity", "1 m/s"]
     yield "yade", "softened-en", (HERTZ + ["--damping-law", "tsuji", "--damping", "0.5", "--detachment", "zero-force"]
                                   + SOFT)

@@ -22,10 +22,11 @@ constexpr double captured_horizon = 8;   // Hertz contacts after which a capture
 constexpr double rebound_horizon = 1.5;  // contacts
 constexpr double slow_horizon = 4;       // near v_c, where a finite time step makes the contact longer
 constexpr double slow_restitution = 0.02;
-constexpr int captured_every = 50;   // steps between two rows of output; a rebound needs every step
-constexpr int pair_every = 5;        // times as many: its steps are shorter
-constexpr double cloud_steps = 200;  // of the shortest contact
-constexpr double cloud_horizon = 6;  // of the longest contact
+constexpr int captured_every = 50;    // steps between two rows of output; a rebound needs every step
+constexpr int pair_every = 5;         // times as many: its steps are shorter
+constexpr double cloud_steps = 200;   // of the shortest contact
+constexpr double cloud_horizon = 6;   // of the longest contact
+constexpr double soft_modulus = 5e6;  // below it LIGGGHTS asks whether that is meant [Pa]
 
 /// A code with the input language of LAMMPS.
 struct DemCode {
@@ -39,7 +40,8 @@ struct DemCode {
     double tolerance;
     std::span<const DemModel> walls;
     std::span<const DemModel> pairs;
-    std::string_view pair_laws;  ///< for messages
+    std::string_view pair_laws;     ///< for messages
+    std::string_view soft_setup{};  ///< one more line of the deck where Young's modulus is below soft_modulus
 };
 
 constexpr std::array lammps_walls{
@@ -90,7 +92,10 @@ constexpr DemCode liggghts{.name = "LIGGGHTS",
                            .tolerance = 1e-5,
                            .walls = liggghts_walls,
                            .pairs = liggghts_pairs,
-                           .pair_laws = "hertz, dmt; damping constant"};
+                           .pair_laws = "hertz, dmt; damping constant",
+                           .soft_setup =
+                               "soft_particles   yes                            # Young's moduli below "
+                               "5e6 Pa\n"};
 
 /// The model of a wall. @throws InputError for what neither it nor added forces can do, with the reason
 const DemModel& wall_model(const ExportSubject& subject, const DemCode& code) {
@@ -245,7 +250,8 @@ ExportFolder deck_folder(const ExportSubject& subject, const DemCode& code, cons
     values["program"] = code.program;
     values["command"] = code.command;
     values["tried"] = code.tried;
-    values["setup"] = code.setup;
+    values["setup"] = std::string(2 * subject.contact.contact_modulus < soft_modulus ? code.soft_setup : "") +
+                      std::string(code.setup);
     values["bodies"] = body_lines(subject, code);
     values["contact"] = deck.contact;
     values["title"] = pair ? "of two spheres, the contact of ash_pair.in" : "on the wall of ash_wall.in";
