@@ -57,7 +57,7 @@ std::vector<double> velocities_of(const ExportSubject& subject, double diameter)
 /// A positive number with two digits, not above it: "8.3", "140".
 std::string rounded_down(double value) {
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
-    return readable_number(std::floor(value / unit * (1 + 1e-12)) * unit, 2);
+    return fmt::format("{:.10g}", std::floor(value / unit * (1 + 1e-12)) * unit);
 }
 
 std::string_view template_text(std::string_view path) {
@@ -122,8 +122,8 @@ std::vector<std::string> softening_lines(const ExportSubject& subject) {
                     std::isfinite(shortest_contact)
                         ? fmt::format(", the shortest now {}", readable(shortest_contact, "s"))
                         : ""),
-        fmt::format("overlaps are {} times greater: up to {} % of R* in the impacts of expected.json, where "
-                    "{} % is the limit of the laws",
+        fmt::format("overlaps are {} times greater: up to {} % of R* in the impacts of expected.json; the "
+                    "limit is {} %",
                     stretch, readable_number(100 * overlap, 2),
                     readable_number(100 * greatest_softened_overlap)),
         fmt::format("lost: forces of contact, adhesion and pull-off among them, are {} times weaker against "
