@@ -300,6 +300,17 @@ TEST_CASE("a softened contact overlaps by at most 5 % of R* in the impacts of a 
     subject.to_velocity = 2;
     CHECK_NOTHROW(require_small_overlaps(softened(subject, 1000)));
     CHECK_THROWS_AS(require_small_overlaps(softened(subject, 100'000)), InputError);
+    // Where adhesion alone pulls the spheres too far together, no velocity is small enough.
+    ExportSubject sticky = ash("sjkr");
+    sticky.contact.parameters = {{cohesion_energy_density.name, 2e9}};
+    sticky.to_velocity = 2;
+    sticky.velocity = 1.9;
+    const std::string pulled = input_error_of([&] {
+        require_small_overlaps(softened(sticky, 1000));
+        return 0;
+    });
+    CHECK(contains(pulled, "--soften "));
+    CHECK_FALSE(contains(pulled, "--to-velocity"));
     CHECK_THROWS_AS(static_cast<void>(softened(subject, 1)), InputError);
 }
 

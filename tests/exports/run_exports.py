@@ -74,10 +74,11 @@ def cases():
         return
     for code in ("lammps", "liggghts", "yade"):
         yield code, "softened-brach-dunn", BRACH_DUNN + CONSTANT + SOFT
-        yield code, "softened-sjkr", SJKR + ["--damping-law", "contact-radius", "--damping", "2000 Pa s"] + SOFT
+        yield code, "softened-sjkr", SJKR + CONSTANT + ["--soften", "10"]
+        yield code, "softened-contact-radius", DMT + ["--damping-law", "contact-radius", "--damping", "2000 Pa s"] + SOFT
         if code != "yade":
-            yield code, "softened-far", (HERTZ + ["--damping-law", "tsuji", "--damping", "0.5", "--soften", "1e5",
-                                                  "--velocity", "2 cm/s", "--to-velocity", "3 cm/s"])
+            yield code, "softened-far", (DMT + ["--damping-law", "tsuji", "--damping", "0.5", "--soften", "1e5",
+                                                "--to-velocity", "15 cm/s"])
             yield code, "softened-pair", DMT + PARTNER + PAIR_DAMPING + ["--soften", "100", "--to-velocity", "1 m/s"]
     yield "yade", "softened-en", (HERTZ + ["--damping-law", "tsuji", "--damping", "0.5", "--detachment", "zero-force"]
                                   + SOFT)

@@ -296,18 +296,19 @@ void require_small_overlaps(const ExportSubject& subject) {
             worst = &each;
         }
     if (worst == nullptr) return;
-    // The overlap goes with S^(2/5), and by Hertz with v^(4/5).
+    // The overlap goes with S^(2/5), and by Hertz with v^(4/5); adhesion pulls slow spheres in, too.
     const double excess = greatest / greatest_softened_overlap;
-    double velocity = worst->velocity * std::pow(excess, -1.25);
-    while (share(worst->diameter, velocity) > greatest_softened_overlap) velocity *= 0.98;
     const double factor = subject.stiff->factor * std::pow(excess, -2.5);
+    double velocity = worst->velocity * std::pow(excess, -1.25);
+    const double least = 0.01 * velocity;
+    while (velocity > least && share(worst->diameter, velocity) > greatest_softened_overlap) velocity *= 0.98;
+    std::string allowed = fmt::format("up to {} %", readable_number(100 * greatest_softened_overlap));
+    if (factor > 1.05) allowed += ", --soften " + rounded_down(factor);
+    if (velocity > least) allowed += fmt::format(", --to-velocity \"{} m/s\"", rounded_down(velocity));
     throw InputError(fmt::format("at {} the contact of {} softened {} times overlaps by {} % of R*",
                                  readable(worst->velocity, "m/s"), readable(worst->diameter, "m"),
                                  shortest(subject.stiff->factor), readable_number(100 * greatest, 2)),
-                     fmt::format("up to {} %: {}--to-velocity \"{} m/s\"",
-                                 readable_number(100 * greatest_softened_overlap),
-                                 factor > 1.05 ? fmt::format("--soften {}, or ", rounded_down(factor)) : "",
-                                 rounded_down(velocity)))
+                     allowed)
         .at("--soften");
 }
 

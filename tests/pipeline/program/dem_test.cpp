@@ -133,7 +133,7 @@ TEST_CASE("exports refuse a softening that no contact follows or that goes too f
         REQUIRE(at != std::string::npos);
         return std::to_string(std::stod(line.substr(at + word.size())));
     };
-    succeeded(sandbox, lammps + " --soften " + after("allowed: up to 5 %: --soften "));
+    succeeded(sandbox, lammps + " --soften " + after("allowed: up to 5 %, --soften "));
     succeeded(sandbox, lammps + " --soften 1000 --to-velocity " + after("--to-velocity \""));
     CHECK(sandbox.read("d/README.md") == containing("Softened by 1000: contacts last 15.85 times longer"));
     CHECK(sandbox.read("d/assumptions.md") == containing("E* 90 GPa -> 90 MPa, w 300 mJ/m2 -> 18.93 mJ/m2"));
