@@ -74,7 +74,7 @@ def cases():
         return
     for code in ("lammps", "liggghts", "yade"):
         yield code, "softened-brach-dunn", BRACH_DUNN + CONSTANT + SOFT
-        yield code, "softened-sjkr", SJKR + CONSTANT + ["--soften", "10"]
+        yield code, "softened-sjkr", SJKR + CONSTANT + ["--soften", "10", "--to-velocity", "25 m/s"]
         yield code, "softened-contact-radius", DMT + ["--damping-law", "contact-radius", "--damping", "2000 Pa s"] + SOFT
         if code != "yade":
             yield code, "softened-far", (DMT + ["--damping-law", "tsuji", "--damping", "0.5", "--soften", "1e5",
