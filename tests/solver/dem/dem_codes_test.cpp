@@ -209,3 +209,17 @@ TEST_CASE("the page for DEM users states what cohesion leaves of a restitution")
         CHECK(contains(text.substr(at, text.find('\n', at) - at), row));
     }
 }
+
+TEST_CASE("the page for DEM users states what softening E* alone does to the critical velocity") {
+    const std::string text = page();
+    const Damping damping{DampingLaw::constant, 0.0141};
+    const auto critical = [](const ContactPair& contact, const Damping& by) {
+        return critical_velocity({Law::named("dmt"), Detachment::zero_overlap, by, contact}).value.value();
+    };
+    CHECK(contains(text, fmt::format("stay below {:.4f} m/s", critical(ash(0.3), damping))));
+    ContactPair soft = softened(ash(0.3), 1000);
+    soft.work_of_adhesion = 0.3;
+    CHECK(critical(soft, damping) > 500);
+    CHECK(contains(
+        text, fmt::format("w kept, below {:.3f} m/s", critical(soft, softened(damping, ash(0.3), 1000)))));
+}
