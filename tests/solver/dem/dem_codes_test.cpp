@@ -51,10 +51,9 @@ TEST_CASE("impacts of 88 um at 2 m/s, stiff and softened, have the restitutions 
         std::string law;
         double restitution;  ///< of that integration, good to 1e-8
     };
-    for (const auto& [law, e] :
-         {Known{"hertz", .545376005}, {"dmt", .543723898}, {"brach-dunn", .531547455}}) {
-        CAPTURE(law);
-        const Law named = Law::named(law);
+    for (const Known& known : {Known{"hertz", .545376005}, {"dmt", .543723898}, {"brach-dunn", .531547455}}) {
+        CAPTURE(known.law);
+        const Law named = Law::named(known.law);
         const Damping damping{DampingLaw::constant, 0.005};
         const auto impact = [&](double factor) {
             return solve_impact({named, named.default_detachment(), softened(damping, ash(0.3), factor),
@@ -62,7 +61,7 @@ TEST_CASE("impacts of 88 um at 2 m/s, stiff and softened, have the restitutions 
         };
         const ImpactResult stiff = solve_impact({named, named.default_detachment(), damping, ash(0.3), 2.0});
         const ImpactResult soft = impact(1000);
-        CHECK(relative_difference(stiff.restitution, e) < 1e-8);
+        CHECK(relative_difference(stiff.restitution, known.restitution) < 1e-8);
         CHECK(relative_difference(soft.restitution, stiff.restitution) < 1e-14);
         CHECK(*stiff.contact_time == doctest::Approx(202e-9).epsilon(0.02));
         CHECK(*soft.contact_time == doctest::Approx(3.20e-6).epsilon(0.02));
@@ -168,15 +167,16 @@ TEST_CASE("the page for DEM users states what formulas in use deliver") {
         (restitution_of_force_damping(exact) > e ? low : high) = exact;
     }
     CHECK(exact == doctest::Approx(3.0871).epsilon(1e-5));
-    for (const auto& [name, z] : {Formula{"Hunt and Crossley 1975", 3 * (1 - e) / 2},
-                                  {"Lankarani and Nikravesh 1990", 3 * (1 - e * e) / 4},
-                                  {"Flores et al. 2011", 8 * (1 - e) / (5 * e)},
-                                  {"Gonthier et al. 2004", (1 - e * e) / e},
-                                  {"exact", exact}}) {
-        const std::string row = fmt::format("| {:.4f} | {:.3f} |", z, restitution_of_force_damping(z));
-        CAPTURE(name);
+    for (const Formula& formula : {Formula{"Hunt and Crossley 1975", 3 * (1 - e) / 2},
+                                   {"Lankarani and Nikravesh 1990", 3 * (1 - e * e) / 4},
+                                   {"Flores et al. 2011", 8 * (1 - e) / (5 * e)},
+                                   {"Gonthier et al. 2004", (1 - e * e) / e},
+                                   {"exact", exact}}) {
+        const std::string row =
+            fmt::format("| {:.4f} | {:.3f} |", formula.z, restitution_of_force_damping(formula.z));
+        CAPTURE(formula.name);
         CAPTURE(row);
-        const auto at = text.find("| " + std::string(name));
+        const auto at = text.find("| " + std::string(formula.name));
         REQUIRE(at != std::string::npos);
         CHECK(contains(text.substr(at, text.find('\n', at) - at), row));
     }
