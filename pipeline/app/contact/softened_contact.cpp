@@ -48,6 +48,7 @@ Json softened_json(const SoftenedContact& soft) {
 void add_softened(TextList& list, const SoftenedContact& soft) {
     const auto factors = [](const std::vector<std::pair<std::string, double>>& all) {
         std::vector<std::string> words;
+        words.reserve(all.size());
         for (const auto& [name, factor] : all)
             words.push_back(fmt::format("{} times {}", name, readable_number(factor)));
         return joined(words);
