@@ -33,10 +33,10 @@ TEST_CASE("a damping for a restitution gives it without adhesion, and less with 
     const std::string impact = "impact --velocity '2 m/s'" + dem_ash + requested;
     for (const std::string damping_law : {"constant", "contact-radius"}) {
         CAPTURE(damping_law);
-        const std::string by = " --damping-law " + damping_law;
-        const Json hertz = json_of(sandbox, impact + " --law hertz" + by);
+        const std::string by = impact + " --damping-law " + damping_law;
+        const Json hertz = json_of(sandbox, by + " --law hertz");
         CHECK(relative_difference(si(hertz["restitution"]), 0.3) < 1e-12);
-        const Json dmt = json_of(sandbox, impact + " --law dmt" + by);
+        const Json dmt = json_of(sandbox, by + " --law dmt");
         CHECK(si(dmt["damping"]) == si(hertz["damping"]));
         CHECK(si(dmt["restitution"]) < 0.3);
         const Json& answer = dmt["damping_restitution"];
@@ -121,10 +121,11 @@ TEST_CASE("exports refuse a softening that no contact follows or that goes too f
     const std::string lammps = "export lammps --law dmt --damping '0.0141 kg/s' -o d" + dem_ash;
     for (const char* wrong : {"1", "0.5", "nan"})
         check_refused(sandbox, lammps + " --soften " + wrong, "--soften: ");
-    for (const std::string code : {"openfoam", "fluent"})
-        check_refused(sandbox,
-                      "export " + code + " --law dmt --damping '0.0141 kg/s' --soften 10 -o d" + dem_ash,
-                      code + ": its ");
+    for (const std::string code : {"openfoam", "fluent"}) {
+        std::string command = "export " + code;
+        command += " --law dmt --damping '0.0141 kg/s' --soften 10 -o d" + dem_ash;
+        check_refused(sandbox, command, code + ": its ");
+    }
     // What the refusal allows is taken.
     const std::string line =
         check_refused(sandbox, lammps + " --soften 1000", "softened 1000 times overlaps by");
