@@ -33,7 +33,8 @@ TEST_CASE("a damping for a restitution gives it without adhesion, and less with 
     const std::string impact = "impact --velocity '2 m/s'" + dem_ash + requested;
     for (const std::string damping_law : {"constant", "contact-radius"}) {
         CAPTURE(damping_law);
-        const std::string by = impact + " --damping-law " + damping_law;
+        std::string by = impact;
+        by += " --damping-law " + damping_law;
         const Json hertz = json_of(sandbox, by + " --law hertz");
         CHECK(relative_difference(si(hertz["restitution"]), 0.3) < 1e-12);
         const Json dmt = json_of(sandbox, by + " --law dmt");
