@@ -41,7 +41,7 @@ struct PartnerBody {
     double mass;    ///< [kg]
 };
 
-/// The contact that a softened one stands for; the restitutions and critical velocities of both are the same.
+/// The contact that a softened one stands for, with the same restitutions.
 struct StiffContact {
     double factor;  ///< S > 1, by which E* was divided [1]
     ContactPair contact;
@@ -68,8 +68,7 @@ struct ExportSubject {
     [[nodiscard]] bool one_size() const { return from_diameter == to_diameter; }
 };
 
-/// The subject with E* divided by a factor and all constants that go with it. @throws InputError naming
-/// --soften if the factor is not above 1
+/// The subject with E* divided by a factor above 1, and all that goes with it. @throws InputError
 [[nodiscard]] ExportSubject softened(ExportSubject subject, double factor);
 
 /// The subject before softening; itself if it is not softened.
