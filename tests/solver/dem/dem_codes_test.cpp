@@ -180,6 +180,9 @@ TEST_CASE("the page for DEM users states what formulas in use deliver") {
         REQUIRE(at != std::string::npos);
         CHECK(contains(text.substr(at, text.find('\n', at) - at), row));
     }
+    CHECK(contains(
+        text, fmt::format("{:.4g} kg/s here",
+                          damping_without_adhesion(DampingLaw::constant, ash(0.3), 2.0, 0.3).coefficient)));
     for (const double requested : {0.3, 0.5, 0.8}) {
         std::string row = fmt::format("| {} |", requested);
         for (const CodeRestitution& code : restitution_in_codes(requested))
