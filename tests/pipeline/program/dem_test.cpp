@@ -17,11 +17,11 @@ namespace {
 const std::string dem_ash =
     " --radius '44 um' --density '2600 kg/m3' --contact-modulus '90 GPa' --work-of-adhesion '0.3 J/m2'";
 
-Json json_of(const Sandbox& sandbox, const std::string& arguments) {
+Json answer_of(const Sandbox& sandbox, const std::string& arguments) {
     return Json::parse(succeeded(sandbox, arguments + " --json").out);
 }
 
-double si(const Json& quantity) {
+double si_value(const Json& quantity) {
     return quantity["value"].get<double>();
 }
 
@@ -35,38 +35,38 @@ TEST_CASE("a damping for a restitution gives it without adhesion, and less with 
         CAPTURE(damping_law);
         std::string by = impact;
         by += " --damping-law " + damping_law;
-        const Json hertz = json_of(sandbox, by + " --law hertz");
-        CHECK(relative_difference(si(hertz["restitution"]), 0.3) < 1e-12);
-        const Json dmt = json_of(sandbox, by + " --law dmt");
-        CHECK(si(dmt["damping"]) == si(hertz["damping"]));
-        CHECK(si(dmt["restitution"]) < 0.3);
+        const Json hertz = answer_of(sandbox, by + " --law hertz");
+        CHECK(relative_difference(si_value(hertz["restitution"]), 0.3) < 1e-12);
+        const Json dmt = answer_of(sandbox, by + " --law dmt");
+        CHECK(si_value(dmt["damping"]) == si_value(hertz["damping"]));
+        CHECK(si_value(dmt["restitution"]) < 0.3);
         const Json& answer = dmt["damping_restitution"];
-        CHECK(si(answer["requested"]) == 0.3);
-        CHECK(si(answer["velocity"]) == 2);
-        CHECK(si(answer["damping"]) == si(dmt["damping"]));
+        CHECK(si_value(answer["requested"]) == 0.3);
+        CHECK(si_value(answer["velocity"]) == 2);
+        CHECK(si_value(answer["damping"]) == si_value(dmt["damping"]));
         REQUIRE(answer["codes"].size() == 4);
         CHECK(answer["codes"][0]["code"] == "LAMMPS 2022-01");
         // Measured with LAMMPS and LIGGGHTS themselves at time steps of 1 ps.
-        CHECK(si(answer["codes"][0]["restitution"]) == doctest::Approx(0.439596).epsilon(1e-5));
-        CHECK(si(answer["codes"][1]["restitution"]) == doctest::Approx(0.3).epsilon(1e-9));
+        CHECK(si_value(answer["codes"][0]["restitution"]) == doctest::Approx(0.439596).epsilon(1e-5));
+        CHECK(si_value(answer["codes"][1]["restitution"]) == doctest::Approx(0.3).epsilon(1e-9));
     }
     const std::string text = succeeded(sandbox, impact + " --law dmt").out;
     CHECK(text == containing("damping for a restitution  0.3 without adhesion at 2 m/s"));
     CHECK(text == containing("LAMMPS 2022-01 asked for it"));
     const std::string of_law = " --law dmt" + dem_ash + requested;
-    CHECK(si(json_of(sandbox, "critical-velocity" + of_law)["damping_restitution"]["damping"]) ==
-          si(json_of(sandbox, impact + " --law dmt")["damping"]));
-    CHECK(si(json_of(sandbox, "contact" + dem_ash + requested)["damping"]) ==
-          si(json_of(sandbox, impact + " --law dmt")["damping"]));
-    CHECK_FALSE(json_of(sandbox, "impact --law dmt --velocity 2 --damping 0.01" + dem_ash)
+    CHECK(si_value(answer_of(sandbox, "critical-velocity" + of_law)["damping_restitution"]["damping"]) ==
+          si_value(answer_of(sandbox, impact + " --law dmt")["damping"]));
+    CHECK(si_value(answer_of(sandbox, "contact" + dem_ash + requested)["damping"]) ==
+          si_value(answer_of(sandbox, impact + " --law dmt")["damping"]));
+    CHECK_FALSE(answer_of(sandbox, "impact --law dmt --velocity 2 --damping 0.01" + dem_ash)
                     .contains("damping_restitution"));
 }
 
 TEST_CASE("tsuji needs no velocity for its restitution, the others do") {
     const Sandbox sandbox;
     const std::string impact = "impact --law hertz --velocity '1 m/s' --damping-restitution 0.3" + dem_ash;
-    const Json alone = json_of(sandbox, impact + " --damping-law tsuji");
-    CHECK(relative_difference(si(alone["restitution"]), 0.3) < 1e-12);
+    const Json alone = answer_of(sandbox, impact + " --damping-law tsuji");
+    CHECK(relative_difference(si_value(alone["restitution"]), 0.3) < 1e-12);
     CHECK(alone["damping_restitution"]["velocity"].is_null());
     const auto idle = ashimpact_program(sandbox, impact + " --damping-law tsuji --at '2 m/s' --json");
     CHECK(idle.status == 0);
@@ -88,12 +88,12 @@ TEST_CASE("tsuji needs no velocity for its restitution, the others do") {
 TEST_CASE("contact lists the constants of a softened contact") {
     const Sandbox sandbox;
     const std::string contact = "contact --damping '0.0141 kg/s'" + dem_ash;
-    const Json json = json_of(sandbox, contact + " --soften 1000");
+    const Json json = answer_of(sandbox, contact + " --soften 1000");
     const Json& soft = json["softened"];
-    CHECK(si(json["contact_modulus"]) == 90e9);
-    CHECK(si(soft["contact_modulus"]) == 90e6);
-    CHECK(relative_difference(si(soft["work_of_adhesion"]), 0.3 * std::pow(1000, -0.4)) < 1e-14);
-    CHECK(relative_difference(si(soft["damping"]), 0.0141 * std::pow(1000, -0.4)) < 1e-14);
+    CHECK(si_value(json["contact_modulus"]) == 90e9);
+    CHECK(si_value(soft["contact_modulus"]) == 90e6);
+    CHECK(relative_difference(si_value(soft["work_of_adhesion"]), 0.3 * std::pow(1000, -0.4)) < 1e-14);
+    CHECK(relative_difference(si_value(soft["damping"]), 0.0141 * std::pow(1000, -0.4)) < 1e-14);
     CHECK(relative_difference(soft["stretch"].get<double>(), std::pow(1000, 0.4)) < 1e-14);
     const Json& factors = soft["parameter_factors"];
     CHECK(relative_difference(factors["yield_pressure"].get<double>(), std::pow(1000, -0.8)) < 1e-14);
@@ -103,15 +103,15 @@ TEST_CASE("contact lists the constants of a softened contact") {
           1e-14);
     // The softened constants have the critical velocity of the stiff ones.
     const auto critical = [&](const Json& pair, double damping) {
-        return si(json_of(sandbox,
-                          "critical-velocity --law brach-dunn --radius '44 um' --density 2600"
-                          " --contact-modulus " +
-                              pair["contact_modulus"]["value"].dump() + " --work-of-adhesion " +
-                              pair["work_of_adhesion"]["value"].dump() + " --damping " +
-                              Json(damping).dump())["critical_velocity"]);
+        return si_value(answer_of(sandbox,
+                                  "critical-velocity --law brach-dunn --radius '44 um' --density 2600"
+                                  " --contact-modulus " +
+                                      pair["contact_modulus"]["value"].dump() + " --work-of-adhesion " +
+                                      pair["work_of_adhesion"]["value"].dump() + " --damping " +
+                                      Json(damping).dump())["critical_velocity"]);
     };
-    CHECK(relative_difference(critical(soft, si(soft["damping"])), critical(json, 0.0141)) < 1e-12);
-    CHECK_FALSE(json_of(sandbox, contact).contains("softened"));
+    CHECK(relative_difference(critical(soft, si_value(soft["damping"])), critical(json, 0.0141)) < 1e-12);
+    CHECK_FALSE(answer_of(sandbox, contact).contains("softened"));
     CHECK(succeeded(sandbox, contact + " --soften 1000").out == containing("softened by 1000"));
     for (const char* wrong : {"1", "0", "-5", "nan", "inf", "1e300", "'2 m'", "many"})
         check_refused(sandbox, contact + " --soften " + wrong, "--soften: ");
