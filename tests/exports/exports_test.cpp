@@ -306,7 +306,7 @@ TEST_CASE("a softened contact overlaps by at most 5 % of R* in the impacts of a 
     sticky.to_velocity = 2;
     sticky.velocity = 1.9;
     const std::string pulled = input_error_of([&] {
-        require_small_overlaps(softened(sticky, 1000));
+        require_small_overlaps(softened(sticky, 3000));
         return 0;
     });
     CHECK(contains(pulled, "--soften "));
