@@ -66,7 +66,7 @@ std::array<CodeRestitution, 4> restitution_in_codes(double requested) {
     // LIGGGHTS: 2 sqrt(5/6) b sqrt(S_n m) with S_n = 2 E* a = (3/2) k sqrt(delta), and MFiX:
     // 2 b sqrt(m k) delta^(1/4), with b = linear_ratio().
     const double ratio = linear_ratio(requested);
-    std::array codes{CodeRestitution{"LAMMPS 2022-01", "hertz/material with damping tsuji",
+    std::array codes{CodeRestitution{"LAMMPS 20220106", "hertz/material with damping tsuji",
                                      lammps_coefficient(requested), Detachment::zero_overlap, 0},
                      CodeRestitution{"LIGGGHTS 3.8", "coefficientRestitution of model hertz",
                                      std::sqrt(5.0) * ratio, Detachment::zero_overlap, 0},
