@@ -22,6 +22,7 @@ enum class Dimension {
     energy_per_area,  ///< the same as a force per length
     damping,
     viscosity,
+    inverse_velocity,
     impulse,
     temperature,  ///< absolute; units with an offset (C, F) are converted
 };
@@ -46,6 +47,7 @@ inline constexpr std::array dimension_rows{
     DimensionRow{Dimension::energy_per_area, "energy per area", "J/m2", "0.3 J/m2, 300 mJ/m2, 0.3 N/m"},
     DimensionRow{Dimension::damping, "damping", "kg/s", "0.0141 kg/s, 14.1 g/s, 0.0141 N s/m"},
     DimensionRow{Dimension::viscosity, "viscosity", "Pa s", "300 Pa s, 0.3 kPa s"},
+    DimensionRow{Dimension::inverse_velocity, "inverse velocity", "s/m", "0.2 s/m, 0.2 ms/mm"},
     DimensionRow{Dimension::impulse, "impulse", "N s", "1.9 nN s, 1.9e-9 kg m/s"},
     DimensionRow{Dimension::temperature, "temperature", "K", "1173 K, 900 C"},
 };

@@ -52,6 +52,8 @@ ExportSubject subject_of_options(const CommandOptions& options) {
     if (damping_choice.requested)
         subject.origins.push_back(requested_words(*damping_choice.requested, damping));
     if (choice.partner) subject.partner = {choice.partner->radius, choice.partner->mass};
+    if (damping.coefficient == 0 && is_damped(damping, choice.contact.parameters))
+        throw InputError("is 0 where another coefficient of the damping acts", "above 0").at("--damping");
     for (const LawParameter& parameter : choice.law.parameters())
         if (choice.contact.parameters.has(parameter))
             subject.origins.push_back(

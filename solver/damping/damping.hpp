@@ -14,13 +14,14 @@ namespace ashimpact {
 
 /// How eta of the damping force F_d = eta d(delta)/dt depends on the contact. The type of each value is in
 /// the list of registry.hpp, which compares the two.
-enum class DampingLaw { constant, contact_radius, tsuji };
+enum class DampingLaw { constant, contact_radius, tsuji, hunt_crossley, brach_dunn };
 
 /// Names as on the command line and in artifacts.
 template <>
 struct Names<DampingLaw> {
     static constexpr std::string_view kind = "damping law";
-    static constexpr std::array<std::string_view, 3> all{"constant", "contact-radius", "tsuji"};
+    static constexpr std::array<std::string_view, 5> all{"constant", "contact-radius", "tsuji",
+                                                         "hunt-crossley", "brach-dunn-damping"};
 };
 
 /// Static forces of a contact in one state, for damping that follows them; scaled as in Hertz.

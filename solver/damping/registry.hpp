@@ -6,9 +6,11 @@
 #include <cstddef>
 #include <tuple>
 
+#include "solver/damping/brach_dunn.hpp"
 #include "solver/damping/constant.hpp"
 #include "solver/damping/contact_radius.hpp"
 #include "solver/damping/damping.hpp"
+#include "solver/damping/hunt_crossley.hpp"
 #include "solver/damping/tsuji.hpp"
 
 namespace ashimpact {
@@ -56,6 +58,7 @@ struct DampingList {
 };
 
 /// Every damping law.
-using RegisteredDampings = DampingList<ConstantDamping, ContactRadiusDamping, TsujiDamping>;
+using RegisteredDampings =
+    DampingList<ConstantDamping, ContactRadiusDamping, TsujiDamping, HuntCrossleyDamping, BrachDunnDamping>;
 
 }  // namespace ashimpact

@@ -2,6 +2,7 @@
 
 // Every registered damping law: its shape, its unit, its limit and the guess that searches start from.
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -113,6 +114,8 @@ TEST_CASE("a damping law stands where its name does, and shape is never negative
         const DampingLaw law = all_values<DampingLaw>[i];
         CAPTURE(name_of(all_values<DampingLaw>[i]));
         CHECK(static_cast<std::size_t>(law) == i);
+        const auto page = "../../docs/laws/" + std::string(name_of(law)) + ".md";
+        CHECK(std::filesystem::exists(std::filesystem::path(ASHIMPACT_TEST_DATA) / page));
         for (const double u : {0.0, 0.3, 1.0, 2.0}) {
             CHECK(RegisteredDampings::visit<double>(law, [u]<class D>() {
                       return D::shapes(u, StaticForces<double>{power<6>(u), 0.0})[0];

@@ -23,6 +23,8 @@ WHOLE = bool(os.environ.get("ASHIMPACT_WHOLE"))
 ASH = ["--radius", "44 um", "--density", "2600 kg/m3", "--contact-modulus", "90 GPa"]
 ADHESION = ["--work-of-adhesion", "0.3 J/m2"]
 CONSTANT = ["--damping", "0.0141 kg/s"]
+HUNT_CROSSLEY = ["--damping-law", "hunt-crossley", "--damping", "0.2 s/m"]
+TWO_TERMS = ["--damping-law", "brach-dunn-damping", "--damping", "0.2 s/m", "--adhesion-damping", "0.5 s/m"]
 SIZES = ["--from-diameter", "60 um", "--to-diameter", "88 um", "--damping-exponent"]
 # Two spheres, and the damping that m* and R* of both leave room for.
 PARTNER = ["--partner-radius", "30 um", "--partner-density", "7800 kg/m3"]
@@ -64,6 +66,9 @@ def cases():
     yield "table", "run", [run, "--sample", "96 um", "--law", "jkr"]
     yield "yade", "dmt", DMT + CONSTANT
     yield "yade", "en", HERTZ + ["--damping-law", "tsuji", "--damping", "0.5", "--detachment", "zero-force"]
+    yield "lammps", "hunt-crossley", DMT + HUNT_CROSSLEY
+    yield "liggghts", "brach-dunn-damping", BRACH_DUNN + TWO_TERMS
+    yield "table", "brach-dunn-damping", DMT + TWO_TERMS
     yield "lammps", "pair-jkr", JKR + PARTNER + PAIR_DAMPING + BREAKS
     yield "lammps", "pair-dmt", DMT + PARTNER + PAIR_DAMPING
     yield "liggghts", "pair-dmt", DMT + PARTNER + PAIR_DAMPING
@@ -99,6 +104,9 @@ def cases():
         for damping_law, damping in (("contact-radius", "2000 Pa s"), ("tsuji", "0.5")):
             for law, options in (("hertz", HERTZ), ("dmt", DMT), ("brach-dunn", BRACH_DUNN)):
                 yield code, law + "-" + damping_law, options + ["--damping-law", damping_law, "--damping", damping]
+        for law, options in (("hertz", HERTZ), ("dmt", DMT), ("brach-dunn", BRACH_DUNN), ("sjkr", SJKR)):
+            yield code, law + "-hunt-crossley", options + HUNT_CROSSLEY
+            yield code, law + "-brach-dunn-damping", options + TWO_TERMS
         yield code, "undamped", HERTZ
         yield code, "sjkr", SJKR + CONSTANT + SIZES + ["2"]
     yield "liggghts", "followed", follow
@@ -106,6 +114,8 @@ def cases():
     for law, options in (("hertz", HERTZ), ("brach-dunn", BRACH_DUNN), ("sjkr", SJKR)):
         yield "yade", law, options + CONSTANT
     yield "yade", "tsuji", HERTZ + ["--damping-law", "tsuji", "--damping", "0.5"]
+    yield "yade", "hunt-crossley", HERTZ + HUNT_CROSSLEY
+    yield "yade", "brach-dunn-damping", DMT + TWO_TERMS
     yield "yade", "contact-radius", DMT + ["--damping-law", "contact-radius", "--damping", "2000 Pa s"]
     for code in ("table", "fluent", "openfoam", "openfoam solver"):
         yield code, "dmt", DMT + CONSTANT + SIZES + ["2"]
@@ -113,6 +123,7 @@ def cases():
         yield code, "never-captured", HERTZ + ["--damping-law", "contact-radius", "--damping", "300 Pa s"]
         yield code, "thornton-ning", (["--law", "thornton-ning"] + ASH + ADHESION
                                       + ["--yield-pressure", "5 GPa"] + CONSTANT)
+        yield code, "hunt-crossley", DMT + HUNT_CROSSLEY
         yield code, "sjkr", SJKR + CONSTANT + SIZES + ["1"]
         yield code, "maugis-dugdale", (["--law", "maugis-dugdale", "--cohesion-range", "0.4 nm"] + ASH + ADHESION
                                        + CONSTANT)

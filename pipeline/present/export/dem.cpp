@@ -9,6 +9,7 @@
 #include "core/text/error.hpp"
 #include "pipeline/present/export/folder.hpp"
 #include "solver/contact/sjkr.hpp"
+#include "solver/damping/brach_dunn.hpp"
 
 namespace ashimpact {
 
@@ -58,33 +59,61 @@ constexpr std::array attractions{
                    "area in which sphere and wall intersect, pi (2 R overlap - overlap^2), and needs k_c/2 "
                    "for it"}};
 
+/// Hertz' repulsion of a sphere in contact, as a formula [N].
+std::string repulsion_formula(const ContactPair& contact) {
+    return exact(4.0 / 3.0 * contact.contact_modulus) + "*sqrt(c_ash_radius*v_ash_depth)*v_ash_depth";
+}
+
+const Attraction* attraction_of(const ExportSubject& subject);
+
+/// Repulsion and attraction, each in its share of the first coefficient of Brach & Dunn's damping [N].
+std::string damped_forces_formula(const ExportSubject& subject) {
+    const Attraction& attraction = *attraction_of(subject);
+    if (attraction.formula == nullptr) return repulsion_formula(subject.contact);
+    const double coefficient = subject.damping.nodes.front().coefficient;
+    const auto [repulsive, adhesive] =
+        BrachDunnDamping::coefficients(coefficient, subject.contact.parameters);
+    return fmt::format("{} + {}*{}", repulsion_formula(subject.contact), exact(adhesive / repulsive),
+                       attraction.formula(subject.contact));
+}
+
 /// A damping as a force of its own.
 struct AddedDamping {
     DampingLaw law;
-    std::string (*factor)(const ContactPair&);  ///< of the coefficient, as a formula
+    std::string (*factor)(const ExportSubject&);  ///< of the coefficient, as a formula
     Powers powers;
     Powers lagging;  ///< where the code takes the velocity of half a step ago
 };
 
 constexpr std::array dampings{
     AddedDamping{.law = DampingLaw::constant,
-                 .factor = [](const ContactPair& /*contact*/) { return std::string(); },
+                 .factor = [](const ExportSubject& /*subject*/) { return std::string(); },
                  .powers = smooth,
                  .lagging = {1, 2, 3, 4}},
     AddedDamping{.law = DampingLaw::contact_radius,
-                 .factor = [](const ContactPair& /*contact*/) -> std::string {
+                 .factor = [](const ExportSubject& /*subject*/) -> std::string {
                      return "*sqrt(c_ash_radius*v_ash_depth)";
                  },
                  .powers = square_root,
                  .lagging = {1, 2, 3, 4}},
     AddedDamping{.law = DampingLaw::tsuji,
                  .factor =
-                     [](const ContactPair& contact) {
+                     [](const ExportSubject& subject) {
                          return fmt::format("*sqrt(mass*{}*sqrt(c_ash_radius))*sqrt(sqrt(v_ash_depth))",
-                                            exact(4.0 / 3.0 * contact.contact_modulus));
+                                            exact(4.0 / 3.0 * subject.contact.contact_modulus));
                      },
                  .powers = fourth_root,
-                 .lagging = {1, 2, 2.5, 3}}};
+                 .lagging = {1, 2, 2.5, 3}},
+    AddedDamping{
+        .law = DampingLaw::hunt_crossley,
+        .factor = [](const ExportSubject& subject) { return "*" + repulsion_formula(subject.contact); },
+        .powers = smooth,
+        .lagging = {1, 2, 3, 4}},
+    AddedDamping{
+        .law = DampingLaw::brach_dunn,
+        .factor = [](const ExportSubject& subject) { return "*(" + damped_forces_formula(subject) + ")"; },
+        .powers = square_root,
+        .lagging = {1, 2, 3, 4}}};
 
 /// The row of a table with that key, null without any.
 template <class Rows, class Key, class Column>
@@ -151,7 +180,7 @@ std::string damping_variable(const ExportSubject& subject) {
     if (damping.exponent != 0)
         formula += fmt::format("*(2*c_ash_radius/{})^({})", exact(damping.reference_diameter),
                                exact(damping.exponent));
-    formula += damping_of(subject)->factor(subject.contact);
+    formula += damping_of(subject)->factor(subject);
     return lines + fmt::format("variable         ash_damping atom \"{}\"\n", formula);
 }
 
@@ -254,6 +283,9 @@ ExportFolder yade_folder(const ExportSubject& subject, const TableImage& /*image
     values["damping_law"] = std::string(name_of(subject.damping.law));
     values["coefficient"] = exact(coefficient);
     values["exponent"] = exact(subject.damping.exponent);
+    const bool two = subject.damping.law == DampingLaw::brach_dunn && !subject.damping.is_zero();
+    values["adhesion_damping_ratio"] = exact(
+        two ? BrachDunnDamping::coefficients(coefficient, subject.contact.parameters)[1] / coefficient : 0);
     // The force of `betan` is 2 betan sqrt(m dF/d(delta)) v with dF/d(delta) = (3/2) k sqrt(delta), so that
     // betan = c/sqrt(6). `en` would be a fit of betan (Thornton et al. 2013) that is off by some 1e-4.
     values["damping_ratio"] = own ? exact(coefficient / std::sqrt(6.0)) : "None";

@@ -206,6 +206,38 @@ std::string laws_text(const ComparisonResult& result, std::size_t width) {
     return text + "\n";
 }
 
+/// What a damping law makes of a sample: a velocity, or that there is none.
+std::string explained_cell(const ExplainedSample& sample) {
+    if (sample.velocity) return velocity_text(*sample.velocity);
+    return sample.verdict == LawVerdict::no_fit ? "-" : std::string(name_of(sample.verdict));
+}
+
+/// Which damping law explains the impacts.
+std::string dampings_text(const ComparisonResult& result, std::size_t width) {
+    if (!result.damping_laws) return {};
+    const DampingComparison& comparison = *result.damping_laws;
+    std::vector<std::string> heading{"damping law", "constants", "misfit of e"};
+    for (const ExplainedSample& sample : comparison.dampings.front().samples)
+        heading.push_back("v_c " + sample.name);
+    TextTable table(heading, 2);
+    for (const ExplainedDamping& damping : comparison.dampings) {
+        std::string constants;
+        for (const auto& [name, value] : damping.constants)
+            constants += (constants.empty() ? "" : ", ") + readable(value.value, value.unit);
+        std::vector<std::string> row{std::string(name_of(damping.law)),
+                                     constants.empty() ? "not told apart" : constants,
+                                     fmt::format("{:.2g}", damping.misfit)};
+        for (const ExplainedSample& sample : damping.samples) row.push_back(explained_cell(sample));
+        table.add(row);
+    }
+    return wrapped_line(
+               fmt::format("Which damping explains the impacts, by {}, with the same constants for all "
+                           "samples (v_c in m/s):",
+                           comparison.law.name()),
+               width, 0) +
+           "\n" + table.text(0, width) + "\n";
+}
+
 /// Why laws have no interval, a line for each.
 std::string interval_notes(const ComparisonResult& result, std::size_t width) {
     std::string text;
@@ -364,9 +396,8 @@ std::string scope_sentence(const Case& data) {
 
 std::string comparison_text(const ComparisonResult& result, std::size_t width, const std::string& scope) {
     const std::string title = result.name.empty() ? "" : wrapped_line(result.name, width, 0) + "\n";
-    return title + reported_text(result, width, scope) + glass_text(result, width) +
-           temperature_text(result, width) + assumptions_text(result, width) + laws_text(result, width) +
-           interval_notes(result, width) + contacts_text(result, width) +
+    return title + reported_text(result, width) + assumptions_text(result, width) + laws_text(result, width) +
+           interval_notes(result, width) + dampings_text(result, width) + contacts_text(result, width) +
            wrapped_line(result.conclusion, width, 0);
 }
 

@@ -25,7 +25,7 @@ class CaptureTest {
     [[nodiscard]] bool creeping(const MotionState<Real>& state) const;
     /// After the turn: whether capture is certain.
     [[nodiscard]] bool captured(const MotionState<Real>& state) const {
-        return bound(state) || creeping(state);
+        return too_slow_ || bound(state) || creeping(state);
     }
     /// Before the turn: whether it is so damped that it creeps up to equilibrium and never turns.
     [[nodiscard]] bool creeping_up(const MotionState<Real>& state) const;
@@ -39,6 +39,7 @@ class CaptureTest {
     const Motion<Real>& motion_;
     bool by_place_;           ///< the contact ends at a place, so capture is possible at all
     bool always_overdamped_;  ///< so damped that no impact rebounds, whatever its velocity
+    bool too_slow_;           ///< no return is fast enough at equilibrium to reach the end of contact
     Real end_overlap_{};
     Real end_potential_{};
     Real equilibrium_overlap_{};
@@ -54,6 +55,8 @@ CaptureTest<Real>::CaptureTest(const Motion<Real>& motion)
     end_potential_ = by_place_ ? motion.potential(*motion.end) : Real(0);
     equilibrium_overlap_ = motion.overlap(q);
     least_damping_ = motion.damping(q);
+    const Real fastest = motion.fastest_return;
+    too_slow_ = by_place_ && fastest * fastest / Real(2) + motion.potential(q) < end_potential_;
 }
 
 template <class Real>

@@ -134,6 +134,8 @@ CohesiveMotion::CohesiveMotion(const CohesiveZone& zone, const ScaledDamping<Ext
       gap_(zone),
       begin_(zone.touch()),
       end_(end_of(zone, detachment)) {
+    const Extended fastest = damping.fastest_return;
+    too_slow_ = fastest * fastest / 2 + rest().potential < potential_at_end();
     if (detachment != Detachment::zero_overlap) return;
     begin_ = end_;
     outside_ = zone.potential(begin_);

@@ -107,7 +107,8 @@ class CohesiveMotion {
     [[nodiscard]] std::optional<RestPlace<Extended>> creeps_to(const MotionState<Extended>& state) const;
     /// After the turn, in contact: whether the energy no longer suffices to reach the end.
     [[nodiscard]] bool captured(const MotionState<Extended>& state) const {
-        return state.velocity * state.velocity / 2 + touching_.potential(state.position) < potential_at_end();
+        return too_slow_ ||
+               state.velocity * state.velocity / 2 + touching_.potential(state.position) < potential_at_end();
     }
 
   private:
@@ -117,6 +118,7 @@ class CohesiveMotion {
     CohesiveState begin_;
     CohesiveState end_;
     Extended outside_ = 0;
+    bool too_slow_;  ///< no return is fast enough at equilibrium to reach the end
 };
 
 }  // namespace ashimpact

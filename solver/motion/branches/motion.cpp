@@ -107,6 +107,7 @@ template <class Real>
 Motion<Real> branch_motion(std::span<const StaticBranch<Real>> pieces, const ScaledDamping<Real>& eta) {
     Motion<Real> motion;
     motion.overdamped = eta.overdamped;
+    motion.fastest_return = eta.fastest_return;
     motion.squared = std::ranges::all_of(pieces, [&](const StaticBranch<Real>& piece) {
         return piece.overlap.even() && (piece.forces.repulsion - piece.forces.attraction).even() &&
                eta.on_branch(piece.forces).even();

@@ -24,6 +24,7 @@ struct ScaledDamping {
 
     std::function<Polynomial<Real>(const Forces&)> on_branch;  ///< eta(u), scaled [1]
     bool overdamped = false;  ///< captures every impact that touches at zero contact radius
+    Real fastest_return = std::numeric_limits<Real>::infinity();  ///< velocity that no return exceeds
 
     /// Damping law D.
     template <class D>
@@ -34,7 +35,10 @@ struct ScaledDamping {
             for (std::size_t k = 1; k < shapes.size(); ++k) sum = sum + numbers[k] * shapes[k];
             return sum;
         };
-        return {eta, numbers[0] * numbers[0] >= Real(D::overdamped_squared)};
+        ScaledDamping result{eta, numbers[0] * numbers[0] >= Real(D::overdamped_squared)};
+        if constexpr (requires { D::fastest_return(numbers); })
+            result.fastest_return = D::fastest_return(numbers);
+        return result;
     }
     /// A registered damping law.
     [[nodiscard]] static ScaledDamping of(DampingLaw law, const DampingNumbers<Real>& numbers) {
@@ -75,6 +79,7 @@ struct Motion {
     std::optional<Real> end{};  ///< q at which the contact ends; none if it ends at zero total force
     bool squared = false;       ///< q = u^2
     bool overdamped = false;    ///< the damping captures every impact that touches at zero contact radius
+    Real fastest_return = std::numeric_limits<Real>::infinity();  ///< velocity that no return exceeds
 
     /// The piece on which @p q is; at a border the lower one.
     [[nodiscard]] const MotionPiece<Real>& at(const Real& q) const {

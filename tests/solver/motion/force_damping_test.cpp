@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A damping that follows the static force (Hunt & Crossley 1975), F_d = zeta F_r d(delta)/dt: the equation of
-// motion takes eta as the damping law gives it on each branch. Scaled, as in the solver's own units.
-#include <array>
+// Dampings that follow the static force, Hunt & Crossley's F_d = zeta F_r d(delta)/dt and Brach & Dunn's of
+// two terms, on each branch. Scaled, as in the solver's own units.
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <doctest/doctest.h>
@@ -11,7 +9,6 @@
 #include "solver/contact/registry.hpp"
 #include "solver/critical_velocity/backward_orbit.hpp"
 #include "solver/motion/follow.hpp"
-#include "solver/motion/scale.hpp"
 
 using namespace ashimpact;
 
@@ -19,7 +16,7 @@ namespace {
 
 /// eta = zeta F_r, where F_r is the Hertzian part of the force.
 ScaledDamping<Extended> hunt_crossley(Extended zeta) {
-    return {[zeta](const auto& forces) { return zeta * forces.repulsion; }, false};
+    return ScaledDamping<Extended>::of(DampingLaw::hunt_crossley, {zeta});
 }
 
 /// A contact of law L at adhesion number @p adhesion.
@@ -45,28 +42,8 @@ Orbit<Extended> rebound_near(const PlasticMotion<Extended>& motion, Extended cri
     return above.outcome == Outcome::rebound ? above : follow(motion, critical * (1 - 1e-9L));
 }
 
-struct TwoTerms {
-    static constexpr double overdamped_squared = std::numeric_limits<double>::infinity();
-
-    template <class U>
-    [[nodiscard]] static constexpr std::array<U, 2> shapes(const U& /*u*/, const StaticForces<U>& forces) {
-        return {forces.repulsion, forces.attraction};
-    }
-    template <class Scale>
-    [[nodiscard]] static auto units(const Scale& scale) {
-        return std::array{1 / scale.velocity, 1 / scale.velocity};
-    }
-    /// The second coefficient is that of the attraction; the values stand for those of parameters.
-    [[nodiscard]] static std::array<double, 2> coefficients(double c, const ParameterValues<double>& values) {
-        return {c, values.begin()->second};
-    }
-};
-
 ScaledDamping<Extended> two_terms(double repulsive, double adhesive) {
-    const Scale scale =
-        Scale::of({.mass = 1, .effective_radius = 1, .contact_modulus = 0.75, .work_of_adhesion = 0}, 1);
-    const auto numbers = scale.damping_numbers<TwoTerms>(repulsive, {{"adhesive", adhesive}});
-    return ScaledDamping<Extended>::by<TwoTerms>({numbers[0], numbers[1]});
+    return ScaledDamping<Extended>::of(DampingLaw::brach_dunn, {repulsive, adhesive});
 }
 
 /// e of an impact at unit velocity by Runge & Kutta's method in time, with the force as a function of u.
@@ -200,8 +177,7 @@ TEST_CASE("the ledger of an impact closes") {
     }
 }
 
-// Brach & Dunn 1995: F_d = (zeta_H F_r + zeta_A |F_a|) d(delta)/dt, the toy of two terms. As a type of a
-// damping law, so that what a registered law goes through is tested.
+// Brach & Dunn 1995: F_d = (zeta_H F_r + zeta_A |F_a|) d(delta)/dt.
 
 TEST_CASE("two terms: a coefficient of 0 leaves the other, equal ones damp with the whole of the force") {
     const auto e = [](const ScaledDamping<Extended>& damping) {

@@ -9,6 +9,7 @@ import math
 LAW, DAMPING_LAW = "@law@", "@damping_law@"
 COHESION_ENERGY_DENSITY = @cohesion_energy_density@    # of law sjkr
 COEFFICIENT, REFERENCE_DIAMETER, EXPONENT = @coefficient@, @diameter@, @exponent@
+ADHESION_DAMPING_RATIO = @adhesion_damping_ratio@    # zeta_A/zeta_H of brach-dunn-damping
 PARTNER = @partner@    # radius and mass of the sphere that the ash meets; None: the wall z = 0
 DAMPING_RATIO = @damping_ratio@    # YADE's own `betan`; None: the damping is that of ash_force()
 YOUNG_MODULUS = (2 * math.sqrt(2) if PARTNER is None else 2) * CONTACT_MODULUS
@@ -40,6 +41,9 @@ def damping(ash, overlap):
     eta = COEFFICIENT * (2 * ash.shape.radius / REFERENCE_DIAMETER) ** EXPONENT
     if DAMPING_LAW == "contact-radius":
         return eta * math.sqrt(radius * overlap)
+    if DAMPING_LAW in ("hunt-crossley", "brach-dunn-damping"):
+        repulsion = 4 / 3 * CONTACT_MODULUS * math.sqrt(radius * overlap) * overlap
+        return eta * (repulsion - ADHESION_DAMPING_RATIO * attraction(radius, overlap))
     if DAMPING_LAW == "tsuji":
         return eta * math.sqrt(mass * 4 / 3 * CONTACT_MODULUS * math.sqrt(radius)) * overlap ** 0.25
     return eta
