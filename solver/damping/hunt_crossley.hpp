@@ -39,14 +39,15 @@ struct HuntCrossleyDamping {
     /// z (1 + e) = ln[(1 + z)/(1 - z e)] for z = @p number. With s = z (1 + e) it reads s = (1 + z)(1 -
     /// exp(-s)).
     [[nodiscard]] static double hertz_restitution(double number) {
-        const double z = number;
-        if (z < 1e-4) return 1 - z * (2.0 / 3.0 - z * (4.0 / 9.0));
-        double s = std::min(1 + z, 2 * z);  // not below the root, from where Newton's method falls to it
-        for (double before = 2 * s; s < before;) {
+        using Precise = long double;  // s and z (1 + e) cancel for small z
+        const Precise z = number;
+        if (z < 1e-6L) return static_cast<double>(1 - z * (2 - z * (4.0L / 3)) / 3);
+        Precise s = std::min(1 + z, 2 * z);  // not below the root, from where Newton's method falls to it
+        for (Precise before = 2 * s; s < before;) {
             before = s;
             s -= (s + (1 + z) * std::expm1(-s)) / (1 - (1 + z) * std::exp(-s));
         }
-        return s / z - 1;
+        return static_cast<double>(s / z - 1);
     }
     /// Scaled coefficient of a Hertz impact with e = 1 - @p loss, within 2 % [1].
     [[nodiscard]] static double hertz_number(double loss) {

@@ -104,9 +104,8 @@ const DemModel& wall_model(const ExportSubject& subject, const DemCode& code) {
         throw InputError(std::string(model->refusal), "hertz, dmt, brach-dunn, sjkr").at("--law");
     const auto reason = added_forces_refusal(subject);
     if (!reason && model != nullptr) return *model;
-    throw InputError(
-        fmt::format("{}: {}", code.name, reason.value_or("its walls lack the law")),
-        "hertz, dmt, brach-dunn, sjkr with zero-overlap; damping constant, contact-radius, tsuji");
+    throw InputError(fmt::format("{}: {}", code.name, reason.value_or("its walls lack the law")),
+                     "hertz, dmt, brach-dunn, sjkr with zero-overlap; any damping law");
 }
 
 /// The model of two spheres. @throws InputError with the reason if it lacks something of the contact

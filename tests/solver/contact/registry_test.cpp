@@ -55,7 +55,8 @@ TEST_CASE("unknown names are refused with the known ones") {
     CHECK(input_error_of([] { return named<Detachment>(""); }) ==
           "no detachment is called \"\"; allowed: zero-overlap, zero-force, pull-off, load-controlled");
     CHECK(input_error_of([] { return named<DampingLaw>("viscous"); }) ==
-          "no damping law is called \"viscous\"; allowed: constant, contact-radius, tsuji");
+          "no damping law is called \"viscous\"; allowed: constant, contact-radius, tsuji, "
+          "hunt-crossley, brach-dunn-damping");
 }
 
 TEST_CASE("detachments and damping laws are found by their names") {
