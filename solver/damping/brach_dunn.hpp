@@ -39,7 +39,7 @@ struct BrachDunnDamping {
     static constexpr Dimension dimension = Dimension::inverse_velocity;
     static constexpr double overdamped_squared = HuntCrossleyDamping::overdamped_squared;
     static constexpr double error_weight = 1.0;
-    static constexpr std::array parameters{adhesion_damping, adhesion_damping_ratio};
+    static constexpr std::array parameters{adhesion_damping_ratio, adhesion_damping};
 
     /// Terms of eta, each for the scaled coefficient 1.
     template <class U>

@@ -19,9 +19,10 @@ namespace {
 
 /// Most groups of neighbouring impacts that are averaged, a sphere. Impacts with a cohesive zone or a history
 /// of yield take a hundred times as long.
-constexpr std::size_t most_groups = 40;
-constexpr std::size_t most_costly_groups = 12;
+constexpr std::size_t most_groups = 24;
+constexpr std::size_t most_costly_groups = 8;
 constexpr double octaves_searched = 8;  ///< of a coefficient, to both sides of that of the median impact
+constexpr double octaves_a_step = 2;
 constexpr double relative_step = 1e-4;  ///< of a coefficient, for derivatives
 
 /// Impacts that are counted as one.
@@ -76,16 +77,18 @@ class DampingMisfit {
         : law_(law), detachment_(detachment), damping_law_(damping_law), spheres_(spheres), groups_(groups) {}
 
     [[nodiscard]] bool has_two_constants() const { return !has_one_number(damping_law_); }
-    [[nodiscard]] const LawParameter& second() const { return parameters_of(damping_law_).front(); }
+    /// The parameter that is the coefficient of the second term: it has the dimension of the first.
+    [[nodiscard]] const LawParameter& second() const {
+        return *std::ranges::find(parameters_of(damping_law_), dimension_of(damping_law_),
+                                  &LawParameter::dimension);
+    }
 
     /// e as computed less e as measured [1]. @param second constant of the law, if it has two
     [[nodiscard]] Eigen::ArrayXd differences(double coefficient, double second) const {
         std::vector<Impact> impacts;
         impacts.reserve(groups_.size());
         for (const Group& group : groups_) impacts.push_back(impact_of(group, coefficient, second));
-        Eigen::ArrayXd difference =
-            solve_impacts(ImpactList(impacts).batch(), {.turning_point = false, .contact_time = false})
-                .restitution;
+        Eigen::ArrayXd difference = restitutions(impacts);
         for (std::size_t i = 0; i < groups_.size(); ++i)
             difference[static_cast<Eigen::Index>(i)] -= groups_[i].restitution;
         return difference;
@@ -114,6 +117,15 @@ class DampingMisfit {
     }
 
   private:
+    /// By the vector kernels where they have the law; else in double precision, which they would not take.
+    [[nodiscard]] Eigen::ArrayXd restitutions(const std::vector<Impact>& impacts) const {
+        if (!has_two_constants())
+            return solve_impacts(ImpactList(impacts).batch(), {.turning_point = false, .contact_time = false})
+                .restitution;
+        Eigen::ArrayXd e(std::ssize(impacts));
+        std::ranges::transform(impacts, e.begin(), restitution_of);
+        return e;
+    }
     [[nodiscard]] Impact impact_of(const Group& group, double coefficient, double second) const {
         Impact impact{law_,
                       detachment_,
@@ -137,43 +149,43 @@ double best_coefficient(const MeanSquare& mean_square, double typical) {
     const auto at = [&](double octave) { return mean_square(typical * std::exp2(octave)); };
     double best = -octaves_searched;
     double least = std::numeric_limits<double>::infinity();
-    for (double octave = -octaves_searched; octave <= octaves_searched; ++octave) {
+    for (double octave = -octaves_searched; octave <= octaves_searched; octave += octaves_a_step) {
         const double here = at(octave);
         if (here < least) {
             least = here;
             best = octave;
         }
     }
-    return typical * std::exp2(gsl::minimise_between(at, best - 1, best, best + 1, 1e-6));
+    return typical *
+           std::exp2(gsl::minimise_between(at, best - octaves_a_step, best, best + octaves_a_step, 1e-6));
 }
 
-/// C and the second constant, of a law of two as C = strength (1 - share), second = strength share.
+/// Both constants of a law of two, none below 0: from the best of some, by least squares over their roots.
+std::array<double, 2> best_two(const DampingMisfit& misfit, double typical) {
+    Eigen::Vector2d best(typical, 0);
+    double least = std::numeric_limits<double>::infinity();
+    for (double octave = -octaves_searched / 2; octave <= octaves_searched / 2; octave += octaves_a_step)
+        for (const double ratio : {0.1, 3.0, 30.0}) {  // attraction is weak beside repulsion
+            const double first = typical * std::exp2(octave) / (1 + ratio / 10);
+            const double here = misfit.mean_square(first, ratio * first);
+            if (here < least) {
+                least = here;
+                best = {first, ratio * first};
+            }
+        }
+    const Eigen::ArrayXd roots_of_counts = misfit.counts().sqrt();
+    const auto residuals = [&](const Eigen::VectorXd& roots) -> Eigen::VectorXd {
+        return (roots_of_counts * misfit.differences(roots[0] * roots[0], roots[1] * roots[1])).matrix();
+    };
+    const auto fit =
+        gsl::fit_nonlinear({residuals}, best.cwiseSqrt(), {.parameter_tolerance = 1e-7, .smooth = false});
+    return {fit.parameters[0] * fit.parameters[0], fit.parameters[1] * fit.parameters[1]};
+}
+
 std::array<double, 2> best_constants(const DampingMisfit& misfit) {
     const double typical = misfit.typical_coefficient();
-    if (!misfit.has_two_constants())
-        return {best_coefficient([&](double c) { return misfit.mean_square(c, 0); }, typical), 0};
-    const auto constants = [](double strength, double share) {
-        return std::array{strength * (1 - share), strength * share};
-    };
-    const auto mean_square = [&](double strength, double share) {
-        const auto [first, second] = constants(strength, std::clamp(share, 0.0, 1.0));
-        return misfit.mean_square(first, second);
-    };
-    // A start for each of some shares: attraction is weak beside repulsion, so that its constant is large.
-    Eigen::Vector2d best(std::log(typical), 0);
-    double least = std::numeric_limits<double>::infinity();
-    for (const double share : {0.0, 0.5, 0.9, 0.99}) {
-        const double strength =
-            best_coefficient([&](double c) { return mean_square(c, share); }, typical / (1 - share));
-        const double here = mean_square(strength, share);
-        if (here < least) {
-            least = here;
-            best = {std::log(strength), share};
-        }
-    }
-    best = gsl::minimise([&](const Eigen::VectorXd& x) { return mean_square(std::exp(x[0]), x[1]); }, best,
-                         Eigen::Vector2d(0.1, best[1] > 0.5 ? -0.02 : 0.1));
-    return constants(std::exp(best[0]), std::clamp(best[1], 0.0, 1.0));
+    if (misfit.has_two_constants()) return best_two(misfit, typical);
+    return {best_coefficient([&](double c) { return misfit.mean_square(c, 0); }, typical), 0};
 }
 
 DampingConstant first_constant(DampingLaw law, double value, double variance) {

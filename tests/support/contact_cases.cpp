@@ -67,6 +67,8 @@ ParameterValues<double> parameters_like(double work_of_adhesion) {
         const double factor = Law::at(i).uses_work_of_adhesion() ? 1.0 : work_of_adhesion / 0.3;
         for (const auto& [name, value] : typical_parameters(Law::at(i))) values.set(name, factor * value);
     }
+    for (const DampingLaw law : all_values<DampingLaw>)
+        for (const auto& [name, value] : typical_parameters(parameters_of(law))) values.set(name, value);
     return values;
 }
 

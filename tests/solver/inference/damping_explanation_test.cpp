@@ -54,7 +54,7 @@ TEST_CASE("the damping law that made the impacts explains them with its constant
          {Damping{DampingLaw::constant, 0.005}, Damping{DampingLaw::contact_radius, 1500.0},
           Damping{DampingLaw::tsuji, 0.4}, Damping{DampingLaw::hunt_crossley, 0.3}}) {
         CAPTURE(name_of(truth.law));
-        const auto spheres = laboratory(law, truth, 0, 0.05, 30);
+        const auto spheres = laboratory(law, truth, 0, 0.05, 24);
         const auto all = explain_by_damping(law, law.default_detachment(), spheres);
         REQUIRE(all.size() == all_values<DampingLaw>.size());
         const DampingExplanation& own = of(all, truth.law);
@@ -76,7 +76,7 @@ TEST_CASE("two constants are found where adhesion counts, and refused where it d
     const Law law = Law::named("dmt");
     const Damping truth{DampingLaw::brach_dunn, 0.2};
     const auto near =
-        explain_by_damping(law, law.default_detachment(), laboratory(law, truth, 2.0, 0.03, 30));
+        explain_by_damping(law, law.default_detachment(), laboratory(law, truth, 2.0, 0.03, 24));
     const DampingExplanation& own = of(near, DampingLaw::brach_dunn);
     CHECK(own.misfit < 1e-5);
     REQUIRE(own.constants.size() == 2);
