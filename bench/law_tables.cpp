@@ -37,6 +37,7 @@ struct LawImpacts {
 void for_each_law(const std::function<void(const LawImpacts&)>& measure) {
     for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
         for (const DampingLaw damping : all_values<DampingLaw>) {
+            if (!has_one_number(damping)) continue;  // neither a kernel nor a table
             const Population many = population(law, law.default_detachment(), damping, 16384);
             measure({many, many.impacts.batch(), static_cast<double>(many.restitution.size())});
         }
