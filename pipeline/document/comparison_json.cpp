@@ -223,6 +223,10 @@ void fields(auto& io, Is<ComparisonResult> auto& result) {
     io.lenient("conclusion", result.conclusion);
 }
 
+Json damping_laws_json(const DampingComparison& comparison) {
+    return to_json(comparison, DampingLaw::constant);
+}
+
 template Json to_json(const ComparisonResult& result, DampingLaw law);
 template ComparisonResult from_json(const View& result, DampingLaw law);
 

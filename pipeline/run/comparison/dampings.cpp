@@ -6,7 +6,6 @@
 
 #include "core/quantities/quantity.hpp"
 #include "solver/batch/batch.hpp"
-#include "solver/inference/damping_explanation.hpp"
 
 namespace ashimpact {
 
@@ -56,25 +55,15 @@ LawVerdict verdict_of(const std::optional<CriticalVelocity>& velocity) {
 
 }  // namespace
 
-std::optional<DampingComparison> compare_dampings(const Case& data, const ContactResult& contacts,
-                                                  const RestitutionResult& restitutions,
-                                                  const std::vector<SampleComparison>& samples) {
-    const std::optional<LawChoice> choice = most_reported(data, samples);
-    if (!choice) return std::nullopt;
-    std::vector<ImpactsOfSphere> spheres;
-    std::vector<std::string> names;
-    bool rebounds = false;
-    for (std::size_t i = 0; i < restitutions.samples.size(); ++i) {
-        const RestitutionSeries* series = restitutions.samples[i].of(choice->law);
-        if (series == nullptr || series->impacts.points.empty()) continue;
-        spheres.push_back({contacts.samples[i].pair, series->impacts.points});
-        names.push_back(restitutions.samples[i].name);
-        rebounds = rebounds || series->impacts.rebounds() > 0;
-    }
+std::optional<DampingComparison> explained_dampings(const LawChoice& choice,
+                                                    const std::vector<ImpactsOfSphere>& spheres,
+                                                    const std::vector<std::string>& names) {
+    const bool rebounds = std::ranges::any_of(spheres, [](const ImpactsOfSphere& sphere) {
+        return !std::ranges::all_of(sphere.impacts, &Measurement::captured);
+    });
     if (!rebounds) return std::nullopt;
-    DampingComparison comparison{.law = choice->law};
-    for (const DampingExplanation& explanation :
-         explain_by_damping(choice->law, choice->detachment, spheres)) {
+    DampingComparison comparison{.law = choice.law};
+    for (const DampingExplanation& explanation : explain_by_damping(choice.law, choice.detachment, spheres)) {
         ExplainedDamping damping{
             .law = explanation.law, .correlation = explanation.correlation, .misfit = explanation.misfit};
         for (const DampingConstant& constant : explanation.constants)
@@ -86,11 +75,27 @@ std::optional<DampingComparison> compare_dampings(const Case& data, const Contac
             damping.samples.push_back({.name = names[i],
                                        .verdict = verdict_of(velocity),
                                        .velocity = velocity ? velocity->value : std::nullopt,
-                                       .curve = explained_curve(*choice, explanation, spheres[i])});
+                                       .curve = explained_curve(choice, explanation, spheres[i])});
         }
         comparison.dampings.push_back(std::move(damping));
     }
     return comparison;
+}
+
+std::optional<DampingComparison> compare_dampings(const Case& data, const ContactResult& contacts,
+                                                  const RestitutionResult& restitutions,
+                                                  const std::vector<SampleComparison>& samples) {
+    const std::optional<LawChoice> choice = most_reported(data, samples);
+    if (!choice) return std::nullopt;
+    std::vector<ImpactsOfSphere> spheres;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < restitutions.samples.size(); ++i) {
+        const RestitutionSeries* series = restitutions.samples[i].of(choice->law);
+        if (series == nullptr || series->impacts.points.empty()) continue;
+        spheres.push_back({contacts.samples[i].pair, series->impacts.points});
+        names.push_back(restitutions.samples[i].name);
+    }
+    return explained_dampings(*choice, spheres, names);
 }
 
 }  // namespace ashimpact

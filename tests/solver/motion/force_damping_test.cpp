@@ -195,6 +195,22 @@ TEST_CASE("two terms: a coefficient of 0 leaves the other, equal ones damp with 
               .restitution(1));
 }
 
+TEST_CASE("the adhesive term on Brach & Dunn's contact is damping in proportion to the contact radius") {
+    for (const double adhesion : {0.01, 0.1}) {
+        const double adhesive = 0.7;
+        const auto motion = [&](const ScaledDamping<Extended>& damping) {
+            return make_motion<BrachDunn, Extended>(adhesion, damping, Detachment::zero_overlap);
+        };
+        const Orbit<Extended> one = follow(motion(two_terms(0, adhesive)), 1.0_ext);
+        const auto like = ScaledDamping<Extended>::of(DampingLaw::contact_radius,
+                                                      {Extended(adhesive) * Extended(adhesion)});
+        const Orbit<Extended> other = follow(motion(like), 1.0_ext);
+        REQUIRE(one.outcome == Outcome::rebound);
+        CHECK(std::abs(one.restitution(1) - other.restitution(1)) < 1e-18L);
+        CHECK(std::abs(one.end.time - other.end.time) < 1e-17L);
+    }
+}
+
 TEST_CASE("two terms give the restitution of an integration in time") {
     for (const auto& [repulsive, adhesive] : {std::pair{0.3, 0.0}, {0.0, 0.8}, {0.3, 0.8}, {0.2, 2.0}}) {
         CAPTURE(repulsive);
