@@ -37,7 +37,8 @@ struct Orbit {
     }
 };
 
-inline constexpr int most_steps = 20000;
+/// A stiff return takes a step for some tenths of its damping number: this is enough for numbers up to a million.
+inline constexpr int most_steps = 200000;
 
 /// Pseudo-time within [0, limit] at which @p event falls through zero, or none; it must be positive at first.
 template <class Real, class Event>

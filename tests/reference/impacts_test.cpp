@@ -3,6 +3,7 @@
 // The static JKR law against Dong et al. 2013, Eqs. 15-20 (SI) and 25-27 (normalised), written from the paper
 // as corrected in docs/errata.md.
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 #include <string>
@@ -45,6 +46,24 @@ Impact impact_from(const nlohmann::json& sphere, const nlohmann::json& row) {
                         .work_of_adhesion = row.at("work_of_adhesion"),
                         .parameters = parameters_of(row)},
             .velocity = row.at("velocity")};
+}
+
+/// The contact, law and damping of a row of damped_impacts.json.
+Impact damped_impact(const nlohmann::json& row, double velocity) {
+    ParameterValues<double> values;
+    for (const LawParameter& parameter : law_parameters())
+        if (row.contains(parameter.name)) values.set(parameter.name, row.at(parameter.name).get<double>());
+    return {
+        .law = Law::named(row.at("law").get<std::string>()),
+        .detachment = named<Detachment>(row.at("detachment").get<std::string>()),
+        .damping = {named<DampingLaw>(row.at("damping_law").get<std::string>()), row.at("damping")},
+        .contact = {.mass = row.at("mass"),
+                    .effective_radius = row.at("effective_radius"),
+                    .contact_modulus = row.at("contact_modulus"),
+                    .work_of_adhesion = row.at("work_of_adhesion"),
+                    .yield_pressure = row.value("yield_pressure", std::numeric_limits<double>::infinity()),
+                    .parameters = values},
+        .velocity = velocity};
 }
 
 struct Deviations {
@@ -161,6 +180,43 @@ TEST_CASE("every reference impact: outcome, restitution, contact time and overla
     CHECK_MESSAGE(by_place.maximum_overlap.deviation() < 1e-9, by_place.maximum_overlap.where());
     CHECK_MESSAGE(by_force.restitution.deviation() < 1e-7, by_force.restitution.where());
     CHECK_MESSAGE(by_force.contact_time.deviation() < 1e-7, by_force.contact_time.where());
+}
+
+TEST_CASE("every reference impact with damping that follows the force, and every critical velocity") {
+    const nlohmann::json data = data_file("reference/damped_impacts.json");
+    Deviations worst;
+    Worst dissipated;
+    Worst velocities;
+    std::set<std::string> laws;
+    int captures = 0;
+    for (const auto& row : data.at("cases")) {
+        CAPTURE(row.dump());
+        const ImpactResult result = solve_impact(damped_impact(row, row.at("velocity")));
+        REQUIRE(std::string(name_of(result.outcome)) == row.at("outcome").get<std::string>());
+        captures += result.outcome == Outcome::capture ? 1 : 0;
+        laws.insert(row.at("law").get<std::string>() + ' ' + row.at("damping_law").get<std::string>());
+        worst.see(row, result);
+        dissipated.see(relative_difference(result.energy.dissipated, row.at("dissipated")), row.dump());
+    }
+    CHECK(worst.restitution.count() == 200);
+    CHECK(captures > 20);
+    for (std::size_t i = 0; i < Law::count(); ++i)
+        for (const std::string_view damping : {"hunt-crossley", "brach-dunn-damping"})
+            CHECK(laws.contains(std::string(Law::at(i).name()) + ' ' + std::string(damping)));
+    CHECK_MESSAGE(worst.restitution.deviation() < 1e-9, worst.restitution.where());
+    CHECK_MESSAGE(worst.contact_time.deviation() < 1e-9, worst.contact_time.where());
+    CHECK_MESSAGE(worst.maximum_overlap.deviation() < 1e-9, worst.maximum_overlap.where());
+    CHECK_MESSAGE(dissipated.deviation() < 1e-9, dissipated.where());
+    for (const auto& row : data.at("critical_velocities")) {
+        const Impact impact = damped_impact(row, 1.0);
+        const CriticalVelocity found =
+            critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
+        CAPTURE(row.dump());
+        REQUIRE(found.value);
+        velocities.see(relative_difference(*found.value, row.at("critical_velocity")), row.dump());
+    }
+    CHECK(velocities.count() == 60);
+    CHECK_MESSAGE(velocities.deviation() < 1e-9, velocities.where());
 }
 
 // Constants of the Hertz impact, at fly-ash scale.
