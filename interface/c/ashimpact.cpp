@@ -175,7 +175,7 @@ std::string take_constants(ashimpact_model& model, const ashimpact_parameter* pa
     for (std::size_t i = 0; i < count; ++i) {
         const Parameter parameter = parameter_of(parameters[i].name);
         require_new(parameter, [&](Parameter each) { return model[each].has_value(); });
-        add_note(notes, note_on(model.choice.law, parameter));
+        add_note(notes, note_on(model.choice, parameter));
         model.constants[place_of(parameter)] = parameters[i].value;
     }
     return notes;
@@ -198,12 +198,13 @@ std::optional<SphereImpacts> sphere_impacts(const ashimpact_model& model) {
     const auto is_given = [&](const LawParameter& parameter) {
         return model[parameter_named(parameter.name)].has_value();
     };
-    if ((!density && !model[Parameter::mass]) || parameter_fault(law, is_given)) return std::nullopt;
+    if ((!density && !model[Parameter::mass]) || parameter_fault(parameters_of(law, damping_law), is_given))
+        return std::nullopt;
     SphereImpacts spheres{.impacts = {law, detachment, damping_law},
                           .contact = contact_of(model),
                           .damping = model[Parameter::damping].value_or(0.0),
                           .density = density};
-    for (const LawParameter& parameter : law.parameters()) {
+    for (const LawParameter& parameter : parameters_of(law, damping_law)) {
         if (const auto value = model[parameter_named(parameter.name)])
             spheres.contact.parameters.set(parameter.name, *value);
     }
@@ -222,7 +223,7 @@ void check_constants(const ashimpact_model& model) {
         if (const auto value = model[parameter_named(parameter.name)]) require_allowed(parameter, *value);
     }
     ContactPair pair = contact_of(model);
-    pair.parameters = typical_parameters(law);
+    pair.parameters = typical_parameters(parameters_of(law, damping_law));
     validate(Impact{law,
                     detachment,
                     {damping_law, model[Parameter::damping].value_or(0.0)},
@@ -318,7 +319,7 @@ NotedCall call_of(const ashimpact_model* model, std::size_t count, const ashimpa
         if (std::ranges::find(unused, parameter) != unused.end())
             throw InputError("this function uses no column " + std::string(columns[i].name));
         require_new(parameter, [&](Parameter each) { return given.has(each); });
-        add_note(made.notes, note_on(model->choice.law, parameter));
+        add_note(made.notes, note_on(model->choice, parameter));
         given.set(parameter, {columns[i].values, columns[i].stride});
         made.call.parameters.set(parameter, given[parameter]);
     }

@@ -59,13 +59,13 @@ class ColumnReader {
     }
 
     /// Mass and effective radius come from density and diameter where they are not given themselves.
-    [[nodiscard]] ContactColumns contact(Law law) {
+    [[nodiscard]] ContactColumns contact(Law law, DampingLaw damping) {
         const Strided& density = parameters_[Parameter::density];
         const Strided& diameter = parameters_[Parameter::diameter];
         const std::size_t diameters = diameter.stride == 0 ? 1 : count_;
         const std::size_t masses = density.stride == 0 ? diameters : count_;
         std::vector<ParameterColumn> own;
-        for (const LawParameter& parameter : law.parameters()) {
+        for (const LawParameter& parameter : parameters_of(law, damping)) {
             const Parameter named = parameter_named(parameter.name);
             if (parameters_.has(named)) own.push_back({parameter.name, column(named)});
         }
@@ -189,9 +189,9 @@ Parameter alternative_to(Parameter parameter) {
     return parameter;
 }
 
-std::string note_on(Law law, Parameter parameter) {
+std::string note_on(const ModelChoice& choice, Parameter parameter) {
     const std::string name(name_of(parameter));
-    const auto reason = idle_reason(law, name);
+    const auto reason = idle_reason(choice.law, choice.damping_law, name);
     return reason ? name + ": " + idle_words(*reason) : std::string();
 }
 
@@ -233,7 +233,7 @@ void solve_impacts(const Call& call, const BatchOutputs& outputs) {
         const ImpactBatch batch{law,
                                 detachment,
                                 damping_law,
-                                reader.contact(law),
+                                reader.contact(law, damping_law),
                                 reader.column(Parameter::damping),
                                 reader.column(Parameter::velocity)};
         BatchOutputs part;
@@ -249,9 +249,10 @@ void solve_impacts(const Call& call, const BatchOutputs& outputs) {
 void solve_critical_velocities(const Call& call, double* critical_velocity) {
     const auto& [law, detachment, damping_law] = call.choice;
     in_chunks(call, {}, [&](ColumnReader& reader, std::size_t first, std::size_t size) {
-        CriticalVelocityBatchResult result = critical_velocities(
-            {law, detachment, damping_law, reader.contact(law), reader.column(Parameter::damping)},
-            call.threads);
+        CriticalVelocityBatchResult result =
+            critical_velocities({law, detachment, damping_law, reader.contact(law, damping_law),
+                                 reader.column(Parameter::damping)},
+                                call.threads);
         for (Eigen::Index i = 0; i < result.value.size(); ++i) {
             if (result.verdict[i] == CaptureVerdict::never_captured) result.value[i] = 0.0;
             if (result.verdict[i] == CaptureVerdict::always_captured)
@@ -266,8 +267,8 @@ void solve_dampings(const Call& call, const DampingOutputs& outputs) {
     in_chunks(call, {Parameter::velocity, Parameter::restitution},
               [&](ColumnReader& reader, std::size_t first, std::size_t size) {
                   const DampingBatchResult result = dampings_from_restitutions(
-                      {law, detachment, damping_law, reader.contact(law), reader.column(Parameter::velocity),
-                       reader.column(Parameter::restitution)},
+                      {law, detachment, damping_law, reader.contact(law, damping_law),
+                       reader.column(Parameter::velocity), reader.column(Parameter::restitution)},
                       call.threads);
                   write(result.damping, first, size, outputs.damping);
                   write(result.greatest_restitution, first, size, outputs.greatest_restitution);

@@ -39,8 +39,14 @@ inline constexpr std::size_t most_parameters = 24;
 [[nodiscard]] Parameter parameter_named(std::string_view name);
 /// What may be set instead: mass for density, diameter for effective_radius, vice versa; others: themselves.
 [[nodiscard]] Parameter alternative_to(Parameter parameter);
-/// A line on a parameter that changes nothing with the law, empty if it counts.
-[[nodiscard]] std::string note_on(Law law, Parameter parameter);
+/// A contact law, how its contacts end and how they are damped.
+struct ModelChoice {
+    Law law;
+    Detachment detachment;
+    DampingLaw damping_law;
+};
+/// A line on a parameter that changes nothing with the laws, empty if it counts.
+[[nodiscard]] std::string note_on(const ModelChoice& choice, Parameter parameter);
 
 /// Mass of a sphere [kg] from density [kg/m3] and diameter [m]. All interfaces use it, so that their results
 /// agree bit by bit: the order of the factors matters.
@@ -74,12 +80,6 @@ class Parameters {
     std::array<Strided, most_parameters> sources_{};
 };
 
-/// A contact law, how its contacts end and how they are damped.
-struct ModelChoice {
-    Law law;
-    Detachment detachment;
-    DampingLaw damping_law;
-};
 /// The choice of these names; null: the law's default detachment, constant damping. @throws InputError
 [[nodiscard]] ModelChoice choice_named(const char* law, const char* detachment, const char* damping_law);
 

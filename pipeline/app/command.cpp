@@ -308,7 +308,7 @@ void Command::add_contact_options(bool required) {
     for (const LawParameter& parameter : law_parameters())
         add(option_of(parameter), parameter.dimension == Dimension::fraction ? "X" : "Q",
             fmt::format("{}, \"{}\", for {}", parameter.description, parameter.example,
-                        laws_where([&](Law law) { return law.takes(parameter); })));
+                        joined(takers_of(parameter))));
     add("--detachment", "NAME",
         "where the contact ends: zero-overlap, zero-force, pull-off, load-controlled; default: that of the "
         "law");

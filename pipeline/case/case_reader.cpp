@@ -202,8 +202,8 @@ HistoryOptions read_histories(const View& document) {
     return options;
 }
 
-void check_parameters(Law law, const Sample& sample, const View& node) {
-    const auto fault = parameter_fault(law, [&](const LawParameter& parameter) {
+void check_parameters(Law law, DampingLaw damping, const Sample& sample, const View& node) {
+    const auto fault = parameter_fault(parameters_of(law, damping), [&](const LawParameter& parameter) {
         return std::any_of(sample.parameters.begin(), sample.parameters.end(),
                            [&](const auto& given) { return given.first.name == parameter.name; });
     });
@@ -240,7 +240,8 @@ void check_whole(const Case& data, const View& document) {
         if (adhesive && !sample.work_of_adhesion)
             nodes[i].fail("\"work_of_adhesion\" is missing, here and in the case",
                           "an energy per area, such as \"0.3 J/m2\"");
-        for (const LawChoice& choice : data.laws) check_parameters(choice.law, sample, nodes[i]);
+        for (const LawChoice& choice : data.laws)
+            check_parameters(choice.law, data.damping_law, sample, nodes[i]);
         require_other_body(data, nodes[i]);
     }
     require_other_body(data, document);

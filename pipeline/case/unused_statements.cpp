@@ -128,7 +128,7 @@ Reason of_laws(const Case& data, std::string_view name) {
     if (name == "yield_pressure") return std::nullopt;
     std::vector<Law> laws;
     for (const LawChoice& choice : data.laws) laws.push_back(choice.law);
-    return idle_reason(laws, name);
+    return idle_reason(laws, data.damping_law, name);
 }
 
 Reason of_particle(std::string_view key, const Case& data, const Sample& sample) {

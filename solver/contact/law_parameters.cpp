@@ -18,7 +18,25 @@ void add_new(std::vector<LawParameter>& found, std::span<const LawParameter> par
             found.push_back(parameter);
 }
 
+bool takes(DampingLaw law, const LawParameter& parameter) {
+    const auto own = parameters_of(law);
+    return std::ranges::find(own, parameter.name, &LawParameter::name) != own.end();
+}
+
+bool is_of_damping(const LawParameter& parameter) {
+    return std::ranges::any_of(all_values<DampingLaw>, [&](DampingLaw law) { return takes(law, parameter); });
+}
+
 }  // namespace
+
+std::vector<std::string> takers_of(const LawParameter& parameter) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < Law::count(); ++i)
+        if (Law::at(i).takes(parameter)) names.emplace_back(Law::at(i).name());
+    for (const DampingLaw law : all_values<DampingLaw>)
+        if (takes(law, parameter)) names.emplace_back(name_of(law));
+    return names;
+}
 
 const std::vector<LawParameter>& law_parameters() {
     static const auto all = [] {
@@ -37,8 +55,12 @@ std::vector<LawParameter> parameters_of(Law law, DampingLaw damping_law) {
     return found;
 }
 
-std::optional<std::string> idle_reason(Law law, std::string_view name) {
+std::optional<std::string> idle_reason(Law law, DampingLaw damping, std::string_view name) {
     const auto own = std::ranges::find(law_parameters(), name, &LawParameter::name);
+    if (own != law_parameters().end() && is_of_damping(*own)) {
+        if (takes(damping, *own)) return std::nullopt;
+        return "damping law " + std::string(name_of(damping)) + " does not use it";
+    }
     const bool counts = name == "yield_pressure"     ? law.is_plastic()
                         : name == "work_of_adhesion" ? law.uses_work_of_adhesion()
                                                      : own == law_parameters().end() || law.takes(*own);
@@ -46,13 +68,14 @@ std::optional<std::string> idle_reason(Law law, std::string_view name) {
     return std::string(law.name()) + (name == "yield_pressure" ? " never yields" : " does not use it");
 }
 
-std::optional<std::string> idle_reason(std::span<const Law> laws, std::string_view name) {
+std::optional<std::string> idle_reason(std::span<const Law> laws, DampingLaw damping, std::string_view name) {
     std::vector<std::string_view> names;
     for (const Law law : laws) {
-        if (!idle_reason(law, name)) return std::nullopt;
+        const auto reason = idle_reason(law, damping, name);
+        if (!reason || laws.size() == 1) return reason;
         names.push_back(law.name());
     }
-    return laws.size() == 1 ? idle_reason(laws.front(), name) : "none of " + joined(names) + " uses it";
+    return "none of " + joined(names) + " uses it";
 }
 
 std::string idle_words(const std::string& reason) {

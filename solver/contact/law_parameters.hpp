@@ -27,12 +27,16 @@ struct ParameterFault {
 /// The parameters that a contact law and a damping law take together.
 [[nodiscard]] std::vector<LawParameter> parameters_of(Law law, DampingLaw damping_law);
 
-/// Why "work_of_adhesion", "yield_pressure" or a parameter changes nothing with a law, "hertz does not use
-/// it"; none if it counts.
-[[nodiscard]] std::optional<std::string> idle_reason(Law law, std::string_view name);
+/// Names of the contact laws and damping laws that take a parameter.
+[[nodiscard]] std::vector<std::string> takers_of(const LawParameter& parameter);
+
+/// Why "work_of_adhesion", "yield_pressure" or a parameter changes nothing with a law and a damping law,
+/// "hertz does not use it"; none if it counts.
+[[nodiscard]] std::optional<std::string> idle_reason(Law law, DampingLaw damping, std::string_view name);
 
 /// The same with none of several laws, at least one.
-[[nodiscard]] std::optional<std::string> idle_reason(std::span<const Law> laws, std::string_view name);
+[[nodiscard]] std::optional<std::string> idle_reason(std::span<const Law> laws, DampingLaw damping,
+                                                     std::string_view name);
 
 /// What every interface says of an input that changes nothing, after its name: "<reason>, so it changes
 /// nothing".

@@ -59,7 +59,7 @@ class PythonCall {
         for (const auto& [name, values] : numbers) {
             const Parameter parameter = parameter_named(name.cast<std::string>());
             const Array& array = arrays_.emplace_back(values.cast<Array>());
-            const std::string note = note_on(call_.choice.law, parameter);
+            const std::string note = note_on(call_.choice, parameter);
             const bool is_zero = std::all_of(array.data(), array.data() + array.size(),
                                              [](double value) { return value == 0; });
             if (!note.empty() && !is_zero && PyErr_WarnEx(PyExc_UserWarning, note.c_str(), users_frame) != 0)
@@ -147,6 +147,11 @@ py::dict table_of_law_parameters() {
             table[name].cast<py::tuple>()[2].cast<py::list>().append(law);
         }
     }
+    for (const DampingLaw law : all_values<DampingLaw>)
+        for (const LawParameter& parameter : parameters_of(law))
+            table[py::str(std::string(parameter.name))] =
+                py::make_tuple(std::string(si_unit(parameter.dimension)), std::string(parameter.description),
+                               py::list(py::cast(takers_of(parameter))), parameter.typical, parameter.choice);
     return table;
 }
 

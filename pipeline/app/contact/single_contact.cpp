@@ -64,7 +64,8 @@ std::optional<Sphere> read_partner(const CommandOptions& options) {
 
 /// Warns of an option that is given and changes nothing with the law. @return whether it is one
 bool warn_if_idle(const CommandOptions& options, const std::string& option, Law law, std::string_view name) {
-    const auto reason = options.has(option) ? idle_reason(law, name) : std::nullopt;
+    const auto reason =
+        options.has(option) ? idle_reason(law, read_damping_law(options), name) : std::nullopt;
     if (reason) warn_idle(option, *reason);
     return reason.has_value();
 }
@@ -115,7 +116,8 @@ ParameterValues<double> read_parameters(const CommandOptions& options, Law law) 
         values.set(parameter.name, value);
     }
     const auto is_given = [&](const LawParameter& parameter) { return values.has(parameter); };
-    if (const auto fault = parameter_fault(law, is_given)) refuse_options(*fault);
+    if (const auto fault = parameter_fault(parameters_of(law, read_damping_law(options)), is_given))
+        refuse_options(*fault);
     return values;
 }
 
@@ -261,7 +263,8 @@ DampingLaw read_damping_law(const CommandOptions& options) {
 Damping read_damping(const CommandOptions& options) {
     const DampingLaw law = read_damping_law(options);
     if (!options.has("--damping")) {
-        if (law != DampingLaw::constant) warn_idle("--damping-law", "there is no damping");
+        const bool acts = options.has("--damping-restitution") || !parameters_of(law).empty();
+        if (law != DampingLaw::constant && !acts) warn_idle("--damping-law", "there is no damping");
         return {law, 0};
     }
     const double coefficient = options.number("--damping", dimension_of(law));

@@ -64,7 +64,8 @@ void warn_idle(SweepSpec& spec) {
     for (const LawChoice& choice : spec.laws) laws.push_back(choice.law);
     for (std::size_t i = 0; i < impact_input_count(); ++i) {
         const auto input = static_cast<ImpactInput>(i);
-        const auto reason = is_given(spec, input) ? idle_reason(laws, name_of(input)) : std::nullopt;
+        const auto reason =
+            is_given(spec, input) ? idle_reason(laws, spec.damping_law, name_of(input)) : std::nullopt;
         if (reason) spec.warnings.push_back(std::string(name_of(input)) + ": " + idle_words(*reason));
     }
 }
@@ -124,7 +125,8 @@ void check_inputs(const View& document, SweepSpec& spec) {
     warn_of_mass(spec, ImpactInput::partner_radius, ImpactInput::partner_mass);
     for (const LawChoice& choice : spec.laws) {
         const auto fault = parameter_fault(
-            choice.law, [&](const LawParameter& parameter) { return is_given(spec, input_of(parameter)); });
+            parameters_of(choice.law, spec.damping_law),
+            [&](const LawParameter& parameter) { return is_given(spec, input_of(parameter)); });
         if (fault)
             document.at("impact").fail(
                 fault->problem() + ", here or in /variables, for law " + in_quotes(choice.law.name()),
