@@ -348,24 +348,29 @@ Answer answer_of(const ReportedVelocity& reported) {
 }
 
 std::string dampings_text(const DampingComparison& comparison, std::size_t width) {
-    std::vector<std::string> heading{"damping law", "constants", "misfit of e"};
+    std::vector<std::string> heading{"damping law", "constants", "misfit"};
+    const bool one = comparison.dampings.front().samples.size() == 1;
     for (const ExplainedSample& sample : comparison.dampings.front().samples)
-        heading.push_back(comparison.dampings.front().samples.size() == 1 ? "v_c" : "v_c " + sample.name);
+        heading.push_back(one ? "v_c" : sample.name);
     TextTable table(heading, 2);
     for (const ExplainedDamping& damping : comparison.dampings) {
-        std::string constants;
-        for (const auto& [name, value] : damping.constants)
-            constants += (constants.empty() ? "" : ", ") + readable(value.value, value.unit);
+        std::vector<std::string> constants;
+        for (const auto& [name, value] : damping.constants) {
+            const bool vanishes = value.value < 1e-3 * value.standard_uncertainty.value_or(0);
+            constants.push_back(vanishes ? "0" : readable_number(value.value, 3));
+        }
         std::vector<std::string> row{std::string(name_of(damping.law)),
-                                     constants.empty() ? "not told apart" : constants,
-                                     fmt::format("{:.2g}", damping.misfit)};
+                                     constants.empty()
+                                         ? "not told apart"
+                                         : joined(constants) + " " + damping.constants.front().second.unit,
+                                     fmt::format("{:.2f}", damping.misfit)};
         for (const ExplainedSample& sample : damping.samples) row.push_back(explained_cell(sample));
         table.add(row);
     }
     return wrapped_line(
-               fmt::format("Which damping explains the impacts, by {}, with the same constants for all "
-                           "samples (v_c in m/s):",
-                           comparison.law.name()),
+               fmt::format("Which damping explains the impacts, by {}: constants that are the same for all "
+                           "samples, root mean square misfit of e, v_c [m/s]{}:",
+                           comparison.law.name(), one ? "" : " of each sample"),
                width, 0) +
            "\n" + table.text(0, width) + "\n";
 }
