@@ -107,7 +107,14 @@ template <class Real>
 Motion<Real> branch_motion(std::span<const StaticBranch<Real>> pieces, const ScaledDamping<Real>& eta) {
     Motion<Real> motion;
     motion.overdamped = eta.overdamped;
-    motion.fastest_return = eta.fastest_return;
+    // A return is bounded by its repulsion where nothing else repels.
+    const auto attracts = [](const StaticBranch<Real>& piece) {
+        const Polynomial<Real>& attraction = piece.forces.attraction;
+        for (int i = 0; i <= attraction.degree; ++i)
+            if (attraction[i] < Real(0)) return false;
+        return true;
+    };
+    if (std::ranges::all_of(pieces, attracts)) motion.fastest_return = eta.fastest_return;
     motion.squared = std::ranges::all_of(pieces, [&](const StaticBranch<Real>& piece) {
         return piece.overlap.even() && (piece.forces.repulsion - piece.forces.attraction).even() &&
                eta.on_branch(piece.forces).even();

@@ -56,10 +56,11 @@ Impact impact_with(const DampingProblem& problem, double coefficient) {
             .velocity = problem.velocity};
 }
 
-/// Without adhesion neither an end by force nor contact-radius damping captures.
+/// Without adhesion neither an end by force nor damping that vanishes at touch captures, but overdamping.
 bool has_capturing_damping(const ContactCase& c) {
     if (c.law != Law::of<Hertz>()) return true;
-    return c.detachment != Detachment::zero_force && c.damping_law != DampingLaw::contact_radius;
+    return c.detachment != Detachment::zero_force &&
+           (!vanishes_at_touch(c.damping_law) || std::isfinite(overdamped_squared(c.damping_law)));
 }
 
 }  // namespace

@@ -119,6 +119,7 @@ TEST_CASE("lambda 0.01, damped: DMT continued across the reach to 1e-3 in e, clo
 TEST_CASE(
     "captured just below the critical velocity, rebounding just above, on every branch and with every "
     "damping") {
+    int finite = 0;
     for (const double lambda : {0.05, 0.5, 0.8, 0.9375, 0.94, 2.0, 50.0}) {
         for (const DampingLaw damping : all_values<DampingLaw>) {
             for (const Detachment detachment : {Detachment::pull_off, Detachment::zero_overlap}) {
@@ -126,7 +127,14 @@ TEST_CASE(
                 CAPTURE(describe(impact));
                 const CriticalVelocity critical =
                     critical_velocity({impact.law, detachment, impact.damping, impact.contact});
-                REQUIRE(critical.value);
+                if (!critical.value) {  // damping in proportion to the force leaves returns too slow to break
+                    CHECK(critical.verdict == CaptureVerdict::always_captured);
+                    CHECK(vanishes_at_touch(damping));
+                    impact.velocity *= 1e3;
+                    CHECK(solve_impact(impact).outcome == Outcome::capture);
+                    continue;
+                }
+                ++finite;
                 impact.velocity = *critical.value * (1.0 - 1e-9);
                 CHECK(solve_impact(impact).outcome == Outcome::capture);
                 impact.velocity = *critical.value * (1.0 + 1e-9);
@@ -138,6 +146,7 @@ TEST_CASE(
             }
         }
     }
+    CHECK(finite >= 42);
 }
 
 TEST_CASE("zero overlap: begins and ends there, so that nothing is lost without damping") {

@@ -253,7 +253,8 @@ TEST_CASE("a captured particle rings down: its energy only falls, until it rests
         double greatest = 0.0;
         for (const TrajectoryPoint& p : path) greatest = std::max(greatest, p.overlap);
         CHECK(greatest < result.maximum_overlap * (1.0 + 1e-12));
-        CHECK(greatest > 0.99 * result.maximum_overlap);
+        // One that never turns ends below the supremum.
+        if (result.approach_time) CHECK(greatest > 0.99 * result.maximum_overlap);
         CHECK(path.back().time > result.approach_time.value_or(0.0));
         CHECK(std::abs(path.back().velocity) < 0.0101 * impact.velocity);
         const double stiff = path.back().repulsive_force;
