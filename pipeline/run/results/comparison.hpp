@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "pipeline/case/case.hpp"
+#include "pipeline/case/input_files.hpp"
+#include "pipeline/case/values.hpp"
+#include "pipeline/run/results/contact.hpp"
+#include "pipeline/run/results/critical_velocity.hpp"
+#include "pipeline/run/results/damping.hpp"
+#include "pipeline/run/results/histories.hpp"
+#include "pipeline/run/results/note.hpp"
+#include "pipeline/run/results/temperature.hpp"
+#include "solver/inference/critical_velocity_uncertainty.hpp"
+
+namespace ashimpact {
+
+/// Whether a law has a critical velocity; the first three are those of CaptureVerdict.
+enum class LawVerdict { finite, always_captured, never_captured, no_fit, no_damping_data };
+
+template <>
+struct Names<LawVerdict> {
+    static constexpr std::string_view kind = "verdict";
+    static constexpr std::array<std::string_view, 5> all{"finite", "always-captured", "never-captured",
+                                                         "no fit", "no damping data"};
+};
+
+/// The critical velocity of one law beside the others.
+struct LawComparison {
+    LawVerdict verdict = LawVerdict::no_fit;
+    std::optional<VelocityEstimate> velocity{};      ///< where finite
+    std::optional<VelocityEstimate> extrapolated{};  ///< by the paper's extrapolation of measured impacts
+    std::string interval_note{};                     ///< why there is no interval
+    std::optional<CriticalVelocityCheck> check{};    ///< against the measured one
+};
+
+/// The critical velocity of a sample to report.
+struct ReportedVelocity {
+    std::optional<Law> law{};                    ///< none: the impacts alone
+    std::optional<VelocityEstimate> velocity{};  ///< none: only bounds are known, or nothing
+    std::optional<Bounds> interval{};            ///< of the velocity, or those bounds [m/s]
+    std::string reason{};                        ///< in words
+};
+
+/// A property of the contact that was not measured.
+struct AssumedProperty {
+    std::string quantity;  ///< "work of adhesion"
+    Quantity value;
+    Origin origin = Origin::assumed;
+    std::string why{};  ///< may be empty
+};
+
+/// A value beside the published one.
+struct Beside {
+    double ours = 0;  ///< in the unit of the published one
+    Quantity published{};
+    double relative_difference = 0;  ///< [1]
+};
+
+/// A contact time beside the published one.
+struct ContactTimeBeside {
+    Law law;
+    Quantity velocity;  ///< [m/s]
+    Beside contact_time;
+};
+
+/// Published values of a sample beside ours.
+struct PublishedBeside {
+    std::string source{};
+    std::optional<Beside> young_modulus{};
+    std::vector<std::pair<std::string, Beside>> volume_fractions{};
+    LawMap<Beside> critical_damping{}, critical_velocity{}, critical_contact_times{};
+    std::vector<ContactTimeBeside> contact_times{};
+};
+
+/// A sample with its critical velocities side by side.
+struct SampleComparison {
+    std::string name{};
+    std::optional<ReportedVelocity> reported{};
+    std::optional<double> diameter{};                       ///< [m]
+    std::optional<Quantity> density{}, work_of_adhesion{};  ///< [kg/m3], [J/m2]
+    std::vector<AssumedProperty> assumed{};
+    std::vector<std::string> taken_as_exact{};                     ///< properties without an uncertainty
+    std::optional<Quantity> young_modulus{};                       ///< [Pa]
+    std::optional<double> contact_modulus{}, separation_energy{};  ///< E* [Pa], W_s [J]
+    double analytic_velocity = 0;                                  ///< v_s of Eq. 30 [m/s]
+    LawMap<LawComparison> laws{};
+    std::optional<Stated> measured{};           ///< critical velocity as measured [m/s]
+    std::optional<Bounds> measured_interval{};  ///< [m/s]; also of outcomes that give bounds only
+    std::optional<PublishedBeside> published{};
+    std::optional<GlassEffect> glass{};              ///< where the case has oxides
+    std::optional<TemperatureLimits> temperature{};  ///< where it has oxides or a temperature
+};
+
+/// The impact of a sample by a law at one of the equal velocities.
+struct ImpactAtVelocity {
+    Law law;
+    std::string sample;
+    double restitution = 0, damping = 0;   ///< [1], [unit of the damping law]
+    std::optional<double> contact_time{};  ///< [s]
+    double maximum_overlap = 0;            ///< [m]
+};
+
+/// Samples and laws at the same incident velocity.
+struct EqualVelocity {
+    double velocity = 0;  ///< [m/s]
+    std::vector<ImpactAtVelocity> impacts{};
+};
+
+/// Range of the ratio of dynamic to analytic velocities [1].
+struct RatioRange {
+    double least = 0, greatest = 0;
+};
+
+/// A point of a curve e(v).
+struct ExplainedImpact {
+    double velocity = 0, restitution = 0;  ///< [m/s], [1]
+};
+
+/// What a damping law with its constants gives for a sample.
+struct ExplainedSample {
+    std::string name{};
+    LawVerdict verdict = LawVerdict::no_fit;  ///< no_fit: not known
+    std::optional<double> velocity{};         ///< critical, where finite [m/s]
+    std::vector<ExplainedImpact> curve{};     ///< over the velocities of its impacts
+};
+
+/// A damping law with those constants, the same for all samples, that explain the impacts best.
+struct ExplainedDamping {
+    DampingLaw law = DampingLaw::constant;
+    std::vector<std::pair<std::string, Quantity>> constants{};  ///< none: the impacts do not tell them apart
+    std::optional<double> correlation{};                        ///< of two constants [1]
+    double misfit = 0;  ///< root mean square of the differences of e [1]
+    std::vector<ExplainedSample> samples{};
+};
+
+/// Damping laws beside each other, by one contact law.
+struct DampingComparison {
+    Law law;
+    std::vector<ExplainedDamping> dampings{};  ///< in the order of DampingLaw
+};
+
+/// Result of the comparison stage, comparison.json.
+struct ComparisonResult {
+    std::string name{};  ///< of the case
+    std::vector<SampleComparison> samples{};
+    std::vector<EqualVelocity> equal_velocities{};  ///< from slow to fast
+    std::optional<RatioRange> dynamic_over_analytic{};
+    std::optional<DampingComparison> damping_laws{};
+    std::string conclusion{};  ///< in words
+};
+
+}  // namespace ashimpact
