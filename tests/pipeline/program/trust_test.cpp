@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "tests/pipeline/sandbox.hpp"
+#include "tests/support/checks.hpp"
 
 using namespace ashimpact;
 using test::ashimpact_program;
