@@ -86,7 +86,7 @@ ASHIMPACT_API const char* ashimpact_version(void);
 /* Makes a model.
  *   law          hertz, dmt, brach-dunn, jkr, ...; `ashimpact impact --help` lists them
  *   detachment   where contact ends: zero-overlap, zero-force, pull-off, load-controlled; NULL: the law's own
- *   damping_law  constant [kg/s], contact-radius [Pa s], tsuji [1], hunt-crossley and
+ *   damping_law  constant [kg/s], contact-radius [Pa s], tsuji [1], hunt-crossley [s/m],
  *                brach-dunn-damping [s/m]; NULL: constant
  *   parameters   count of them, each name once
  *   model        receives the model; NULL on an error. Give it back with ashimpact_close().

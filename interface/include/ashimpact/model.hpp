@@ -30,7 +30,8 @@ using Columns = std::initializer_list<ashimpact_column>;
 /// damping.
 struct Choices {
     std::string detachment{};   ///< zero-overlap, zero-force, pull-off, load-controlled
-    std::string damping_law{};  ///< constant [kg/s], contact-radius [Pa s], tsuji [1]
+    /// constant [kg/s], contact-radius [Pa s], tsuji [1], hunt-crossley [s/m], brach-dunn-damping [s/m]
+    std::string damping_law{};
 };
 
 /// A contact law with the constants of a particle and a wall (Dong et al. 2013; docs/laws names the source of
