@@ -214,7 +214,7 @@ class OxideTable {
     void read_down() {
         const auto [names, first] = first_row_down();
         const bool has_heading = first > 0 && rows_[first - 1].cells.size() > 1 &&
-                                 std::ranges::none_of(rows_[first - 1].cells, [](const std::string& cell) {
+                                 !std::ranges::any_of(rows_[first - 1].cells, [](const std::string& cell) {
                                      return read_number(cell, true).has_value();
                                  });
         const std::size_t width = rows_[first].cells.size();

@@ -378,7 +378,7 @@ void mark_sums(Table& table) {
         return heading.role == Role::other && !heading.text.empty() && !sums_up(heading) &&
                !ends_with_uncertainty_word(heading.text);
     };
-    bool is_result = std::ranges::none_of(table.headings, is_sample);
+    bool is_result = !std::ranges::any_of(table.headings, is_sample);
     bool follows = false;
     for (Heading& heading : table.headings) {
         const bool spread = heading.role == Role::uncertainty || is_summary(heading.text);

@@ -123,7 +123,7 @@ class DampingMisfit {
             return solve_impacts(ImpactList(impacts).batch(), {.turning_point = false, .contact_time = false})
                 .restitution;
         Eigen::ArrayXd e(std::ssize(impacts));
-        std::ranges::transform(impacts, e.begin(), restitution_of);
+        std::transform(impacts.begin(), impacts.end(), e.begin(), restitution_of);
         return e;
     }
     [[nodiscard]] Impact impact_of(const Group& group, double coefficient, double second) const {
@@ -212,6 +212,7 @@ void set_constants(const DampingMisfit& misfit, const std::array<double, 2>& bes
     const auto freedom = std::max<double>(1, static_cast<double>(weights.size() - slopes.cols()));
     const double variance =
         explanation.misfit * explanation.misfit * static_cast<double>(weights.size()) / freedom;
+    if (!(information(0, 0) > 0)) return;  // e does not depend on it
     if (!two) {
         explanation.constants = {first_constant(explanation.law, best[0], variance / information(0, 0))};
         return;

@@ -11,7 +11,7 @@ namespace ashimpact {
 
 namespace {
 
-constexpr int explained_points = 41;       ///< of a curve
+constexpr int explained_points = 25;       ///< of a curve
 constexpr double beyond_explained = 1.25;  ///< a curve reaches so far beyond the slowest and fastest impact
 
 /// The law that most samples report, of several the one that the case has first.
@@ -30,9 +30,9 @@ std::optional<LawChoice> most_reported(const Case& data, const std::vector<Sampl
 std::vector<ExplainedImpact> explained_curve(const LawChoice& choice, const DampingExplanation& explanation,
                                              const ImpactsOfSphere& sphere) {
     if (explanation.constants.empty()) return {};
-    const auto [slowest, fastest] = std::ranges::minmax(sphere.impacts, {}, &Measurement::velocity);
-    const double first = slowest.velocity / beyond_explained;
-    const double ratio = fastest.velocity * beyond_explained / first;
+    const auto [slowest, fastest] = std::ranges::minmax_element(sphere.impacts, {}, &Measurement::velocity);
+    const double first = slowest->velocity / beyond_explained;
+    const double ratio = fastest->velocity * beyond_explained / first;
     std::vector<Impact> impacts;
     for (int i = 0; i < explained_points; ++i)
         impacts.push_back({choice.law,

@@ -44,7 +44,7 @@ std::vector<std::optional<GlassEffect>> glass_effects(const Run& run,
                                                       const std::vector<SampleComparison>& reported) {
     std::vector<std::optional<GlassEffect>> effects(run.modulus.samples.size());
     const auto has_glass = [](const SampleModulus& sample) { return sample.glass.has_value(); };
-    if (std::ranges::none_of(run.modulus.samples, has_glass)) return effects;
+    if (!std::ranges::any_of(run.modulus.samples, has_glass)) return effects;
     StageRecord unused;
     const ModulusResult moduli = with_other_glass(run.modulus);
     const ContactResult contacts = contact_stage(run.data, moduli, unused);

@@ -245,7 +245,7 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
     const auto& value = heading.of(meaning->quantity);
     MeasuredColumn column{
         {position, named ? std::string(name) : cell},
-        at_place("column " + in_quotes(cell), [&] { return factor_of(unit, meaning->quantity); }),
+        at_place("column " + in_quotes(cell), [&, &of = unit] { return factor_of(of, meaning->quantity); }),
         !unit.empty() || meaning->quantity == MeasuredQuantity::restitution,
         meaning->quantity == MeasuredQuantity::restitution,
         coverage.problem.empty() ? coverage.factor : 0};

@@ -162,7 +162,7 @@ class TableCells {
         if (std::abs(to_si(1.0, unit, Dimension::velocity) / column.to_si - 1.0) > 1e-9)
             fail(column, row, "is in another unit than its column", "one unit for all cells of a column");
         return at_place(at_cell(row.line, column.position),
-                        [&] { return marks_.read(text, column.position); });
+                        [&, &number = text] { return marks_.read(number, column.position); });
     }
 
     const MeasurementHeading& heading_;
@@ -488,8 +488,8 @@ void refuse_mean(const MeasurementSet& set, bool by_restitution) {
 void add_implausible(const MeasuredColumn& column, MeasurementSet& set) {
     if (set.points.empty()) return;
     const PlausibleRange& range = *plausible_range("velocity");
-    const auto found = std::ranges::find_if_not(
-        set.points, [&](double v) { return range.holds(v); }, &Measurement::velocity);
+    const auto found = std::ranges::find_if(
+        set.points, [&](double v) { return !range.holds(v); }, &Measurement::velocity);
     if (found == set.points.end()) return;
     const Measurement& point = *found;
     Writing written{point.velocity};

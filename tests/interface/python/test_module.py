@@ -244,7 +244,7 @@ class Impacts(unittest.TestCase):
             (dict(law=None), "hertz, dmt"),
             (dict(law="jkr\0"), "hertz, dmt"),
             (dict(law="\udc80"), "hertz, dmt"),
-            (dict(damping_law=["tsuji"]), "constant, contact-radius, tsuji"),
+            (dict(damping_law=["tsuji"]), "constant, contact-radius, tsuji, hunt-crossley"),
             (dict(detachment=["pull-off"]), "zero-overlap"),
             (dict(method=["table"]), "integration, table"),
             (dict(threads=True), "threads is True"),

@@ -25,7 +25,8 @@ namespace {
 Impact maugis(double lambda, double velocity, double damping, DampingLaw law = DampingLaw::constant,
               Detachment detachment = Detachment::pull_off) {
     ContactPair pair = ash(0.3);
-    pair.parameters = {{stated_tabor.name, lambda / transition_per_tabor()}};
+    pair.parameters = {{stated_tabor.name, lambda / transition_per_tabor()},
+                       {adhesion_damping_ratio.name, 1.0}};
     const double unit = maugis_velocity(pair);
     const Scale scale = Scale::of(pair, unit);
     return {.law = Law::of<MaugisDugdale>(),
