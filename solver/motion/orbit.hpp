@@ -37,8 +37,7 @@ struct Orbit {
     }
 };
 
-/// A stiff return takes a step for some damping number: this is enough for numbers of some millions.
-inline constexpr int most_steps = 1000000;
+inline constexpr int most_steps = 20000;
 
 /// Pseudo-time within [0, limit] at which @p event falls through zero, or none; it must be positive at first.
 template <class Real, class Event>
