@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 
+#include "core/text/error.hpp"
 #include "solver/motion/legs.hpp"
 #include "solver/numeric/gsl/solvers.hpp"
 
@@ -439,8 +441,13 @@ CriticalImpacts critical_impacts(const PlasticMotion<Extended>& motion, Extended
     double farthest_contact = yield;
     while (loading.overlap(loading.coordinate(farthest_contact)) < farthest) farthest_contact *= scan_ratio;
     CriticalImpacts found;
-    for (const double u : critical_contacts(capture, yield, farthest_contact))
-        found.impacts.push_back(capture.impact_through(u));
+    for (const double u : critical_contacts(capture, yield, farthest_contact)) {
+        try {
+            found.impacts.push_back(capture.impact_through(u));
+        } catch (const ConvergenceError&) {  // reached at damping numbers of millions alone
+            found.impacts.emplace_back().velocity = std::numeric_limits<Extended>::infinity();
+        }
+    }
     if (found.impacts.empty())
         found.verdict =
             capture.margin(yield) > 0.0 ? CaptureVerdict::always_captured : CaptureVerdict::never_captured;

@@ -37,7 +37,8 @@ struct CriticalImpacts {
 /// Of an elastic-plastic contact up to the overlap @p farthest (scaled). The rebound depends on the greatest
 /// contact reached. So the first step is to find every greatest contact from which unloading arrives at the
 /// end of contact at rest; there may be several, since rebound need not be monotone. The second step follows
-/// the loading branches backward from there. @throws ConvergenceError
+/// the loading branches backward from there; where no velocity in reach of the steps leads there, the
+/// velocity is infinite. @throws ConvergenceError
 [[nodiscard]] CriticalImpacts critical_impacts(const PlasticMotion<Extended>& motion, Extended farthest);
 
 }  // namespace ashimpact
