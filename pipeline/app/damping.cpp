@@ -16,7 +16,6 @@
 #include "pipeline/document/values_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/text/result_text.hpp"
-#include "pipeline/run/comparison/dampings.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 #include "solver/inference/measured_damping.hpp"
 #include "solver/motion/damping_inversion.hpp"
@@ -139,8 +138,7 @@ std::string measured_text(const MeasuredCriticalVelocity& measured) {
     return upper ? fmt::format("v_c < {}: {}", readable(*upper, "m/s"), measured.note) : measured.note;
 }
 
-std::string result_text(const MeasuredDamping& result, const MeasurementSet& set,
-                        const std::optional<DampingComparison>& dampings) {
+std::string result_text(const MeasuredDamping& result, const MeasurementSet& set) {
     TextTable impacts({"#", "v_in [m/s]", "e_n", "at most", "damping [kg/s]", "contact time [ns]"});
     constexpr std::size_t most_rows = 12;
     const std::size_t stride = (result.impacts.size() + most_rows - 1) / most_rows;
@@ -169,8 +167,7 @@ std::string result_text(const MeasuredDamping& result, const MeasurementSet& set
         stride > 1 ? fmt::format("every {} of {} rows\n", stride, result.impacts.size()) : std::string{};
     const std::string text = list.text(0);
     return impacts.text() + rows + "\n" + text + uncertainty_legend(text) +
-           "Intervals are of 95 % and hold for the contact as given; a case propagates its uncertainty.\n" +
-           (dampings ? "\n" + dampings_text(*dampings) : "");
+           "Intervals are of 95 % and hold for the contact as given; a case propagates its uncertainty.\n";
 }
 
 /// `damping --impacts FILE`: intervals are those of the impacts; the contact counts as exactly known.
@@ -191,11 +188,8 @@ void run_measured_damping_command(const CommandOptions& options, std::ostream& o
         }
     warn_of(result.findings, options["--impacts"]);
     Json json = measured_damping_json(result, set);
-    const auto dampings = explained_dampings({choice.law, choice.detachment}, {{choice.contact, set.points}},
-                                             {options["--impacts"]});
-    if (dampings) json["damping_laws"] = damping_laws_json(*dampings);
     add_notes(json, doubts);
-    out << (options.has("--json") ? write_json(json, Digits::seventeen) : result_text(result, set, dampings));
+    out << (options.has("--json") ? write_json(json, Digits::seventeen) : result_text(result, set));
 }
 
 void run_damping_command(const CommandOptions& options, std::ostream& out) {

@@ -190,41 +190,12 @@ void fields(auto& io, Is<RatioRange> auto& range) {
     io("greatest", range.greatest);
 }
 
-constexpr FieldColumn<ExplainedImpact> explained_columns[]{
-    {"velocity", &ExplainedImpact::velocity, Dimension::velocity},
-    {"restitution", &ExplainedImpact::restitution, Dimension::fraction}};
-
-void fields(auto& io, Is<ExplainedSample> auto& sample) {
-    io("name", sample.name);
-    io("verdict", sample.verdict);
-    io("critical_velocity", sample.velocity, Dimension::velocity);
-    io.object("curve", [&](auto& inner) { inner.columns(sample.curve, explained_columns, false); });
-}
-
-void fields(auto& io, Is<ExplainedDamping> auto& damping) {
-    io("damping_law", damping.law);
-    io("constants", damping.constants, AnyUnit{});
-    io.unless_empty("correlation", damping.correlation);
-    io("misfit", damping.misfit);
-    io("samples", damping.samples);
-}
-
-void fields(auto& io, Is<DampingComparison> auto& comparison) {
-    io("law", comparison.law);
-    io("dampings", comparison.dampings);
-}
-
 void fields(auto& io, Is<ComparisonResult> auto& result) {
     io.lenient("case", result.name);
     io("samples", result.samples);
     io.unless_empty("equal_velocities", result.equal_velocities);
     io.unless_empty("dynamic_over_analytic", result.dynamic_over_analytic);
-    io.unless_empty("damping_laws", result.damping_laws);
     io.lenient("conclusion", result.conclusion);
-}
-
-Json damping_laws_json(const DampingComparison& comparison) {
-    return to_json(comparison, DampingLaw::constant);
 }
 
 template Json to_json(const ComparisonResult& result, DampingLaw law);

@@ -50,9 +50,6 @@ extern template ComparisonResult from_json(const View& result, DampingLaw law);
 /// Tabor parameter, yield velocities, beta and sizes that show whether a law applies, with its warnings.
 [[nodiscard]] Json regime_json(const Regime& regime);
 
-/// Which damping law explains the impacts.
-[[nodiscard]] Json damping_laws_json(const DampingComparison& comparison);
-
 /// The critical velocity that outcomes show, or that was reported.
 [[nodiscard]] Json measured_velocity_json(const MeasuredCriticalVelocity& measured);
 

@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 
 #include "core/quantities/quantity.hpp"
-#include "pipeline/run/comparison/dampings.hpp"
+#include "pipeline/run/comparison/glass.hpp"
+#include "pipeline/run/comparison/temperature.hpp"
 #include "pipeline/run/comparison/velocities.hpp"
 #include "pipeline/run/stage.hpp"
 
@@ -270,7 +271,6 @@ ComparisonResult comparison_stage(const Run& run, StageRecord& record) {
     const auto effects = glass_effects(run, result.samples);
     for (std::size_t i = 0; i < effects.size(); ++i) result.samples[i].glass = effects[i];
     result.equal_velocities = equal_velocities(data, run.contact, run.damping);
-    result.damping_laws = compare_dampings(data, run.contact, run.restitution, result.samples);
     if (gap.known()) result.dynamic_over_analytic = RatioRange{gap.least_ratio, gap.greatest_ratio};
     result.conclusion = gap.sentence();
     return result;

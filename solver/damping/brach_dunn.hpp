@@ -34,8 +34,7 @@ inline constexpr LawParameter adhesion_damping_ratio{
 /// takes the magnitude: read with its sign it would feed energy in.
 struct BrachDunnDamping {
     static constexpr DampingLaw law = DampingLaw::brach_dunn;
-    static constexpr std::string_view summary =
-        "grows with repulsion and attraction, each by its own constant";
+    static constexpr std::string_view summary = "repulsion and attraction damped apart";
     static constexpr Dimension dimension = Dimension::inverse_velocity;
     static constexpr double overdamped_squared = HuntCrossleyDamping::overdamped_squared;
     static constexpr double error_weight = 1.0;

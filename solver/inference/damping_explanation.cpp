@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <string>
 
 #include "core/text/error.hpp"
 #include "solver/batch/batch.hpp"
@@ -21,7 +22,8 @@ namespace {
 /// of yield take a hundred times as long.
 constexpr std::size_t most_groups = 24;
 constexpr std::size_t most_costly_groups = 8;
-constexpr double octaves_searched = 8;  ///< of a coefficient, to both sides of that of the median impact
+constexpr std::size_t fewest_groups = 3;  ///< two constants have two of their own
+constexpr double octaves_searched = 8;    ///< of a coefficient, to both sides of that of the median impact
 constexpr double octaves_a_step = 2;
 constexpr double relative_step = 1e-4;  ///< of a coefficient, for derivatives
 
@@ -265,6 +267,9 @@ std::vector<DampingExplanation> explain_by_damping(Law law, Detachment detachmen
         add_groups(std::move(rebounds), i, most, groups);
         add_groups(std::move(captures), i, most / 4, groups);
     }
+    if (groups.size() < fewest_groups)
+        throw InputError(std::to_string(groups.size()) + " impacts of different kinds",
+                         "at least " + std::to_string(fewest_groups));
     const std::vector<DampingLaw> laws(all_values<DampingLaw>.begin(), all_values<DampingLaw>.end());
     return in_parallel(laws, [&](DampingLaw damping_law) {
         const DampingMisfit misfit(law, detachment, damping_law, spheres, groups);

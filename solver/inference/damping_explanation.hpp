@@ -43,7 +43,7 @@ inline constexpr double greatest_correlation = 0.98;
 
 /// Every damping law with those constants that minimise the squared differences of e, captures counted as e =
 /// 0. Neighbouring impacts are averaged where there are many.
-/// @param spheres with at least one rebound among them
+/// @param spheres with at least one rebound among them @throws InputError for fewer than three impacts
 [[nodiscard]] std::vector<DampingExplanation> explain_by_damping(Law law, Detachment detachment,
                                                                  std::span<const ImpactsOfSphere> spheres);
 

@@ -206,12 +206,6 @@ std::string laws_text(const ComparisonResult& result, std::size_t width) {
     return text + "\n";
 }
 
-/// What a damping law makes of a sample: a velocity, or that there is none.
-std::string explained_cell(const ExplainedSample& sample) {
-    if (sample.velocity) return velocity_text(*sample.velocity);
-    return sample.verdict == LawVerdict::no_fit ? "-" : std::string(name_of(sample.verdict));
-}
-
 /// Why laws have no interval, a line for each.
 std::string interval_notes(const ComparisonResult& result, std::size_t width) {
     std::string text;
@@ -347,40 +341,33 @@ Answer answer_of(const ReportedVelocity& reported) {
     return {};
 }
 
-std::string dampings_text(const DampingComparison& comparison, std::size_t width) {
-    std::vector<std::string> heading{"damping law", "constants", "misfit"};
-    const bool one = comparison.dampings.front().samples.size() == 1;
-    for (const ExplainedSample& sample : comparison.dampings.front().samples)
-        heading.push_back(one ? "v_c" : sample.name);
-    TextTable table(heading, 2);
-    for (const ExplainedDamping& damping : comparison.dampings) {
-        std::vector<std::string> constants;
-        for (const auto& [name, value] : damping.constants) {
-            const bool vanishes = value.value < 1e-3 * value.standard_uncertainty.value_or(0);
-            constants.push_back(vanishes ? "0" : readable_number(value.value, 3));
-        }
-        std::vector<std::string> row{std::string(name_of(damping.law)),
-                                     constants.empty()
-                                         ? "not told apart"
-                                         : joined(constants) + " " + damping.constants.front().second.unit,
-                                     fmt::format("{:.2f}", damping.misfit)};
-        for (const ExplainedSample& sample : damping.samples) row.push_back(explained_cell(sample));
-        table.add(row);
-    }
-    return wrapped_line(
-               fmt::format("Which damping explains the impacts, by {}: constants that are the same for all "
-                           "samples, root mean square misfit of e, v_c [m/s]{}:",
-                           comparison.law.name(), one ? "" : " of each sample"),
-               width, 0) +
-           "\n" + table.text(0, width) + "\n";
+std::string scope_sentence(const Case& data) {
+    const auto& [particle, wall] = data.temperature;
+    std::vector<std::string> missing;
+    std::string temperature;
+    if (particle && wall && particle->value() == wall->value())
+        temperature = "at " + celsius(particle->value());
+    else if (particle || wall)
+        temperature = (particle ? "particle at " + celsius(particle->value()) : "") +
+                      (particle && wall ? " and " : "") + (wall ? "wall at " + celsius(wall->value()) : "");
+    else
+        temperature = "at room temperature";
+    if (!particle && !wall) missing.emplace_back("temperature");
+    const std::string surfaces = data.roughness && data.roughness->value() > 0
+                                     ? "surfaces with a roughness of " + readable(data.roughness->quantity)
+                                     : "smooth surfaces";
+    if (!data.roughness) missing.emplace_back("roughness");
+    return fmt::format("Holds for normal impact on {}, dry, {}, {}{}.",
+                       data.partner ? "another sphere" : "a flat wall", temperature, surfaces,
+                       missing.empty() ? "" : "; not stated: " + joined(missing));
 }
 
-std::string comparison_text(const ComparisonResult& result, std::size_t width) {
+std::string comparison_text(const ComparisonResult& result, std::size_t width, const std::string& scope) {
     const std::string title = result.name.empty() ? "" : wrapped_line(result.name, width, 0) + "\n";
-    return title + reported_text(result, width) + assumptions_text(result, width) + laws_text(result, width) +
-           interval_notes(result, width) +
-           (result.damping_laws ? dampings_text(*result.damping_laws, width) : "") +
-           contacts_text(result, width) + wrapped_line(result.conclusion, width, 0);
+    return title + reported_text(result, width, scope) + glass_text(result, width) +
+           temperature_text(result, width) + assumptions_text(result, width) + laws_text(result, width) +
+           interval_notes(result, width) + contacts_text(result, width) +
+           wrapped_line(result.conclusion, width, 0);
 }
 
 std::string comparison_text(Json result, std::size_t width, const std::string& scope) {

@@ -46,10 +46,6 @@ struct Answer {
 };
 [[nodiscard]] Answer answer_of(const ReportedVelocity& reported);
 
-/// Which damping law explains the impacts: constants, misfits and critical velocities in a table.
-[[nodiscard]] std::string dampings_text(const DampingComparison& comparison,
-                                        std::size_t width = output_width());
-
 /// The summary that ends a run, in lines of at most @p width characters: the critical velocity to report of
 /// each sample and why; assumptions; velocities of all laws; moduli; the conclusion.
 /// @param scope from scope_sentence(); empty: not shown

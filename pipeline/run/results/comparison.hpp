@@ -117,41 +117,12 @@ struct RatioRange {
     double least = 0, greatest = 0;
 };
 
-/// A point of a curve e(v).
-struct ExplainedImpact {
-    double velocity = 0, restitution = 0;  ///< [m/s], [1]
-};
-
-/// What a damping law with its constants gives for a sample.
-struct ExplainedSample {
-    std::string name{};
-    LawVerdict verdict = LawVerdict::no_fit;  ///< no_fit: not known
-    std::optional<double> velocity{};         ///< critical, where finite [m/s]
-    std::vector<ExplainedImpact> curve{};     ///< over the velocities of its impacts
-};
-
-/// A damping law with those constants, the same for all samples, that explain the impacts best.
-struct ExplainedDamping {
-    DampingLaw law = DampingLaw::constant;
-    std::vector<std::pair<std::string, Quantity>> constants{};  ///< none: the impacts do not tell them apart
-    std::optional<double> correlation{};                        ///< of two constants [1]
-    double misfit = 0;  ///< root mean square of the differences of e [1]
-    std::vector<ExplainedSample> samples{};
-};
-
-/// Damping laws beside each other, by one contact law.
-struct DampingComparison {
-    Law law;
-    std::vector<ExplainedDamping> dampings{};  ///< in the order of DampingLaw
-};
-
 /// Result of the comparison stage, comparison.json.
 struct ComparisonResult {
     std::string name{};  ///< of the case
     std::vector<SampleComparison> samples{};
     std::vector<EqualVelocity> equal_velocities{};  ///< from slow to fast
     std::optional<RatioRange> dynamic_over_analytic{};
-    std::optional<DampingComparison> damping_laws{};
     std::string conclusion{};  ///< in words
 };
 

@@ -59,7 +59,7 @@ TEST_CASE("a bare number far from what ash has is refused at every door, with th
           {std::string("export lammps --law jkr --diameter '88 um' --to-diameter 120 -o out") + usual_contact,
            "--to-diameter: 120 has no unit"},
           {std::string("damping --law jkr --diameter '88 um' --impacts fast.csv") + usual_contact,
-           "fast.csv: line 3: 3e+07 has no unit and is 3e+07 m/s, did you mean"},
+           "fast.csv: line 2: 2e+07 has no unit and is 2e+07 m/s, did you mean"},
           {"modulus soft.csv --phases phases.json", "phases.json: /0/young_modulus: 70 has no unit"},
           {"sweep sweep.json -o out.json",
            "sweep.json: /impact/radius: 44 has no unit and is 44 m, did you mean 44 um?"}})
@@ -80,7 +80,7 @@ TEST_CASE("with its unit it counts, and is warned of before anything else") {
               "warning: --diameter: 90 m is outside of what is plausible, 10 nm to 5 mm: is the unit right?"},
           {"modulus soft.csv", "warning: soft.csv: density of \"quartz\": 2.65 kg/m3 is outside"},
           {std::string("damping --law jkr --diameter '88 um' --impacts quick.csv") + usual_contact,
-           "warning: quick.csv: line 4: v_in: 3000 m/s is outside"},
+           "warning: quick.csv: line 3: v_in: 3000 m/s is outside"},
           {"impact --law hertz --velocity '2 m/s' --diameter '88 um' --mass '1 kg' --contact-modulus '90 "
            "GPa'",
            "warning: --mass: 1 kg is outside of what is plausible"},

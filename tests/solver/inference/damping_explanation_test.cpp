@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include "core/text/error.hpp"
 #include "solver/damping/brach_dunn.hpp"
 #include "solver/motion/impact.hpp"
 #include "tests/support/checks.hpp"
@@ -110,4 +111,12 @@ TEST_CASE(
     CHECK(relative_difference(found.value, truth.coefficient) < 0.02);
     CHECK(found.uncertainty > 0);
     CHECK(std::abs(found.value - truth.coefficient) < 4 * found.uncertainty + 1e-3 * truth.coefficient);
+}
+
+TEST_CASE("two impacts explain nothing") {
+    const Law law = Law::named("dmt");
+    std::vector<ImpactsOfSphere> spheres{{.contact = sphere(44e-6), .impacts = {}}};
+    spheres.front().impacts = {{.velocity = 1, .rebound = 0.5}, {.velocity = 2, .rebound = 1.2}};
+    CHECK_THROWS_AS(static_cast<void>(explain_by_damping(law, law.default_detachment(), spheres)),
+                    InputError);
 }
