@@ -314,19 +314,26 @@ class OxideTable {
     std::vector<std::string> titles_{};
 };
 
-/// Scale of one amount: none if nothing states it.
-std::optional<double> stated_scale(const OxideCell& cell, bool per_cent) {
-    const xrd::Heading& heading = cell.unit != nullptr ? *cell.unit : cell.what.heading;
+/// Heading that states the unit of a cell.
+const xrd::Heading& unit_heading(const OxideCell& cell) {
+    return cell.unit != nullptr ? *cell.unit : cell.what.heading;
+}
+
+/// Scale of the numbers under a heading: none if nothing states it.
+std::optional<double> stated_scale(const xrd::Heading& heading, bool per_cent, std::size_t line) {
     if (word_key(heading.unit, "%").find("mol") != std::string::npos ||
         word_key(heading.text, "%").find("mol%") != std::string::npos)
-        throw InputError("the amounts are in " + heading.unit, "% by weight, as \"wt%\"")
-            .at(at_line(cell.line));
+        throw InputError("the amounts are in " + heading.unit, "% by weight, as \"wt%\"").at(at_line(line));
     if (is_parts_per_million(heading)) return 1e-6;
-    if (per_cent || heading.scale == xrd::Scale::per_cent) return 0.01;
-    if (heading.scale == xrd::Scale::fraction) return 1;
-    if (!heading.unit.empty() && heading.states == xrd::HeadingUnit::other)
-        throw InputError("the amounts are in " + in_quotes(heading.unit), "% by weight, ppm or fractions")
-            .at(at_line(cell.line));
+    const bool by_weight =
+        heading.states != xrd::HeadingUnit::other && heading.states != xrd::HeadingUnit::volume;
+    if (by_weight && heading.scale == xrd::Scale::per_mille) return 1e-3;
+    if (by_weight && (per_cent || heading.scale == xrd::Scale::per_cent)) return 0.01;
+    if (by_weight && heading.scale == xrd::Scale::fraction) return 1;
+    if (!heading.unit.empty())
+        throw InputError("the amounts are in " + in_quotes(heading.unit),
+                         "% by weight, g/kg, ppm or fractions")
+            .at(at_line(line));
     return std::nullopt;
 }
 
@@ -351,10 +358,14 @@ std::optional<OxideNumber> number_of(const OxideCell& cell, const NumberMarks& m
         std::string_view limit = text;
         for (const std::string_view sign : {"<", "\u2264", "=", " "})
             if (limit.starts_with(sign)) limit = trimmed(limit.substr(sign.size()));
-        const auto most = marks.read(limit, cell.column);
-        if (!most) return OxideNumber{0, std::nullopt, 0.01};
+        static const WordLists words("not detected", all_marks);
+        if (words.holds(text) || words.holds(limit)) return OxideNumber{0, std::nullopt, 0.01};
+        const auto most = at_place(place, [&] { return marks.read(limit, cell.column); });
+        if (!most)
+            throw InputError("cannot read " + in_quotes(text), "a number, \"<0.05\" or \"n.d.\"").at(place);
         const double half = most->value / 2;
-        return OxideNumber{half, half / std::sqrt(3.0), stated_scale(cell, most->per_cent)};
+        return OxideNumber{half, half / std::sqrt(3.0),
+                           stated_scale(unit_heading(cell), most->per_cent, cell.line)};
     }
     if (says_no_number(text)) return std::nullopt;
     return at_place(place, [&]() -> std::optional<OxideNumber> {
@@ -363,14 +374,23 @@ std::optional<OxideNumber> number_of(const OxideCell& cell, const NumberMarks& m
         if (read->value < 0)
             throw InputError("the amount of " + cell.what.heading.text + " is " + shortest(read->value),
                              "zero or more");
-        OxideNumber number{read->value, read->standard_uncertainty, stated_scale(cell, read->per_cent)};
+        OxideNumber number{read->value, read->standard_uncertainty,
+                           stated_scale(unit_heading(cell), read->per_cent, cell.line)};
+        const auto& coverage = unit_heading(cell).coverage;
+        if (number.uncertainty && coverage.problem.empty()) *number.uncertainty /= coverage.factor;
         if (cell.error_heading != nullptr && !says_no_number(cell.uncertainty)) {
             const auto error = marks.read(cell.uncertainty, cell.column + 1);
             if (!error || error->value < 0)
                 throw InputError("cannot read the uncertainty " + in_quotes(cell.uncertainty),
                                  "a number, zero or more");
+            const auto scale = stated_scale(*cell.error_heading, error->per_cent, cell.line);
+            if (scale && !number.scale)
+                throw InputError(
+                    "the uncertainty " + in_quotes(cell.uncertainty) + " has a unit and its amount has none",
+                    "units for both or for neither");
+            const double factor = scale ? *scale / *number.scale : 1;
             if (cell.error_heading->coverage.problem.empty())
-                number.uncertainty = error->value / cell.error_heading->coverage.factor;
+                number.uncertainty = factor * error->value / cell.error_heading->coverage.factor;
         }
         return number;
     });

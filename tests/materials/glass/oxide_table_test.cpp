@@ -94,6 +94,16 @@ TEST_CASE("uncertainties beside the oxides of a row, and in the cells") {
     const OxideSample within = only("Sample;SiO2;Al2O3\nFA1;60(1);40 \u00b1 0.4\n");
     CHECK(near(*within.analysis.oxides[0].standard_uncertainty, 0.01));
     CHECK(near(*within.analysis.oxides[1].standard_uncertainty, 0.004));
+    // Each by its own unit, and by the coverage that the heading states.
+    const OxideSample units = only("Oxide;wt%;\u00b1 [mg/kg]\nSiO2;60;6000\nAl2O3;40;4000\n");
+    CHECK(near(*units.analysis.oxides[0].standard_uncertainty, 0.006));
+    const OxideSample twice = only("Oxide;wt% (2\u03c3)\nSiO2;60 \u00b1 1.2\nAl2O3;40 \u00b1 0.8\n");
+    CHECK(near(*twice.analysis.oxides[0].standard_uncertainty, 0.006));
+}
+
+TEST_CASE("amounts in g/kg beside others in per cent are what they are") {
+    const OxideSample sample = only("Sample;SiO2 [wt%];Al2O3 [wt%];P2O5 [g/kg]\nFA;60;39.6;4\n");
+    CHECK(near(per_cent_of(sample, "P2O5"), 0.4));
 }
 
 TEST_CASE("what is below a limit, was not found, or was not determined") {
@@ -170,6 +180,10 @@ TEST_CASE("tables that are no chemical analysis are refused in one line with the
     CHECK(says(refusal("Sample,SiO2,Al2O3\nA,60,much\n"), "cannot read \"much\""));
     CHECK(says(refusal("Sample,SiO2 [mol%],Al2O3 [mol%]\nA,60,40\n"), "the amounts are in mol%"));
     CHECK(says(refusal("Sample,SiO2 [counts],Al2O3 [counts]\nA,60,40\n"), "the amounts are in \"counts\""));
+    CHECK(says(refusal("Sample,SiO2 [at%],Al2O3 [at%]\nA,60,40\n"), "the amounts are in \"at%\""));
+    CHECK(says(refusal("Sample,SiO2,Al2O3,MgO\nA,60,39,<blah\n"), "cannot read \"<blah\""));
+    CHECK(says(refusal("Sample,SiO2,\u00b1 [ppm],Al2O3,\u00b1\nA,60,600,40,0.4\n"),
+               "has a unit and its amount has none"));
     CHECK(says(refusal("Sample,SiO2,Al2O3,SiO2\nA,30,40,30\n"), "SiO2 is there twice"));
     CHECK(says(refusal("Sample,SiO2,Fe2O3,Fe2O3\nA,30,40,30\n"), "iron is there more than once"));
     CHECK(says(refusal("Sample,SiO2,Al2O3\nA,60,40\nA,50,50\n"), "the sample \"A\" is there twice"));
