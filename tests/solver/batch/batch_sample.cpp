@@ -117,10 +117,10 @@ std::vector<Impacts> random_impacts(Eigen::Index count, double most_damping, std
     std::vector<Impacts> sets;
     for (std::size_t i = 0; i < Law::count(); ++i) {
         const Law law = Law::at(i);
-        if (!batch::has_kernels(law, DampingLaw::constant)) continue;
         for (const Detachment detachment : all_values<Detachment>) {
             if (refusal(law, detachment)) continue;
             for (const DampingLaw damping : all_values<DampingLaw>) {
+                if (!batch::has_kernels(law, damping)) continue;
                 sets.push_back(random_impacts(law, detachment, damping, count, most_damping, random));
             }
         }
