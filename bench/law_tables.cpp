@@ -16,6 +16,7 @@
 #include "bench/multiply_add.hpp"
 #include "bench/population.hpp"
 #include "solver/batch/batch.hpp"
+#include "solver/batch/kernels/kernel.hpp"
 
 namespace ashimpact::bench {
 
@@ -37,7 +38,7 @@ struct LawImpacts {
 void for_each_law(const std::function<void(const LawImpacts&)>& measure) {
     for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
         for (const DampingLaw damping : all_values<DampingLaw>) {
-            if (!has_one_number(damping)) continue;  // neither a kernel nor a table
+            if (!batch::has_kernels(law, damping)) continue;  // the scalar solver
             const Population many = population(law, law.default_detachment(), damping, 16384);
             measure({many, many.impacts.batch(), static_cast<double>(many.restitution.size())});
         }
