@@ -293,12 +293,14 @@ def check_softened(code):
 def check_names():
     """A sample's name reaches no input, whatever it holds."""
     run, evil = copy_of_run("evil"), "a`intruder`$(intruder)\";}\n fix 1 #"
-    for name in os.listdir(run):
-        path = os.path.join(run, name)
-        with open(path) as file:
-            text = file.read()
-        with open(path, "w") as file:
-            file.write(text.replace('"name": "88 um"', '"name": ' + json.dumps(evil)))
+    path = os.path.join(run, "0-case.json")
+    with open(path) as file:
+        text = file.read()
+    with open(path, "w") as file:
+        file.write(text.replace('"name": "88 um"', '"name": ' + json.dumps(evil)))
+    ran = ashimpact("run", "-q", "-o", run, "--from", "modulus")
+    if ran.returncode != 0:
+        fail("a run with a strange name of a sample: " + ran.stderr)
     for code in ("lammps", "openfoam", "yade"):
         folder, said = exported("evil-" + code, code, run, "--sample", evil, "--law", "dmt")
         if said.returncode != 0:

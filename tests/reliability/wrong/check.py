@@ -39,6 +39,11 @@ NEXT_STAGE = {"0-case": "modulus", "1-modulus": "contact", "2-contact": "analyti
               "7-critical-velocity": "histories", "8-histories": "comparison"}
 
 
+# Keys whose readers tests/materials/glass, tests/pipeline and the tests of law parameters cover.
+TESTED_ELSEWHERE = {"oxides", "oxides_decimal", "oxides_sample", "oxides_sheet", "glass", "glass_density", "temperature",
+                    "adhesion_damping", "adhesion_damping_ratio"}
+
+
 class Corpus:
     def __init__(self, program, root):
         self.program, self.root = program, root
@@ -70,7 +75,7 @@ class Corpus:
         used = set()
         for document in right.values():
             used |= schema.keys_used(document)
-        unused = schema.keys() - used
+        unused = {path for path in schema.keys() - used if not TESTED_ELSEWHERE & set(path)}
         if unused:
             raise SystemExit(f"{schema_name}: no right document of documents.py has {sorted(unused)}")
         file = f"{schema_name}.json"
