@@ -17,6 +17,7 @@
 #include "interface/c/calls.hpp"
 #include "interface/law_inputs.hpp"
 #include "materials/contact_properties.hpp"
+#include "solver/contact/law_parameters.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace py = pybind11;
@@ -148,10 +149,13 @@ py::dict table_of_law_parameters() {
         }
     }
     for (const DampingLaw law : all_values<DampingLaw>)
-        for (const LawParameter& parameter : parameters_of(law))
+        for (const LawParameter& parameter : parameters_of(law)) {
+            py::list takers;
+            for (const std::string& name : takers_of(parameter)) takers.append(name);
             table[py::str(std::string(parameter.name))] =
                 py::make_tuple(std::string(si_unit(parameter.dimension)), std::string(parameter.description),
-                               py::list(py::cast(takers_of(parameter))), parameter.typical, parameter.choice);
+                               takers, parameter.typical, parameter.choice);
+        }
     return table;
 }
 
