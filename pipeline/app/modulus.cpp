@@ -243,6 +243,17 @@ Json sample_json(const SampleEstimate& sample, MixtureRule rule) {
     return json;
 }
 
+/// Returns what @p compute returns. Its error gets the name of a sample of several, unless it has a place.
+template <class Compute>
+SampleEstimate naming_sample(const std::string& sample, Compute&& compute) {
+    try {
+        return compute();
+    } catch (const InputError& error) {
+        if (sample.empty() || !error.place().empty()) throw;
+        throw error.at("sample " + in_quotes(sample));
+    }
+}
+
 /// The file of --oxides; none if it is not given.
 std::optional<OxideResult> read_oxides_of(const CommandOptions& options) {
     if (!options.has("--oxides")) {
@@ -333,8 +344,10 @@ void run_modulus_command(const CommandOptions& options, std::ostream& out) {
     std::vector<SampleEstimate> estimates;
     for (const XrdSample& sample : chosen(result, options["--sample"])) {
         const XrdSample whole = completed(sample, options);
-        SampleEstimate estimate = at_place(
-            FileName{options["file"]}, [&] { return estimated(whole, catalogue, oxides, options, rule); });
+        SampleEstimate estimate = at_place(FileName{options["file"]}, [&] {
+            return naming_sample(result.samples.size() > 1 ? sample.name : std::string(),
+                                 [&] { return estimated(whole, catalogue, oxides, options, rule); });
+        });
         warn_of(estimate.warnings, options["file"]);
         const auto doubts = options.doubts();
         estimate.warnings.insert(estimate.warnings.begin(), doubts.begin(), doubts.end());

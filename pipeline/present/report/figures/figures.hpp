@@ -93,6 +93,8 @@ struct FigureMaker {
     std::string_view id;
     Figure (*make)(const RunData& run);
     std::vector<std::string_view> shows;  ///< artifacts that it shows numbers of, beside the case
+    /// Whether a page has it; figures without data say why otherwise.
+    bool (*is_on_page)(const RunData& run) = [](const RunData&) { return true; };
 };
 
 /// All figures of a run, in the order of the report.
