@@ -69,7 +69,7 @@ struct MeasurementHeading {
     std::optional<std::size_t> correlation;  ///< of the column of the correlation of the two velocities
     std::vector<TextColumn> remarks;         ///< columns of remarks, in which a word may state the outcome
     std::vector<TextColumn> unused;          ///< those without a name have no heading
-    std::vector<std::size_t> validity;       ///< positions of unused columns that say which impacts count
+    std::vector<std::size_t> validity;  ///< positions of unused columns that mark impacts as valid or not
     std::vector<std::pair<std::string, StatedCoverage>> coverages;  ///< of the columns that hold quantities
     std::vector<Finding> notes;                                     ///< remarks on the columns
     std::size_t columns;
