@@ -38,7 +38,7 @@ struct ParameterFault {
 [[nodiscard]] std::optional<std::string> idle_reason(std::span<const Law> laws, DampingLaw damping,
                                                      std::string_view name);
 
-/// What every interface says of an input that changes nothing, after its name: "<reason>, so it changes
+/// Text of all interfaces on an input that changes nothing, after its name: "<reason>, so it changes
 /// nothing".
 [[nodiscard]] std::string idle_words(const std::string& reason);
 

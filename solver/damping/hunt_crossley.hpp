@@ -19,6 +19,7 @@ struct HuntCrossleyDamping {
     static constexpr Dimension dimension = Dimension::inverse_velocity;
     static constexpr double overdamped_squared = std::numeric_limits<double>::infinity();
     static constexpr double error_weight = 1.0;
+    static constexpr bool has_lanes = false;  ///< its impacts take the scalar solver, in batches too
 
     /// Terms of eta, each for the scaled coefficient 1.
     template <class U>

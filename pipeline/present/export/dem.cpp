@@ -66,14 +66,18 @@ std::string repulsion_formula(const ContactPair& contact) {
 
 const Attraction* attraction_of(const ExportSubject& subject);
 
+/// zeta_A/zeta_H of Brach & Dunn's damping, 0 of other damping laws [1].
+double adhesion_share(const ExportSubject& subject) {
+    const double coefficient = subject.damping.nodes.front().coefficient;
+    if (has_one_number(subject.damping.law) || coefficient == 0) return 0;
+    return BrachDunnDamping::coefficients(coefficient, subject.contact.parameters)[1] / coefficient;
+}
+
 /// Repulsion and attraction, each in its share of the first coefficient of Brach & Dunn's damping [N].
 std::string damped_forces_formula(const ExportSubject& subject) {
     const Attraction& attraction = *attraction_of(subject);
     if (attraction.formula == nullptr) return repulsion_formula(subject.contact);
-    const double coefficient = subject.damping.nodes.front().coefficient;
-    const auto [repulsive, adhesive] =
-        BrachDunnDamping::coefficients(coefficient, subject.contact.parameters);
-    return fmt::format("{} + {}*{}", repulsion_formula(subject.contact), exact(adhesive / repulsive),
+    return fmt::format("{} + {}*{}", repulsion_formula(subject.contact), exact(adhesion_share(subject)),
                        attraction.formula(subject.contact));
 }
 
@@ -283,9 +287,7 @@ ExportFolder yade_folder(const ExportSubject& subject, const TableImage& /*image
     values["damping_law"] = std::string(name_of(subject.damping.law));
     values["coefficient"] = exact(coefficient);
     values["exponent"] = exact(subject.damping.exponent);
-    const bool two = subject.damping.law == DampingLaw::brach_dunn && !subject.damping.is_zero();
-    values["adhesion_damping_ratio"] = exact(
-        two ? BrachDunnDamping::coefficients(coefficient, subject.contact.parameters)[1] / coefficient : 0);
+    values["adhesion_damping_ratio"] = exact(adhesion_share(subject));
     // The force of `betan` is 2 betan sqrt(m dF/d(delta)) v with dF/d(delta) = (3/2) k sqrt(delta), so that
     // betan = c/sqrt(6). `en` would be a fit of betan (Thornton et al. 2013) that is off by some 1e-4.
     values["damping_ratio"] = own ? exact(coefficient / std::sqrt(6.0)) : "None";

@@ -11,6 +11,7 @@
 #include "solver/batch/tables/law_tables.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/damping/damping.hpp"
+#include "solver/damping/registry.hpp"
 
 namespace ashimpact {
 
@@ -57,10 +58,8 @@ namespace batch {
 
 namespace {
 
-/// Whether lanes solve impacts of that damping law. Those of hunt-crossley, whose impacts depend on the
-/// velocity through the damping number alone, are not verified yet.
 bool has_lanes(DampingLaw law) {
-    return has_one_number(law) && law != DampingLaw::hunt_crossley;
+    return RegisteredDampings::visit<bool>(law, []<class D>() { return solved_in_lanes<D>; });
 }
 
 }  // namespace

@@ -144,7 +144,7 @@ struct Form {
 template <template <class> class L, class Call>
 void with_form(DampingLaw damping_law, const Call& call) {
     RegisteredDampings::visit<void>(damping_law, [&]<class Damping>() {
-        if constexpr (terms_of<Damping> == 1) call(Form<L, Damping>());
+        if constexpr (solved_in_lanes<Damping>) call(Form<L, Damping>());
     });
 }
 
