@@ -74,7 +74,7 @@ struct ChemicalGlass {
                                                  const Composition& composition,
                                                  const std::optional<Quantity>& density = {});
 
-/// Which glass stands for the amorphous part of a sample.
+/// Glass whose modulus the amorphous part of a sample takes.
 enum class GlassSource { catalogue, from_chemistry };
 
 template <>

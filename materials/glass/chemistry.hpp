@@ -50,7 +50,7 @@ using OxideAmounts = std::vector<double>;
 struct NamedOxide {
     std::size_t index = 0;
     double factor = 1;
-    bool is_total = false;  ///< the name says that it stands for all iron
+    bool is_total = false;  ///< a total of all iron, "Fe2O3(t)"
 };
 
 /// The oxide of a name such as "SiO2", "SIO2", "Fe2O3(t)", "FeO", "Mn3O4", or "S" for

@@ -20,7 +20,7 @@ namespace {
 
 constexpr TextLimits oxide_limits{.content = "a chemical analysis", .bytes = longest_xrd_file};
 
-/// What one heading or row of an analysis stands for.
+/// Kind of quantity under one heading or in one row of an analysis.
 enum class OxideRole { oxide, loss, total, trace, carbon, uncertainty, other };
 
 struct OxideLine {
@@ -344,7 +344,7 @@ struct OxideNumber {
     std::optional<double> scale{};
 };
 
-/// Whether a cell says that an oxide was looked for and not found.
+/// Whether a cell is a limit or "n.d.": the oxide was determined and not found.
 bool says_not_found(std::string_view text) {
     static const WordLists words("not detected", all_marks);
     return words.holds(text) || text.starts_with('<') || text.starts_with("\u2264");

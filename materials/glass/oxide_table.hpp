@@ -30,7 +30,7 @@ struct OxideResult {
 /// headings or else by their sum. "<0.05" is half of it with a rectangular distribution; "<LOD", "n.d." and
 /// "tr" are zero; empty cells and "-" are not determined. Iron as FeO, Fe2O3, both or a total, manganese and
 /// sulfur in other forms are converted to the oxides of oxides(); a loss on ignition and a total are known.
-/// Elements in ppm are traces and left out, as a warning says. docs/glass.md describes it.
+/// Elements in ppm are traces: they are left out, with a warning. See docs/glass.md.
 /// Errors: InputError "NAME: line N: problem; allowed: ..." for what is no such table, oxides that do not
 /// exist or stand there twice, elements in per cent, amounts that are negative, in mol% or no numbers.
 [[nodiscard]] OxideResult read_oxides(std::string_view text, std::string_view name,

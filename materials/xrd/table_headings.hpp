@@ -72,7 +72,7 @@ struct MarkedPhase {
 /// Whether a column stands beside those of the phases or samples and is none of them: "Rwp", "density".
 [[nodiscard]] bool stands_beside(const Heading& heading);
 
-/// What a text alone says of a column: "wt%" is a weight, "esd" an uncertainty.
+/// Role of a column by its heading alone: "wt%" is a weight, "esd" an uncertainty.
 [[nodiscard]] Role role_of_text(std::string_view text);
 
 /// What a text states as the unit of fractions.

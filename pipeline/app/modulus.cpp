@@ -270,8 +270,7 @@ std::optional<OxideResult> read_oxides_of(const CommandOptions& options) {
     return oxides;
 }
 
-/// Oxides and choice of glass for a sample; with oxides the glass from chemistry counts unless the user says
-/// otherwise.
+/// Oxides and choice of glass for a sample; with oxides the glass from chemistry counts by default.
 GlassInputs glass_inputs(const std::string& sample, const std::optional<OxideResult>& oxides,
                          const CommandOptions& options, std::vector<Finding>& warnings) {
     GlassInputs inputs;

@@ -44,7 +44,7 @@ struct ReadAnalysis {
 };
 [[nodiscard]] ReadAnalysis read_analysis(const View& node, InputFiles& files);
 
-/// What a case says of glasses: "oxides", a file, and "glass".
+/// The keys of a case on glasses: "oxides", a file, and "glass".
 struct GlassDefaults {
     std::optional<View> oxides{}, glass{};
 };

@@ -123,7 +123,8 @@ Reason of_poisson_ratio(const Case& data, const Sample& sample) {
                      "the contact_modulus of both bodies is stated");
 }
 
-/// By the laws of the case. The yield pressure counts under each of them: a run says where a contact yields.
+/// By the laws of the case. The yield pressure counts under each of them: a run reports where a contact
+/// yields.
 Reason of_laws(const Case& data, std::string_view name) {
     if (name == "yield_pressure") return std::nullopt;
     std::vector<Law> laws;

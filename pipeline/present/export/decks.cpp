@@ -26,7 +26,7 @@ constexpr int captured_every = 50;    // steps between two rows of output; a reb
 constexpr int pair_every = 5;         // times as many: its steps are shorter
 constexpr double cloud_steps = 200;   // of the shortest contact
 constexpr double cloud_horizon = 6;   // of the longest contact
-constexpr double soft_modulus = 5e6;  // below it LIGGGHTS asks whether that is meant [Pa]
+constexpr double soft_modulus = 5e6;  // below it LIGGGHTS requires `soft_particles yes` [Pa]
 
 /// A code with the input language of LAMMPS.
 struct DemCode {

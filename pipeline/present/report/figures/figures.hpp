@@ -93,7 +93,7 @@ struct FigureMaker {
     std::string_view id;
     Figure (*make)(const RunData& run);
     std::vector<std::string_view> shows;  ///< artifacts that it shows numbers of, beside the case
-    /// Whether a page has it; figures without data say why otherwise.
+    /// Whether a page has it; figures without data give the reason in their caption.
     bool (*is_on_page)(const RunData& run) = [](const RunData&) { return true; };
 };
 
