@@ -13,6 +13,7 @@
 #include <pugixml.hpp>
 
 #include "core/tables/workbook/archive.hpp"
+#include "core/tables/workbook/number_format.hpp"
 #include "core/tables/workbook/workbook.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
@@ -72,6 +73,13 @@ std::string shown_number(double value) {
 /// The same for a cell in the format of per cent: "21.3 %" for 0.213.
 std::string shown_per_cent(double fraction) {
     return shown_number(100 * fraction) + " %";
+}
+
+/// A number between the texts that its cell shows around it.
+std::string beside(std::string_view prefix, std::string number, std::string_view suffix) {
+    number.insert(0, trimmed(prefix));
+    if (!trimmed(suffix).empty()) number += ' ' + std::string(trimmed(suffix));
+    return number;
 }
 
 /// Dates and formulas without a result are no numbers; these texts show up in messages about the cell.
@@ -152,6 +160,18 @@ std::string text_of_paragraphs(const pugi::xml_node& cell, const TextStyles& sty
     return text;
 }
 
+/// The number of a cell with the texts around it in what the cell shows: "<0.10", "3.20 g/kg", "n.d.".
+std::string as_shown(const std::string& shown, const std::string& number) {
+    constexpr std::string_view digits = "0123456789";
+    const auto first = shown.find_first_of(digits);
+    const auto last = shown.find_last_of(digits);
+    if (first == std::string::npos) return has_meaning(shown) && !shown.ends_with('#') ? shown : number;
+    const std::string prefix = shown.substr(0, first);
+    std::string suffix = shown.substr(last + 1);
+    if (number.ends_with('%') && suffix.find('%') != std::string::npos) suffix.clear();
+    return beside(has_meaning(prefix) ? prefix : "", number, has_meaning(suffix) ? suffix : "");
+}
+
 std::string ods_cell_text(const pugi::xml_node& cell, const TextStyles& styles) {
     // LibreOffice adds a second attribute of that name with the value "error"; attribute_of() returns the
     // first.
@@ -164,7 +184,9 @@ std::string ods_cell_text(const pugi::xml_node& cell, const TextStyles& styles) 
     if (type == "date") return shown_date(attribute_of(cell, "date-value").value_or("").substr(0, 10));
     if (type == "float" || type == "percentage" || type == "currency") {
         const auto number = whole_decimal(attribute_of(cell, "value").value_or(""));
-        if (number) return type == "percentage" ? shown_per_cent(*number) : shown_number(*number);
+        if (number)
+            return as_shown(text_of_paragraphs(cell, styles),
+                            type == "percentage" ? shown_per_cent(*number) : shown_number(*number));
     }
     return text_of_paragraphs(cell, styles);
 }
@@ -236,15 +258,12 @@ std::optional<std::vector<Sheet>> read_ods(Archive& archive) {
     return sheets;
 }
 
-/// How the number of an .xlsx cell is shown.
-enum class Format { number, per_cent, date };
-
 /// What all sheets of a workbook share.
 struct Shared {
     std::vector<std::string> strings{};
-    std::vector<Format> formats{};  ///< by the cell's style
-    std::vector<bool> struck{};     ///< whether it is struck out, by the cell's style
-    bool since_1904 = false;        ///< the calendar of old Macintosh files
+    std::vector<NumberFormat> formats{};  ///< by the cell's style
+    std::vector<bool> struck{};           ///< whether it is struck out, by the cell's style
+    bool since_1904 = false;              ///< the calendar of old Macintosh files
 };
 
 /// The whole text as an unsigned number.
@@ -324,42 +343,11 @@ std::string text_of_item(const pugi::xml_node& item) {
     return text;
 }
 
-/// The format of a code such as `dd.mm.yyyy` or `0.0%`.
-Format format_of_code(std::string_view code) {
-    bool quoted = false;
-    bool bracketed = false;
-    bool per_cent = false;
-    for (std::size_t i = 0; i < code.size(); ++i) {
-        const char c = code[i];
-        if (c == '"') quoted = !quoted;
-        if (quoted) continue;
-        if (c == '\\' || c == '_' || c == '*') {
-            ++i;  // the next one is shown as it is
-            continue;
-        }
-        if (c == '[') bracketed = code.substr(i + 1, 1).find_first_of("hmsHMS") == std::string_view::npos;
-        if (c == ']') bracketed = false;
-        if (bracketed) continue;
-        if (c == ';') break;  // what follows is for negative numbers
-        if (c == '%') per_cent = true;
-        if (std::string_view("dmyhsDMYHS").find(c) != std::string_view::npos) return Format::date;
-    }
-    return per_cent ? Format::per_cent : Format::number;
-}
-
-/// The formats with an id but without a code in the file. Source: ECMA-376-1, 18.8.30.
-Format built_in_format(std::size_t id) {
-    if (id == 9 || id == 10) return Format::per_cent;
-    const bool date =
-        (id >= 14 && id <= 22) || (id >= 27 && id <= 36) || (id >= 45 && id <= 47) || (id >= 50 && id <= 58);
-    return date ? Format::date : Format::number;
-}
-
 void read_styles(const std::optional<std::string>& content, const std::string& name, Shared& shared) {
     if (!content) return;
     const pugi::xml_document document = parse_part(*content, name);
     const pugi::xml_node root = document.document_element();
-    std::map<std::string, Format> own;
+    std::map<std::string, NumberFormat> own;
     for (const pugi::xml_node& node : child_of(root, "numFmts"))
         own[attribute_of(node, "numFmtId").value_or("")] =
             format_of_code(attribute_of(node, "formatCode").value_or(""));
@@ -397,9 +385,13 @@ std::string shown_value(const std::string& value, const pugi::xml_node& cell, co
     const auto number = whole_decimal(value);
     if (!number) return value;
     const auto style = whole_number(attribute_of(cell, "s").value_or("0")).value_or(0);
-    const Format format = style < shared.formats.size() ? shared.formats[style] : Format::number;
-    if (format == Format::date) return shown_date(date_of(*number, shared.since_1904));
-    return format == Format::per_cent ? shown_per_cent(*number) : shown_number(*number);
+    if (style >= shared.formats.size()) return shown_number(*number);
+    const FormatSection& section = section_of(shared.formats[style], *number);
+    if (section.format == Format::date) return shown_date(date_of(*number, shared.since_1904));
+    if (!section.has_number && !section.prefix.empty()) return section.prefix;
+    return beside(section.prefix,
+                  section.format == Format::per_cent ? shown_per_cent(*number) : shown_number(*number),
+                  section.suffix);
 }
 
 std::string xlsx_cell_text(const pugi::xml_node& cell, const Shared& shared) {

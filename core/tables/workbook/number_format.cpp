@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tables/workbook/number_format.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+
+#include "core/text/text.hpp"
+
+namespace ashimpact {
+
+bool has_meaning(std::string_view text) {
+    return std::ranges::any_of(text, [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return std::isalpha(byte) != 0 || byte >= 0x80 || c == '<' || c == '>' || c == '~' || c == '%';
+    });
+}
+
+namespace {
+
+/// A part of a code in square brackets: a condition, a currency, a time; colours and languages are nothing.
+void take_brackets(std::string_view inside, FormatSection& section, std::string& literal) {
+    if (inside.empty()) return;
+    if (std::string_view("<>=").find(inside.front()) != std::string_view::npos)
+        section.condition = inside;
+    else if (inside.front() == '$')
+        literal += inside.substr(1, inside.find('-') - 1);
+    else if (inside.find_first_not_of("hmsHMS") == std::string_view::npos)
+        section.format = Format::date;
+}
+
+}  // namespace
+
+NumberFormat format_of_code(std::string_view code) {
+    NumberFormat format(1);
+    std::string literal;
+    const auto end_literal = [&] {
+        FormatSection& section = format.back();
+        if (has_meaning(literal)) (section.has_number ? section.suffix : section.prefix) += literal;
+        literal.clear();
+    };
+    for (std::size_t i = 0; i < code.size(); ++i) {
+        const char c = code[i];
+        FormatSection& section = format.back();
+        if (c == '"' || c == '[') {
+            const auto end = std::min(code.find(c == '"' ? '"' : ']', i + 1), code.size());
+            const std::string_view inside = code.substr(i + 1, end - i - 1);
+            if (c == '"')
+                literal += inside;
+            else
+                take_brackets(inside, section, literal);
+            i = end;
+        } else if (c == '\\') {
+            literal += code.substr(++i, 1);
+        } else if (c == '_' || c == '*') {
+            ++i;  // the width of the next one, or the next one as filling
+        } else if (c == ';') {
+            end_literal();
+            format.emplace_back();
+        } else if (c == '0' || c == '#' || c == '?') {
+            end_literal();
+            section.has_number = true;
+        } else if (c == '%') {
+            section.format = Format::per_cent;
+        } else if (c == 'G' && code.substr(i).starts_with("General")) {
+            end_literal();
+            section.has_number = true;
+            i += 6;
+        } else if (std::string_view("dmyhsDMYHS").find(c) != std::string_view::npos) {
+            section.format = Format::date;
+        } else if (c == '<' || c == '>' || c == '~' || c == '/' || static_cast<unsigned char>(c) >= 0x80) {
+            literal += c;
+        }
+    }
+    end_literal();
+    return format;
+}
+
+namespace {
+
+/// Whether the condition of a section holds.
+bool holds(std::string_view condition, double number) {
+    const auto digits = condition.find_first_not_of("<>=");
+    const auto limit = digits == std::string_view::npos
+                           ? std::nullopt
+                           : whole_decimal(std::string(condition.substr(digits)));
+    if (!limit) return false;
+    const std::string_view sign = condition.substr(0, digits);
+    return sign == "<"    ? number < *limit
+           : sign == "<=" ? number <= *limit
+           : sign == ">"  ? number > *limit
+           : sign == ">=" ? number >= *limit
+           : sign == "="  ? number == *limit
+                          : number != *limit;
+}
+
+}  // namespace
+
+const FormatSection& section_of(const NumberFormat& format, double number) {
+    if (std::ranges::any_of(format, [](const FormatSection& each) { return !each.condition.empty(); })) {
+        for (const FormatSection& section : format)
+            if (section.condition.empty() || holds(section.condition, number)) return section;
+        return format.front();
+    }
+    if (number < 0 && format.size() > 1) return format[1];
+    if (number == 0 && format.size() > 2) return format[2];
+    return format.front();
+}
+
+NumberFormat built_in_format(std::size_t id) {
+    if (id == 9 || id == 10) return {{.format = Format::per_cent, .has_number = true}};
+    const bool date =
+        (id >= 14 && id <= 22) || (id >= 27 && id <= 36) || (id >= 45 && id <= 47) || (id >= 50 && id <= 58);
+    return {{.format = date ? Format::date : Format::number, .has_number = true}};
+}
+
+}  // namespace ashimpact
