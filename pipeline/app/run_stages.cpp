@@ -257,6 +257,27 @@ bool is_read(const Range& range, std::string_view file) {
     return false;
 }
 
+/// Refuses to compute an artifact anew that was edited: the edit would be lost. @throws InputError
+void keep_edit(const std::filesystem::path& folder, const Stage& stage) {
+    const auto path = folder / stage.file;
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) return;
+    try {
+        const Json document = parse_json(read_file(path));
+        validate_document(document, schema_of(stage.file));
+        if (!is_edited(document)) return;
+    } catch (const InputError&) {
+        return;  // a damaged artifact is written anew
+    }
+    const Stage* next = &stage + 1;
+    const bool is_last = next == stages().data() + stages().size();
+    throw InputError(fmt::format("was edited, and {} computes it anew: the edit would be lost", stage.name),
+                     is_last
+                         ? "the file removed, or as it was"
+                         : fmt::format("--from {}, which takes the edit; or the file removed", next->name))
+        .at(FileName{path.string()});
+}
+
 /// Adds an artifact that the run neither reads nor writes, if it exists: checked, but kept without its
 /// result.
 void add_unused(const std::filesystem::path& folder, std::string_view file, std::string_view stage,
@@ -349,14 +370,12 @@ RunSummary run_stages(const RunPlan& plan) {
     for (std::size_t i = range.end; i < stages().size(); ++i)
         add_unused(plan.folder, stages()[i].file, stages()[i].name, later);
     if (!range.with_case) {
+        for (std::size_t i = range.first; i < range.end; ++i) keep_edit(plan.folder, stages()[i]);
         std::vector<Artifact> old = work.all;
         old.insert(old.end(), later.begin(), later.end());
         require_one_run(old);
         work.run = read_run(work.artifacts);
-        // What the comparison takes from the histories does not rest on critical velocities.
-        require_up_to_date(work.all, [&](std::string_view file) {
-            return work.artifacts.has(file) && file != histories_artifact;
-        });
+        require_up_to_date(work.all, [&](std::string_view file) { return work.artifacts.has(file); });
         require_edits_to_count(work.artifacts, work.models);
     }
     for (std::size_t i = range.first; i < range.end; ++i) {

@@ -69,14 +69,39 @@ TEST_CASE("export computes from an edited critical velocity; a report waits for 
     check_refused(sandbox, "report results",
                   "results/8-histories.json: was computed from another 7-critical-velocity.json than the one "
                   "beside it; allowed: --from histories of");
-    const auto partly = test::succeeded(sandbox, "run --from comparison");
-    CHECK(partly.err == containing("no report (results/8-histories.json: was computed from another"));
-    CHECK_FALSE(sandbox.has("results/report.html"));
+    check_refused(sandbox, "run --from comparison",
+                  "results/8-histories.json: was computed from another 7-critical-velocity.json");
     test::succeeded(sandbox, "run --from histories");
     CHECK(sandbox.has("results/report.html"));
 
     edit_result(sandbox, "7-critical-velocity.json", "/result/samples/0/dmt/dissipated/value = 1e-7");
     check_refused(sandbox, export_run, "/dissipated/value: was edited, and only part of what comes after");
+}
+
+TEST_CASE("a run does not compute an edited artifact anew: the edit would be lost") {
+    const Sandbox sandbox;
+    test::put_built_in_run(sandbox);
+    const auto before = sandbox.everything();
+    edit_result(sandbox, "2-contact.json", "/result/samples/0/work_of_adhesion/value = 0.5");
+    const std::string edited = sandbox.read("results/2-contact.json");
+    const std::string lost =
+        "results/2-contact.json: was edited, and contact computes it anew: the edit would "
+        "be lost; allowed: --from analytic, which takes the edit; or the file removed";
+    check_refused(sandbox, "run --from contact", lost);
+    check_refused(sandbox, "run --only contact", lost);
+    CHECK(sandbox.read("results/2-contact.json") == edited);
+    std::filesystem::remove(sandbox.path("results/2-contact.json"));
+    test::succeeded(sandbox, "run --from contact");
+    for (const auto& [file, bytes] : before)
+        if (file != "results/manifest.json" && file != "results/report.html")
+            CHECK(sandbox.read(file) == bytes);
+}
+
+TEST_CASE("an interval has one level throughout a run") {
+    const Sandbox sandbox;
+    test::put_built_in_run(sandbox);
+    edit_result(sandbox, "7-critical-velocity.json", "/result/samples/0/dmt/interval/level = 0.9");
+    check_refused(sandbox, "run --from histories", "/interval/level: is 0.9; allowed: 0.95");
 }
 
 TEST_CASE("an edited comparison is refused by a report, which shows its numbers from other artifacts too") {
