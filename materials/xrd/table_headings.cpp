@@ -93,9 +93,22 @@ HeadingUnit unit_of(std::string_view text) {
                                   : HeadingUnit::other;
 }
 
-bool ends_with_uncertainty_word(std::string_view heading) {
-    const auto blank = heading.find_last_of(" _");
-    return blank != std::string_view::npos && role_of_text(heading.substr(blank + 1)) == Role::uncertainty;
+UncertaintyName uncertainty_name(std::string_view text) {
+    if (is_uncertainty_word(text)) return {.is_uncertainty = true};
+    UncertaintyName name;  // the longest word counts: "error of", not "error"
+    for (auto at = text.find_first_of(" _("); at != std::string_view::npos;
+         at = text.find_first_of(" _(", at + 1)) {
+        const std::string_view before = trimmed(text.substr(0, at));
+        const std::string_view after = trimmed(text.substr(at + (text[at] == '(' ? 0 : 1)));
+        if (before.empty() || after.empty()) continue;
+        if (is_uncertainty_word(after) || role_of_text(after) == Role::uncertainty)
+            return {.is_uncertainty = true, .of = std::string(before)};
+        if (!is_uncertainty_word(before)) continue;
+        const bool brackets = after.front() == '(' && after.back() == ')';
+        name = {.is_uncertainty = brackets || key_of(before).size() > 2,
+                .of = std::string(brackets ? trimmed(after.substr(1, after.size() - 2)) : after)};
+    }
+    return name;
 }
 
 namespace {

@@ -81,8 +81,12 @@ struct MarkedPhase {
 /// Whether a text holds "%" or a word for it.
 [[nodiscard]] bool holds_per_cent(std::string_view text);
 
-/// Whether a heading such as "Quartz esd" ends with a word for an uncertainty behind the name of a phase.
-[[nodiscard]] bool ends_with_uncertainty_word(std::string_view heading);
+/// A heading that names an uncertainty and whose it is: "Quartz esd", "u(FA1)", "Unsicherheit FA1", "esd".
+struct UncertaintyName {
+    bool is_uncertainty = false;  ///< not certain of "u 3", which may be the name of a sample
+    std::string of{};             ///< empty: of the column before
+};
+[[nodiscard]] UncertaintyName uncertainty_name(std::string_view text);
 
 }  // namespace ashimpact::xrd
 

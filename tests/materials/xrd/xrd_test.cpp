@@ -433,6 +433,48 @@ TEST_CASE("a heading over two rows") {
     }
 }
 
+TEST_CASE("columns of uncertainties by the name before them") {
+    for (const char* heading : {"esd", "Quartz esd", "Quartz (SD)", "u(Quartz)", "Unsicherheit Quartz",
+                                "Quartz std. error", "error of Quartz", "Quartz_esd"}) {
+        CAPTURE(heading);
+        const XrdResult result =
+            read_xrd("Sample;Quartz;" + std::string(heading) + ";Glass\nA;20;0.3;80\n", "t.csv");
+        CHECK(digest(result.samples.front()) == "Quartz 2000, Glass 8000");
+        CHECK(result.samples.front().analysis.phases.front().standard_uncertainty.value() ==
+              doctest::Approx(0.003));
+    }
+    for (const char* heading : {"rel. error", "3 esd", "max. error", "Corundum (std)", "Mullite esd",
+                                "u(Glass)", "Unsicherheit Mullit"}) {
+        CAPTURE(heading);
+        const std::string refusal = input_error_of([&] {
+            return read_xrd("Sample;Quartz;" + std::string(heading) + ";Glass\nA;20;5;75\n", "t.csv");
+        });
+        CHECK_MESSAGE(contains(refusal, std::string("the column \"") + heading +
+                                            "\" may hold standard uncertainties of \"Quartz\", other ones"),
+                      refusal);
+    }
+    const XrdResult samples = read_xrd(
+        "Phase;FA1;u(FA1);FA2;u(FA2);NWG\nQuartz;20;0.3;30;0.4;1\n"
+        "Glass;80;1;70;1;1\n",
+        "t.csv");
+    REQUIRE(samples.samples.size() == 2);
+    CHECK(samples.samples[1].analysis.phases[0].standard_uncertainty.value() == doctest::Approx(0.004));
+    CHECK(contains(joined(texts_of(samples.warnings)), "column \"NWG\" is not used"));
+    for (const char* table :
+         {"Sample;Quartz;esd;Glass\nA;0.2;0.1 %;0.8\n", "Phase;weight;esd\nQuartz;0.2;0.1 %\nGlass;0.8;0\n"})
+        CHECK(contains(input_error_of([&] { return read_xrd(table, "t.csv"); }),
+                       "\"0.1 %\" may be per cent of the whole, or of the value before it"));
+    const XrdResult signs = read_xrd("Sample;Quartz;esd;Glass\nA;20 %;0.1 %;80 %\n", "t.csv");
+    CHECK(signs.samples.front().analysis.phases.front().standard_uncertainty.value() ==
+          doctest::Approx(0.001));
+    for (const char* heading : {"rel. wt%", "norm. [wt%]", "max. Gew.-%"})
+        CHECK(contains(input_error_of([&] {
+                           return read_xrd("Phase;" + std::string(heading) + "\nQuartz;20\nGlass;80\n",
+                                           "t.csv");
+                       }),
+                       "holds no weight or volume fractions, and is not the name of a sample"));
+}
+
 TEST_CASE("rows of uncertainties behind each sample") {
     for (const auto& [first, second] :
          {std::pair{"esd", "esd"}, {"\u00b1", "\u00b1"}, {"A esd", "B esd"}, {"A (SD)", "B (SD)"}}) {
