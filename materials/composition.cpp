@@ -115,16 +115,20 @@ std::vector<ResolvedPhase> resolved_phases(const Analysis& analysis, const Phase
     return catalogue.resolve_all(names);
 }
 
-bool holds_amorphous_phase(const std::vector<Component>& components) {
-    return std::ranges::any_of(components, [](const Component& c) { return c.phase.amorphous; });
+/// The listed fraction of amorphous phases; none where none is listed.
+std::optional<double> amorphous_part(const std::vector<Component>& components, const Analysis& analysis) {
+    std::optional<double> part;
+    for (std::size_t i = 0; i < components.size(); ++i)
+        if (components[i].phase.amorphous) part = part.value_or(0) + analysis.phases[i].fraction;
+    return part;
 }
 
 /// Finds from their sum whether the listed amounts are fractions of the whole or of its crystalline part.
 class Closing {
   public:
-    Closing(const Analysis& analysis, bool amorphous_listed, const std::string& how_to_state)
+    Closing(const Analysis& analysis, std::optional<double> amorphous, const std::string& how_to_state)
         : analysis_(analysis),
-          amorphous_listed_(amorphous_listed),
+          amorphous_(amorphous),
           how_to_state_(how_to_state),
           model_(listed(analysis)),
           total_(sum(model_.amounts)) {
@@ -160,13 +164,13 @@ class Closing {
     }
 
     void refuse_second_statement() const {
-        if (amorphous_listed_)
+        if (amorphous_)
             throw InputError("the amorphous part is listed among the phases and stated again",
                              "one of the two");
     }
 
     void close(const AmorphousNotStated&) const {
-        if (!amorphous_listed_)
+        if (!amorphous_)
             throw InputError("the amorphous fraction of the sample is not stated", how_to_state_);
         require_sum(1, "as the amorphous part is listed");
     }
@@ -188,6 +192,13 @@ class Closing {
 
     void close(const CrystallineTotal& stated) {
         require_fraction("crystalline total", stated.value);
+        if (amorphous_ && adds_up_to(1)) {
+            if (std::abs(1 - *amorphous_ - stated.value) > analysis_.closure_tolerance)
+                throw InputError("the crystalline total is stated as " + per_cent(stated.value) +
+                                     ", and the amorphous part is listed as " + per_cent(*amorphous_),
+                                 "100 % together");
+            return;
+        }
         split(1 - stated.value, "as the crystalline total is " + per_cent(stated.value));
         model_.parameter_uncertainty = stated.standard_uncertainty;
     }
@@ -216,7 +227,7 @@ class Closing {
     }
 
     const Analysis& analysis_;
-    bool amorphous_listed_;
+    std::optional<double> amorphous_;  ///< as listed among the phases
     const std::string& how_to_state_;
     FractionModel model_;
     double total_;
@@ -301,7 +312,7 @@ Composition compose(const Analysis& given, const PhaseCatalogue& catalogue, cons
         analysis.phases[i] = given.phases[composition.components[i].place];
     require_crystalline(analysis, composition.components);
     composition.model =
-        Closing(analysis, holds_amorphous_phase(composition.components), how_to_state).model();
+        Closing(analysis, amorphous_part(composition.components, analysis), how_to_state).model();
     if (composition.model.kind != FractionModel::Kind::closed) {
         const PhaseFraction rest{.name = analysis.amorphous_phase};
         composition.components.push_back(

@@ -93,7 +93,7 @@ TEST_CASE("the amorphous part is never assumed") {
                    "allowed: the amorphous weight fraction, the crystalline total, an internal standard"));
 }
 
-TEST_CASE("four ways to state it give the same sample") {
+TEST_CASE("five ways to state it give the same sample") {
     const double a = 0.45;
     const std::vector<PhaseFraction> of_the_whole{{.name = "quartz", .fraction = 0.11},
                                                   {.name = "mullite", .fraction = 0.44}};
@@ -106,7 +106,8 @@ TEST_CASE("four ways to state it give the same sample") {
           Analysis{.phases = of_the_whole, .amorphous = CrystallineTotal{.value = 1 - a}},
           Analysis{.phases = of_the_whole, .amorphous = AmorphousRemainder{}},
           Analysis{.phases = crystalline, .amorphous = AmorphousRemainder{.scale = 1 - a}},
-          Analysis{.phases = with_glass}}) {
+          Analysis{.phases = with_glass},
+          Analysis{.phases = with_glass, .amorphous = CrystallineTotal{.value = 1 - a}}}) {
         const Composition composition = paper(analysis);
         REQUIRE(composition.components.size() == 3);
         CHECK(composition.components[2].phase.name == "glass-dong2013");
@@ -191,6 +192,9 @@ TEST_CASE("what does not close or makes no sense is refused in one line") {
             "add up to 90 %; allowed: 100 % within 0.5 %, as there is no amorphous part");
     refuses({.phases = two(0.6, 0.3), .amorphous = AmorphousFraction{.value = 0.3}},
             "add up to 90 %; allowed: 70 % within 0.5 %");
+    refuses({.phases = {{.name = "quartz", .fraction = 0.4}, {.name = "glass", .fraction = 0.6}},
+             .amorphous = CrystallineTotal{.value = 0.5}},
+            "the crystalline total is stated as 50 %, and the amorphous part is listed as 60 %");
     refuses({.phases = two(0.6, 0.3), .amorphous = CrystallineTotal{.value = 0.8}}, "allowed: 80 %");
     refuses({.phases = two(0.6, -0.3), .amorphous = AmorphousNone{}}, "the fraction of \"mullite\" is -0.3");
     refuses({.phases = two(0.6, NAN), .amorphous = AmorphousNone{}}, "the fraction of \"mullite\" is nan");
