@@ -164,6 +164,7 @@ bool NumberMarks::is_decimal(char mark, std::string_view number, std::size_t col
     const bool beside_whole = thousands && found->second.whole > 0 && found->second.others == 0;
     if (stated && !contradicted && !beside_whole) return true;
     if (is_point && !stated && !contradicted && !thousands) return true;  // the mark of most programs
+    if (!contradicted && found != columns_.end() && found->second.below_thousand) return true;
     if (contradicted && !stated && found != columns_.end()) {
         const auto points = found->second.point_may_group;
         const auto commas = found->second.comma_may_group;

@@ -20,8 +20,10 @@ namespace {
 /// Whether the heading of a column beside the phases may be the name of a sample: it has no unit but those of
 /// fractions, and no sign of a quantity.
 bool may_name_sample(const Heading& heading) {
+    static const WordLists qualifiers("XRD qualifiers");
     if (heading.role == Role::measure) return false;
     if (heading.role != Role::other) return true;
+    if (heading.states != HeadingUnit::none && qualifiers.holds(heading.text)) return false;
     constexpr std::array<std::string_view, 15> signs{"%",  "\u2030", "\u221a", "\u00b2", "\u00b3",
                                                      "^",  "\u0394", "\u2206", "\u03c3", "\u00bd",
                                                      "1/", "\u00b0", "\u00c5", "\u03b8", "ppm"};
@@ -182,6 +184,16 @@ std::optional<double> density_in(const TableRow& row, std::size_t column, const 
     });
 }
 
+/// Refuses "0.1 %" as the uncertainty of a fraction without that sign. @throws InputError
+void refuse_mixed_per_cent(const std::optional<PrintedNumber>& amount, const PrintedNumber& uncertainty,
+                           const TableRow& row, std::size_t column) {
+    if (!amount || amount->per_cent || !uncertainty.per_cent) return;
+    throw InputError(in_quotes(row.cells[column]) +
+                         " may be per cent of the whole, or of the value before it, which has no such sign",
+                     "the number alone, or the sign in both cells")
+        .at(at_cell(row.line, column));
+}
+
 /// One row a phase: phase and weight, or phase, intensity and RIR.
 std::vector<Entry> long_entries(const Table& table) {
     std::vector<Entry> entries;
@@ -204,7 +216,12 @@ std::vector<Entry> long_entries(const Table& table) {
             entry.sample = entries.back().sample;  // named once, above
         if (entry.phase.empty()) refuse_line(row.line, "the line names no phase", "a phase");
         entry.amount = number(table.has(Role::weight) ? Role::weight : Role::volume);
-        entry.uncertainty = plain(Role::uncertainty);
+        if (const auto uncertainty = number(Role::uncertainty)) {
+            if (table.headings[*table.column(Role::uncertainty)].scale == Scale::not_stated)
+                refuse_mixed_per_cent(table.has(Role::intensity) ? number(Role::intensity) : entry.amount,
+                                      *uncertainty, row, *table.column(Role::uncertainty));
+            entry.uncertainty = uncertainty->value;
+        }
         if (entry.uncertainty && *entry.uncertainty < 0)
             refuse_line(row.line, "the uncertainty is below zero", "zero or more");
         if (entry.uncertainty && *entry.uncertainty > 0 && !is_computable(*entry.uncertainty))
@@ -224,7 +241,6 @@ std::vector<Entry> long_entries(const Table& table) {
 /// a column "Quartz"; else it holds the values of quartz with their uncertainties.
 bool is_uncertainty_of(const Table& table, std::size_t column, const std::vector<Entry>& entries) {
     const std::string& name = table.headings[column].text;
-    if (ends_with_uncertainty_word(name)) return true;
     if (table.headings[column].role != Role::uncertainty) return false;
     const bool same = !entries.empty() && (entries.back().phase == name || entries.back().sample == name);
     return name.empty() || is_uncertainty_word(name) || same;
@@ -252,7 +268,9 @@ std::vector<Entry> wide_entries(const Table& table, Role row_role) {
                                 "the column " + in_quotes(table.headings[i].written) +
                                     " holds uncertainties and follows no column of fractions",
                                 "the column of the fractions before it");
-                if (number) entries.back().uncertainty = number->value;
+                if (!number) continue;
+                refuse_mixed_per_cent(entries.back().amount, *number, row, i);
+                entries.back().uncertainty = number->value;
                 continue;
             }
             const MarkedPhase phase = read_phase_name(row_role == Role::sample ? name : row.cells[label]);
@@ -368,6 +386,44 @@ void take_notes_on_phases(Table& table, std::span<const TextLine> notes) {
     }
 }
 
+/// Whether one name is the other, or its beginning: "Mullite" of "Mullite 2:1".
+bool are_alike(std::string_view name, std::string_view other) {
+    const std::string a = word_key(name);
+    const std::string b = word_key(other);
+    return !a.empty() && !b.empty() && (a.starts_with(b) || b.starts_with(a));
+}
+
+/// Finds the columns of uncertainties beside those of phases or samples: "esd", "Quartz esd", "u(FA1)" are of
+/// the column before. Errors: InputError for one that names no column, or another than the one before it.
+void find_uncertainties(Table& table) {
+    const Heading* before = nullptr;
+    for (Heading& heading : table.headings) {
+        const UncertaintyName name = uncertainty_name(heading.text);
+        const bool is_amount = heading.role == Role::other && !heading.text.empty();
+        const auto is_named = [&](const Heading& each) {
+            return &each != &heading && word_key(each.text) == word_key(name.of);
+        };
+        if (!is_amount || name.of.empty() ||
+            !(name.is_uncertainty || std::ranges::any_of(table.headings, is_named))) {
+            if (is_amount && !stands_beside(heading)) before = &heading;
+            continue;
+        }
+        if (before == nullptr)
+            refuse_line(table.heading_line,
+                        "the column " + in_quotes(heading.written) +
+                            " holds uncertainties and follows no column of fractions",
+                        "the column of the fractions before it");
+        if (!are_alike(name.of, before->text))
+            refuse_line(table.heading_line,
+                        "the column " + in_quotes(heading.written) + " may hold standard uncertainties of " +
+                            in_quotes(before->text) + ", other ones, or fractions of " + in_quotes(name.of),
+                        in_quotes("esd") + " or " + in_quotes(before->text + " esd") +
+                            " for standard uncertainties, else another name");
+        heading.role = Role::uncertainty;
+        heading.text.clear();
+    }
+}
+
 /// Marks columns that sum up samples, such as "Mittelwert" with its uncertainty. Without the samples the
 /// first of them is the result, and "Min" and "Max" behind it are none.
 void mark_sums(Table& table) {
@@ -376,7 +432,7 @@ void mark_sums(Table& table) {
     };
     const auto is_sample = [&](const Heading& heading) {
         return heading.role == Role::other && !heading.text.empty() && !sums_up(heading) &&
-               !ends_with_uncertainty_word(heading.text);
+               !uncertainty_name(heading.text).is_uncertainty;
     };
     bool is_result = !std::ranges::any_of(table.headings, is_sample);
     bool follows = false;
@@ -481,23 +537,32 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
         if (take_second_heading(headings, second, is_unit) || take_units(headings, second, is_unit)) ++first;
     }
     table.headings = headings_of(headings);
+    const bool is_wide = table.has(Role::phase) != table.has(Role::sample) && !names_amounts(table.headings);
+    if (is_wide) find_uncertainties(table);
     if (table.has(Role::phase) && !table.has(Role::sample)) mark_sums(table);
     prefer_fractions(table);
     check_units_of_uncertainties(table);
     for (std::size_t i = 0; i < *heading; ++i) require_unit_of_title(lines[i], table);
-    if (*heading > 0)
-        table.warnings.push_back(
-            {xrd_code, Severity::background, counted(*heading, "line") + " above the heading not read"});
+    for (std::size_t i = 0; i < *heading; ++i)
+        table.warnings.push_back({xrd_code, Severity::background,
+                                  at_line(lines[i].number) + ", above the heading, is not read: " +
+                                      in_quotes(trimmed(lines[i].text))});
     for (std::size_t k = 0; k < table.headings.size(); ++k)
         if (table.headings[k].role == Role::intensity || table.headings[k].scale == Scale::ppm ||
             table.headings[k].scale == Scale::per_mille)
             table.marks.may_hold_thousands(k);
+        else if (table.headings[k].role == Role::weight || table.headings[k].role == Role::volume)
+            table.marks.stays_below_thousand(k);
     std::vector<std::pair<std::string, StatedCoverage>> coverages;
     for (const Heading& each : table.headings) coverages.emplace_back(each.written, each.coverage);
     for (Finding& each : coverage_findings(xrd_code, coverages)) table.warnings.push_back(std::move(each));
     const std::vector<TextLine> all = lines;
     for (Finding& each : take_notes(lines, first, table.separator, xrd_code))
         table.warnings.push_back(std::move(each));
+    std::vector<std::string> uncertain;
+    for (const Heading& each : table.headings)
+        if (is_uncertainty(each) && each.coverage.stated.empty()) uncertain.push_back(each.written);
+    require_coverage_in_headings(file, std::span(lines).subspan(*heading), uncertain);
     for (std::size_t i = first; i < lines.size(); ++i) {
         table.rows.push_back(checked_row(lines[i], table));
         for (std::size_t k = 0; k < table.headings.size(); ++k)
@@ -590,7 +655,7 @@ bool by_volume(const Table& table, Layout layout) {
         const bool is_small = heading.scale == Scale::ppm || heading.scale == Scale::per_mille;
         if (is_small && (small == nullptr || small->scale == heading.scale))
             small = &heading;
-        else if (!ends_with_uncertainty_word(heading.text))
+        else
             other = &heading;
         weight = weight || heading.role == Role::weight || heading.states == HeadingUnit::weight;
         volume = volume || heading.role == Role::volume || heading.states == HeadingUnit::volume;

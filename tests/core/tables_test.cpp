@@ -191,10 +191,12 @@ TEST_CASE("cells of .xlsx hold what the spreadsheet shows") {
     const std::string styles =
         "<styleSheet><numFmts><numFmt numFmtId='164' formatCode='dd\\.mm\\.yyyy'/>"
         "<numFmt numFmtId='165' formatCode='0.0%'/>"
-        "<numFmt numFmtId='166' formatCode='[Red]0.00\" days\"'/></numFmts>"
+        "<numFmt numFmtId='166' formatCode='[Red]0.00\" days\"'/>"
+        "<numFmt numFmtId='167' formatCode='[&lt;0.1]\"&lt;\"0.0;0.0\\ \\g/\"kg\"'/>"
+        "<numFmt numFmtId='168' formatCode='#,##0.00_);(#,##0.00);\"n.d.\"'/></numFmts>"
         "<fonts><font/><font><strike/></font></fonts><cellXfs><xf/>"
         "<xf numFmtId='164'/><xf numFmtId='165'/><xf numFmtId='166'/><xf numFmtId='14'/><xf fontId='1'/>"
-        "</cellXfs></styleSheet>";
+        "<xf numFmtId='167'/><xf numFmtId='168'/></cellXfs></styleSheet>";
     const std::string strings =
         "<sst><si><t>plain</t></si><si><r><t>ri</t></r><r><t>ch</t></r>"
         "<rPh><t>phonetic</t></rPh></si></sst>";
@@ -211,7 +213,12 @@ TEST_CASE("cells of .xlsx hold what the spreadsheet shows") {
     CHECK(cell("<c r='A1' s='2'><v>0.21299999999999999</v></c>") == "21.3 %");
     CHECK(cell("<c r='A1' s='1'><v>46082</v></c>") == "2026-03-01 (a date)");
     CHECK(cell("<c r='A1' s='4'><v>1</v></c>") == "1899-12-31 (a date)");
-    CHECK(cell("<c r='A1' s='3'><v>12.5</v></c>") == "12.5");
+    CHECK(cell("<c r='A1' s='3'><v>12.5</v></c>") == "12.5 days");
+    CHECK(cell("<c r='A1' s='6'><v>0.05</v></c>") == "<0.05");
+    CHECK(cell("<c r='A1' s='6'><v>3.5</v></c>") == "3.5 g/kg");
+    CHECK(cell("<c r='A1' s='7'><v>1234.5</v></c>") == "1234.5");
+    CHECK(cell("<c r='A1' s='7'><v>-2.5</v></c>") == "-2.5");
+    CHECK(cell("<c r='A1' s='7'><v>0</v></c>") == "n.d.");
     CHECK(cell("<c r='A1' t='s'><v>0</v></c>") == "plain");
     CHECK(cell("<c r='A1' t='s'><v>1</v></c>") == "rich");
     CHECK(contains(input_error_of([&] { static_cast<void>(cell("<c r='A1' t='s'><v>7</v></c>")); }),
@@ -252,6 +259,16 @@ TEST_CASE("cells of .ods hold what the spreadsheet shows") {
     CHECK(row("<table:table-cell office:value-type='float' "
               "office:value='0.1'><text:p>0,10</text:p></table:table-cell>") == "0.1\n");
     CHECK(row("<table:table-cell office:value-type='percentage' office:value='0.213'/>") == "21.3 %\n");
+    for (const auto& [shown, text] : {std::pair{"3,20 g/kg", "3.2 g/kg"},
+                                      {"&lt;3,2", "<3.2"},
+                                      {"n.d.", "n.d."},
+                                      {"###", "3.2"},
+                                      {"(3,2)", "3.2"},
+                                      {"3,2E+00", "3.2"}})
+        CHECK(row(std::string("<table:table-cell office:value-type='float' office:value='3.2'><text:p>") +
+                  shown + "</text:p></table:table-cell>") == std::string(text) + "\n");
+    CHECK(row("<table:table-cell office:value-type='percentage' office:value='0.213'><text:p>21,3 %</text:p>"
+              "</table:table-cell>") == "21.3 %\n");
     CHECK(row("<table:table-cell office:value-type='date' office:date-value='2026-03-01T00:00:00'/>") ==
           "2026-03-01 (a date)\n");
     CHECK(row("<table:table-cell table:formula='of:=[.A1]'/>") ==
@@ -271,6 +288,30 @@ TEST_CASE("cells of .ods hold what the spreadsheet shows") {
             "<table:table-cell><text:p>b</text:p></table:table-cell></table:table-row>"
             "<table:table-row table:number-rows-repeated='1048570'><table:table-cell/></table:table-row>")) ==
         "a\nb\nb\nb\n");
+}
+
+TEST_CASE("a fraction stays below a thousand, so that its comma has one reading") {
+    const auto first = [](const std::string& text) {
+        return read_xrd(text, "a.csv").samples.front().analysis.phases.front().fraction;
+    };
+    CHECK(first("phase;wt%\nQuartz;12,500\nGlass;87,500\n") == doctest::Approx(0.125));
+    CHECK(first("phase,wt%\nQuartz,\"12,500\"\nGlass,\"87,500\"\n") == doctest::Approx(0.125));
+    CHECK(contains(input_error_of([&] { return first("phase;ppm\nQuartz;12,500\nGlass;987,500\n"); }),
+                   "is 12.500 or 12500"));
+}
+
+TEST_CASE("a coverage beside the table, not in its headings, is refused") {
+    const auto xrd = [](const std::string& before, const std::string& after) {
+        return input_error_of(
+            [&] { return read_xrd(before + "phase,wt%,esd\nQuartz,60,2\nGlass,40,1\n" + after, "a.csv"); });
+    };
+    CHECK(contains(xrd("# errors are 2 sigma\n", ""),
+                   "line 1: the line states \"2 sigma\", and the column \"esd\" does not; allowed: the "
+                   "coverage in the heading, \"esd (2 sigma)\""));
+    CHECK(contains(xrd("Fly ash, errors k=2\n", ""), "line 1: the line states \"k=2\""));
+    CHECK(contains(xrd("", "\nall errors: 2 sigma\n"), "line 5: the line states"));
+    CHECK(xrd("# Fly ash 2, sieved 2 s, 95 % below 45 um\n", "").empty());
+    CHECK(xrd("# errors are 1 sigma\n", "").empty());
 }
 
 TEST_CASE("marks in numbers have one reading, by the other numbers of the table, or are refused") {

@@ -517,6 +517,10 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
     MeasurementSet set{.source = std::string(name), .points = {}, .warnings = warnings_of(heading)};
     for (Finding& note : take_notes(lines, first, separator, impacts_code))
         set.warnings.push_back(std::move(note));
+    std::vector<std::string> uncertain;
+    for (const auto& column : heading.uncertainty)
+        if (column && column->coverage == 1) uncertain.push_back(column->name);
+    require_coverage_in_headings(file, std::span<const TextLine>(lines).subspan(place), uncertain);
     const std::span rows = std::span<const TextLine>(lines).subspan(first);
     const TableCells cells(heading, rows, separator, decimal);
     const RowLabels labels(heading, rows, separator);
