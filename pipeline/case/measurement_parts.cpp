@@ -72,6 +72,9 @@ void read_noise(const View& node, MeasurementSet& set) {
     if (has_either(node, of_velocity, of_ratio) != known)
         node.fail("an uncertainty of the velocities before and after belongs to the other one",
                   "velocity_uncertainty with rebound_uncertainty or restitution_uncertainty");
+    if (!known && node.has("velocity_correlation"))
+        node.fail("the correlation of two velocities is that of their uncertainties, which are not stated",
+                  "velocity_uncertainty with rebound_uncertainty or restitution_uncertainty");
     if (!known) return;
     const std::vector<double> incident =
         read_column(node, "velocity_uncertainty", Dimension::velocity, length);
