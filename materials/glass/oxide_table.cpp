@@ -129,8 +129,6 @@ class OxideTable {
     std::vector<Finding> warnings{};
 
     [[nodiscard]] const NumberMarks& marks() const { return marks_; }
-    /// The unit that a title above the table states, "mol%" or "wt%"; may be empty.
-    [[nodiscard]] const std::vector<std::string>& titles() const { return titles_; }
 
   private:
     void note(std::string text, Severity severity = Severity::remark) {
@@ -138,7 +136,17 @@ class OxideTable {
     }
 
     void take_titles(std::size_t heading) {
-        for (std::size_t i = 0; i < heading; ++i) titles_.push_back(joined(rows_[i].cells));
+        for (std::size_t i = 0; i < heading; ++i) {
+            const std::string title = joined(rows_[i].cells);
+            const std::string key = word_key(title, "%");
+            for (const std::string_view mole :
+                 {"mol%", "molepercent", "molpercent", "molefraction", "molanteil"})
+                if (key.find(mole) != std::string::npos)
+                    refuse_line(rows_[i].line, "the title states fractions by mole: " + in_quotes(title),
+                                "% by weight of oxides");
+            note(at_line(rows_[i].line) + ", above the heading, is not read: " + in_quotes(title),
+                 Severity::background);
+        }
     }
 
     void refuse_unknown(const TableRow& row, std::size_t column, const OxideLine& line) const {
@@ -170,7 +178,14 @@ class OxideTable {
             if (!used) unused.push_back(in_quotes(names.cells[i]));
         }
         if (!unused.empty()) note("columns not used: " + joined(unused), Severity::background);
+        mark_thousands();
         for (std::size_t r = next; r < rows_.size(); ++r) add_row(rows_[r], names, label);
+    }
+
+    /// States in which columns a number may be a thousand: "4.000" ppm.
+    void mark_thousands() {
+        for (std::size_t i = 0; i < headings_.size(); ++i)
+            if (is_parts_per_million(headings_[i].heading)) marks_.may_hold_thousands(i);
     }
 
     /// The column of the names of samples; headings_.size() if there is none.
@@ -231,6 +246,7 @@ class OxideTable {
             const bool is_unit = heading.role == xrd::Role::weight;
             samples.push_back({.sample = is_unit ? std::string() : heading.text});
         }
+        mark_thousands();
         for (std::size_t r = first; r < rows_.size(); ++r) add_oxide_row(rows_[r], names, amounts);
     }
 
@@ -311,7 +327,6 @@ class OxideTable {
     NumberMarks marks_;
     std::vector<TableRow> rows_{};
     std::vector<OxideLine> headings_{};
-    std::vector<std::string> titles_{};
 };
 
 /// Heading that states the unit of a cell.
@@ -534,9 +549,6 @@ class OxideSampleMaker {
 
 OxideResult read_oxide_lines(const TextLines& file, std::optional<DecimalMark> decimal) {
     const OxideTable table(file, decimal);
-    for (const std::string& title : table.titles())
-        if (word_key(title, "%").find("mol%") != std::string::npos)
-            throw InputError("the title states mol%", "% by weight of oxides").at(at_line(1));
     OxideResult result{.samples = {}, .warnings = table.warnings};
     for (const OxideColumn& column : table.samples) {
         OxideSample sample = OxideSampleMaker(column, table.marks()).make();

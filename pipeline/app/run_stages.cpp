@@ -257,25 +257,37 @@ bool is_read(const Range& range, std::string_view file) {
     return false;
 }
 
-/// Refuses to compute an artifact anew that was edited: the edit would be lost. @throws InputError
-void keep_edit(const std::filesystem::path& folder, const Stage& stage) {
-    const auto path = folder / stage.file;
+/// Whether an artifact in the folder was edited; a damaged one is written anew.
+bool was_edited(const std::filesystem::path& path, std::string_view file) {
     std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored)) return;
+    if (!std::filesystem::is_regular_file(path, ignored)) return false;
     try {
         const Json document = parse_json(read_file(path));
-        validate_document(document, schema_of(stage.file));
-        if (!is_edited(document)) return;
+        validate_document(document, schema_of(file));
+        return is_edited(document);
     } catch (const InputError&) {
-        return;  // a damaged artifact is written anew
+        return false;
     }
-    const Stage* next = &stage + 1;
-    const bool is_last = next == stages().data() + stages().size();
-    throw InputError(fmt::format("was edited, and {} computes it anew: the edit would be lost", stage.name),
-                     is_last
-                         ? "the file removed, or as it was"
-                         : fmt::format("--from {}, which takes the edit; or the file removed", next->name))
-        .at(FileName{path.string()});
+}
+
+/// Refuses to start at a stage whose artifact was edited: the edit would be lost. Later ones are computed
+/// anew with a warning. @throws InputError
+void keep_edits(const std::filesystem::path& folder, const Range& range) {
+    for (std::size_t i = range.first; i < range.end; ++i) {
+        const Stage& stage = stages()[i];
+        const auto path = folder / stage.file;
+        if (!was_edited(path, stage.file)) continue;
+        if (i > range.first) {
+            spdlog::warn("warning: {}: was edited, and is computed anew", path.string());
+            continue;
+        }
+        throw InputError(
+            fmt::format("was edited, and {} computes it anew: the edit would be lost", stage.name),
+            i + 1 == stages().size()
+                ? "the file removed, or as it was"
+                : fmt::format("--from {}, which takes the edit; or the file removed", stages()[i + 1].name))
+            .at(FileName{path.string()});
+    }
 }
 
 /// Adds an artifact that the run neither reads nor writes, if it exists: checked, but kept without its
@@ -370,7 +382,7 @@ RunSummary run_stages(const RunPlan& plan) {
     for (std::size_t i = range.end; i < stages().size(); ++i)
         add_unused(plan.folder, stages()[i].file, stages()[i].name, later);
     if (!range.with_case) {
-        for (std::size_t i = range.first; i < range.end; ++i) keep_edit(plan.folder, stages()[i]);
+        keep_edits(plan.folder, range);
         std::vector<Artifact> old = work.all;
         old.insert(old.end(), later.begin(), later.end());
         require_one_run(old);

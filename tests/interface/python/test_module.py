@@ -381,12 +381,12 @@ class Documents(unittest.TestCase):
             shown = json.loads(program("modulus", folder + "/case/ash.csv", "--amorphous-fraction", "0.42", "--json"))
             self.assertEqual(found, shown)
             with open(folder + "/grouped.csv", "w", encoding="utf-8") as file:
-                file.write("phase;wt%\nQuartz;40,125\nMullite;59,875\n")
-            with self.assertRaisesRegex(ashimpact.InputError, "40.125 or 40125"):
+                file.write("phase;ppm\nQuartz;401,250\nMullite;598,750\n")
+            with self.assertRaisesRegex(ashimpact.InputError, "401.250 or 401250"):
                 ashimpact.modulus(folder + "/grouped.csv", amorphous_fraction="none")
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
-                read = ashimpact.modulus(folder + "/grouped.csv", amorphous_fraction="none", decimal="comma")
+                read = ashimpact.modulus(folder + "/grouped.csv", amorphous_fraction="none", decimal="point")
             self.assertAlmostEqual(read["phases"][0]["weight_fraction"], 0.40125)
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")

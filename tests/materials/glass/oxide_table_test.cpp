@@ -189,7 +189,11 @@ TEST_CASE("tables that are no chemical analysis are refused in one line with the
     CHECK(says(refusal("Sample,SiO2,Al2O3\nA,60,40\nA,50,50\n"), "the sample \"A\" is there twice"));
     CHECK(says(refusal("phase,weight %\nquartz,60\nmullite,40\n"), "no two oxides are named"));
     CHECK(says(refusal("Sample,SiO2,Al2O3\n"), "there are no amounts of oxides"));
-    CHECK(says(refusal("Results in mol%\nSample,SiO2,Al2O3\nA,60,40\n"), "the title states mol%"));
+    for (const char* title : {"Results in mol%", "Mole percent"})
+        CHECK(says(refusal(std::string(title) + "\nSample,SiO2,Al2O3\nA,60,40\n"),
+                   "line 1: the title states fractions by mole"));
+    CHECK(says(refusal("Sample;SiO2;MnO [ppm];BaO [ppm]\nA;99.5;4.000;950\nB;99.4;3.000;850\n"),
+               "\"4.000\" is 4.000 or 4000"));
     CHECK_FALSE(refusal("").empty());
 }
 

@@ -573,8 +573,10 @@ TEST_CASE("units in a second line, rows that sum up samples, and notes below a t
 TEST_CASE("numbers of an XRD table that may be grouped are refused with both readings") {
     const auto read = [](const std::string& table) { return read_xrd(table, "t.csv"); };
     CHECK(contains(
-        input_error_of([&] { static_cast<void>(read("phase;wt%\nQuartz;12,345\nMullite;57,120\n")); }),
+        input_error_of([&] { static_cast<void>(read("phase;ppm\nQuartz;12,345\nMullite;957,120\n")); }),
         "\"12,345\" is 12.345 or 12345"));
+    CHECK(digest(read("phase;wt%\nQuartz;12,345\nMullite;57,120\n").samples.front()) ==
+          "Quartz 1235, Mullite 5712");  // no fraction is 12345 %
     CHECK(digest(
               read_xrd("phase;wt%\nQuartz;12,345\nMullite;57,120\n", "t.csv", {.decimal = DecimalMark::comma})
                   .samples.front()) == "Quartz 1235, Mullite 5712");
