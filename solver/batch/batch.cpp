@@ -127,6 +127,8 @@ class ImpactSolver {
                     task.restitution[i] = result.restitution;
                     task.contact_time[i] = result.contact_time.value_or(nothing);
                 }
+                // A turn that is known keeps its bits, however the end came to be known.
+                if (task.turning_point && is_possible_turn(task, i)) continue;
                 task.approach_time[i] = result.approach_time.value_or(nothing);
                 task.maximum_overlap[i] = result.maximum_overlap;
             } catch (const ConvergenceError& error) {

@@ -18,8 +18,7 @@ struct HuntCrossleyDamping {
     static constexpr std::string_view summary = "grows with the repulsive force";
     static constexpr Dimension dimension = Dimension::inverse_velocity;
     static constexpr double overdamped_squared = std::numeric_limits<double>::infinity();
-    static constexpr double error_weight = 1.0;
-    static constexpr bool has_lanes = false;  ///< its impacts take the scalar solver, in batches too
+    static constexpr double error_weight = 3.0;  ///< with JKR, whose estimates can be too low
 
     /// Terms of eta, each for the scaled coefficient 1.
     template <class U>
@@ -48,7 +47,7 @@ struct HuntCrossleyDamping {
             before = s;
             s -= (s + (1 + z) * std::expm1(-s)) / (1 - (1 + z) * std::exp(-s));
         }
-        return static_cast<double>(s / z - 1);
+        return static_cast<double>(z < 1 ? s / z - 1 : (1 - (1 + z) * std::exp(-s)) / z);
     }
     /// Scaled coefficient of a Hertz impact with e = 1 - @p loss, within 2 % [1].
     [[nodiscard]] static double hertz_number(double loss) {

@@ -25,13 +25,6 @@ template <class D>
 template <class D>
 inline constexpr std::size_t terms_of = std::tuple_size_v<decltype(touch_shapes<D>())>;
 
-/// Whether batches solve impacts of law D in lanes: one term, unless the law has a member has_lanes = false.
-template <class D>
-inline constexpr bool solved_in_lanes = [] {
-    if constexpr (requires { D::has_lanes; }) return D::has_lanes && terms_of<D> == 1;
-    return terms_of<D> == 1;
-}();
-
 /// Coefficients of the terms of law D [SI], from its coefficient C and its parameters. A law of several terms
 /// has a member coefficients() that gives them.
 template <class D>

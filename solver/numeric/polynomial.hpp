@@ -77,6 +77,13 @@ struct Polynomial {
         return *std::max_element(c.begin(), c.begin() + degree + 1);
     }
 
+    /// Lowest power that appears; the degree if none does.
+    [[nodiscard]] constexpr int lowest() const {
+        int power = 0;
+        while (power < degree && (*this)[power] == Real(0)) ++power;
+        return power;
+    }
+
     /// Whether only even powers appear, so that it is a polynomial of x^2.
     [[nodiscard]] constexpr bool even() const {
         for (int i = 1; i <= degree; i += 2)

@@ -11,7 +11,6 @@
 #include "solver/batch/tables/law_tables.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/damping/damping.hpp"
-#include "solver/damping/registry.hpp"
 
 namespace ashimpact {
 
@@ -56,16 +55,8 @@ void use_instruction_set(std::string_view name) {
 
 namespace batch {
 
-namespace {
-
-bool has_lanes(DampingLaw law) {
-    return RegisteredDampings::visit<bool>(law, []<class D>() { return solved_in_lanes<D>; });
-}
-
-}  // namespace
-
 bool has_kernels(Law law, DampingLaw damping_law) {
-    return has_lanes(damping_law) && law.visit<bool>([]<template <class> class L>() {
+    return has_one_number(damping_law) && law.visit<bool>([]<template <class> class L>() {
         return BatchLaws::index_of<L>() < BatchLaws::size;
     });
 }
@@ -73,7 +64,7 @@ bool has_kernels(Law law, DampingLaw damping_law) {
 Kernels kernels_of(Law law, DampingLaw damping_law) {
     return law.visit<Kernels>([=]<template <class> class L>() -> Kernels {
         if constexpr (BatchLaws::index_of<L>() < BatchLaws::size)
-            if (has_lanes(damping_law)) return law_kernels<L>();
+            if (has_one_number(damping_law)) return law_kernels<L>();
         return {.impacts = [](const ImpactTask& t) { std::fill_n(t.end, t.count, LaneEnd::undecided); },
                 .numbers = [](const NumberTask& t) { std::fill_n(t.end, t.count, LaneEnd::undecided); },
                 .inversions = [](const InversionTask& t) { std::fill_n(t.found, t.count, std::uint8_t{0}); },

@@ -25,7 +25,21 @@ struct Places {
     Lanes end_potential;
     Lanes speed_squared;  ///< v^2 in the bottom of the well, undamped: 1 + 2 (U_touch - U_min)
     Mask by_force;        ///< the contact ends where the total force vanishes
+    Mask too_slow;        ///< no return is fast enough at equilibrium to reach the end of contact
 };
+
+/// Lanes whose damping keeps every return slower than what the well takes, as CaptureTest has it.
+template <class F>
+[[nodiscard]] HWY_INLINE Mask too_slow_to_leave(const Equation<F>& equation, const Places& places) {
+    if constexpr (requires(const DampingNumbers<LaneNumber>& n) { F::Damping::fastest_return(n); }) {
+        const LaneNumber number(max(equation.damping, 1e-300));
+        const Lanes fastest = F::Damping::fastest_return(DampingNumbers<LaneNumber>{number}).lanes();
+        const Lanes climb = places.end_potential - equation.potential(places.equilibrium);
+        return without(fastest * fastest < climb + climb, places.by_force);
+    } else {
+        return none();
+    }
+}
 
 template <class F>
 [[nodiscard]] HWY_FLATTEN inline Places places_of(const Equation<F>& equation, Detachment detachment) {
@@ -40,6 +54,8 @@ template <class F>
     const Lanes fall = equation.potential(p.touch) - equation.potential(p.equilibrium);
     p.speed_squared = multiply_add(fall, 2.0, 1.0);
     p.by_force = detachment == Detachment::zero_force ? equation.damping > Lanes(0.0) : none();
+    if constexpr (falls_with_repulsion<F>) p.by_force = both(p.by_force, p.equilibrium > Lanes(0.0));
+    p.too_slow = too_slow_to_leave(equation, p);
     return p;
 }
 
@@ -68,8 +84,8 @@ class LaneCapture {
         const Mask leaving = without(without(active, approaching), places_.by_force);
         const Lanes left = energy_left(q, v);
         const Mask caught = both(both(leaving, q > places_.end), left < Lanes(0.0));
-        LaneVerdict verdict{caught, both(caught, left > places_.speed_squared * Lanes(-energy_doubt)),
-                            none()};
+        LaneVerdict verdict{either(caught, both(leaving, places_.too_slow)),
+                            both(caught, left > places_.speed_squared * Lanes(-energy_doubt)), none()};
         if (look_for_creeping) {
             verdict.never_turn = both(both(active, approaching), creeping_up(q, v));
             verdict.captured = either(verdict.captured, both(without(active, approaching), creeping(q, v)));

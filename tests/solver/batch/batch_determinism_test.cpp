@@ -265,7 +265,6 @@ TEST_CASE("damping found from a restitution gives it back") {
         const Eigen::ArrayXd wanted = forward.restitution(rebounds);
         Impacts undamped = again;
         undamped.damping.setZero();
-        const Eigen::ArrayXd greatest = solve_impacts(undamped.batch()).restitution;
         CAPTURE(name_of(impacts));
         for (const BatchMethod method : {BatchMethod::integration, BatchMethod::table}) {
             CAPTURE(method);
@@ -276,7 +275,8 @@ TEST_CASE("damping found from a restitution gives it back") {
                 CAPTURE(i);
                 ImpactResult target = solve_impact(again.at(i));
                 CHECK(conditioned_error(wanted[i], target) <= 3e-12);
-                CHECK(relative_difference(found.greatest_restitution[i], greatest[i]) <= 1e-12);
+                CHECK(conditioned_error(found.greatest_restitution[i], solve_impact(undamped.at(i))) <=
+                      1e-12);
             }
         }
     }

@@ -15,6 +15,7 @@
 #include "solver/motion/scale.hpp"
 #include "tests/solver/batch/batch_sample.hpp"
 #include "tests/support/checks.hpp"
+#include "tests/support/random.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;
@@ -242,6 +243,37 @@ TEST_CASE("asking for turning points changes no bit of the rest, however strong 
             CHECK(identical(less, more));
         }
     }
+}
+
+TEST_CASE("impacts of any adhesion and damping, over twelve decades, are those of the scalar solver") {
+    Random random(23);
+    Eigen::Index solved = 0;
+    Eigen::Index rebounds = 0;
+    for (Impacts& impacts : random_impacts(sanitized ? 10 : 120, 1.0, 23)) {
+        CAPTURE(name_of(impacts));
+        for (Eigen::Index i = 0; i < impacts.size(); ++i) {
+            impacts.work_of_adhesion[i] *= random.log_uniform(1e-6, 1e6);
+            for (auto& [name, column] : impacts.parameters)
+                column[i] *= impacts.law.uses_work_of_adhesion() ? 1.0 : random.log_uniform(1e-6, 1e6);
+            impacts.damping[i] *= random.log_uniform(1e-6, 1e6);
+        }
+        for (const BatchMethod method : {BatchMethod::integration, BatchMethod::table}) {
+            const ImpactBatchResult result = solve_impacts(
+                impacts.batch(), {.turning_point = false, .method = method, .keep_failures = true});
+            for (Eigen::Index i = 0; i < impacts.size(); ++i) {
+                if (std::isnan(result.restitution[i])) continue;
+                CAPTURE(i);
+                const ImpactResult reference = solve_impact(impacts.at(i));
+                ++solved;
+                rebounds += reference.outcome == Outcome::rebound ? 1 : 0;
+                CHECK(result.outcome[i] == reference.outcome);
+                CHECK(conditioned_error(result.restitution[i], reference) <= bound);
+            }
+            if (impacts.damping_law == DampingLaw::hunt_crossley) CHECK(result.failed.empty());
+        }
+    }
+    CHECK(rebounds > solved / 8);
+    CHECK(rebounds < solved);
 }
 
 TEST_CASE("captures by very strong damping are captures, with turning points too") {
