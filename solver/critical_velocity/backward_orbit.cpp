@@ -72,13 +72,6 @@ Extended coefficient(const Polynomial<Extended>& p, int power) {
     return present ? p[power / 2] : 0;
 }
 
-/// Lowest power of x in p(x); the degree if p is 0.
-int lowest_power(const Polynomial<Extended>& p) {
-    int power = 0;
-    while (p[power] == 0 && power < p.degree) ++power;
-    return power;
-}
-
 /// Integral of z^leading (c_0 + c_1 z + ...) from 0 to @p z.
 Extended integral(const Terms& terms, int leading, Extended z) {
     Terms integrated = terms;
@@ -119,7 +112,7 @@ class RestPoint {
         Arrival arrival;
         arrival.state.position = end + z * z;
         arrival.state.velocity = -std::pow(z, static_cast<Extended>(order_)) * value(speed_, z);
-        arrival.dissipated_after = integral(work_, order_ + 1 + 2 * lowest_power(drag_), z);
+        arrival.dissipated_after = integral(work_, order_ + 1 + 2 * drag_.lowest(), z);
         // The time is infinite if the speed vanishes as the overlap does, or faster.
         if (time_order() < 0)
             arrival.time_after = std::nullopt;
@@ -129,14 +122,14 @@ class RestPoint {
     }
 
   private:
-    [[nodiscard]] int time_order() const { return 1 + 2 * lowest_power(slope_) - order_; }
+    [[nodiscard]] int time_order() const { return 1 + 2 * slope_.lowest() - order_; }
 
     /// Leading power of the speed v in z. In the energy equation U_end - U goes as z^(2 l), the work of
     /// damping at a speed z^p as z^(p + 2 + 2 g), if U_end - U is led by q^l and delta' eta by q^g.
     [[nodiscard]] int leading_power() const {
-        const int by_force = lowest_power(fall_);
-        const bool damped = drag_[lowest_power(drag_)] != 0;
-        return damped ? std::min(by_force, 2 + 2 * lowest_power(drag_)) : by_force;
+        const int by_force = fall_.lowest();
+        const bool damped = drag_[drag_.lowest()] != 0;
+        return damped ? std::min(by_force, 2 + 2 * drag_.lowest()) : by_force;
     }
 
     /// v = z^order (c_0 + c_1 z + ...) from the energy equation, term by term. If damping is of the leading
@@ -159,8 +152,8 @@ class RestPoint {
 
     /// Work of damping and time over dz: 2 z delta' eta v and 2 z delta'/v, without their leading powers.
     void expand_time() {
-        const int slope_power = 2 * lowest_power(slope_);
-        const int drag_power = 2 * lowest_power(drag_);
+        const int slope_power = 2 * slope_.lowest();
+        const int drag_power = 2 * drag_.lowest();
         for (std::size_t n = 0; n < speed_.size(); ++n) {
             Extended pace = 2 * coefficient(slope_, slope_power + static_cast<int>(n));
             for (std::size_t i = 0; i < n; ++i) {

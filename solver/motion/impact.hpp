@@ -76,8 +76,7 @@ void validate(const Impact& impact);
 /// Solves one impact to the rounding of extended precision; with Precision::standard impacts by law
 /// maugis-dugdale in a third of the time, to that of double. Relative errors of restitution, times and
 /// overlap are far below 1e-10 at fly-ash scale; they grow with the condition number 1 + |U_min|/(m v^2/2).
-/// @throws InputError for inadmissible input, ConvergenceError at the step limit, as with contact-radius
-/// damping so strong that a Hertz contact creeps back with a restitution below about 1e-13
+/// @throws InputError for inadmissible input, ConvergenceError at the step limit
 [[nodiscard]] ImpactResult solve_impact(const Impact& impact, Precision precision = Precision::extended);
 
 /// Restitution alone, in double precision and without validation: for root finding and fits [1].

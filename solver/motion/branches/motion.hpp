@@ -104,6 +104,12 @@ struct Motion {
         return first.damping != none ||
                std::ranges::any_of(beyond, [&](const auto& piece) { return piece.damping != none; });
     }
+    /// Whether no return turns the sign of the total force: without attraction, where the damping falls to
+    /// touch with the repulsion or faster. The velocity at which they balance then never falls on the way
+    /// out, and it is not reached.
+    [[nodiscard]] bool force_keeps_sign() const {
+        return equilibrium == Real(0) && first.damping.lowest() >= first.force.lowest();
+    }
     [[nodiscard]] RestPlace<Real> rest() const {
         return {equilibrium, overlap(equilibrium), potential(equilibrium)};
     }
@@ -135,7 +141,8 @@ template <template <class> class L, class Real>
     Motion<Real> motion = branch_motion<Real>(std::span(pieces), damping);
     motion.touch = motion.coordinate(law.touch());
     motion.equilibrium = motion.coordinate(*law.detachment_point(Detachment::zero_force));
-    const bool ends_by_force = detachment == Detachment::zero_force && motion.damped();
+    const bool ends_by_force =
+        detachment == Detachment::zero_force && motion.damped() && !motion.force_keeps_sign();
     if (!ends_by_force) motion.end = motion.coordinate(*law.detachment_point(detachment));
     return motion;
 }
