@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/motion/damping_inversion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -52,6 +53,26 @@ class RestitutionByDamping {
     if (!(greatest > 0))
         throw InputError(text, "0, or a velocity at which the impact rebounds without damping");
     throw InputError(text, fmt::format("0 {} e <= {:.8g}", reaches_zero ? "<=" : "<", greatest));
+}
+
+/// Relative miss of a restitution up to which a damping gives it back.
+constexpr double most_miss = 1e-4;
+
+/// Refuses a restitution that the damping found misses: a deep well or a small restitution makes it fall by
+/// more from one number to the next. @param number scaled damping found, @param found its restitution
+void require_found(const DampingProblem& problem, RestitutionByDamping& curve, double number, double found,
+                   double greatest) {
+    if (std::abs(found - problem.restitution) <= most_miss * problem.restitution) return;
+    constexpr double next = 1e-15;
+    const auto before = static_cast<double>(curve.at<Extended>(number * (1 - next)));
+    const auto after = static_cast<double>(curve.at<Extended>(number * (1 + next)));
+    const auto [least, most] = std::minmax({before, found, after});
+    throw InputError(
+        fmt::format(
+            "restitution {:g} is lost in rounding: by dampings that differ by a part in 1e15 it goes from "
+            "{:g} to {:g}",
+            problem.restitution, least, most),
+        fmt::format("{:g} < e <= {:.8g}", most, greatest));
 }
 
 /// Scaled damping that is certainly too much for @p restitution.
@@ -164,9 +185,11 @@ DampingInversion damping_from_restitution(const DampingProblem& problem) {
     const bool reachable = target > 0.0 ? target <= greatest : target == 0.0 && reaches_zero(problem);
     if (!reachable) unreachable_restitution(problem, greatest, reaches_zero(problem));
     const double number = target < greatest ? scaled_solution(problem, curve) : 0.0;
+    const ImpactResult impact = solve_impact(curve.impact(number));
+    require_found(problem, curve, number, impact.restitution, greatest);
     return {.damping = curve.damping(number),
             .greatest_restitution = greatest,
-            .impact = solve_impact(curve.impact(number)),
+            .impact = impact,
             .impacts = curve.impacts};
 }
 

@@ -2,13 +2,18 @@
 // Dampings that follow the static force, Hunt & Crossley's F_d = zeta F_r d(delta)/dt and Brach & Dunn's of
 // two terms, on each branch. Scaled, as in the solver's own units.
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include <doctest/doctest.h>
 
+#include "core/text/error.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/critical_velocity/backward_orbit.hpp"
+#include "solver/motion/damping_inversion.hpp"
 #include "solver/motion/follow.hpp"
+#include "tests/support/checks.hpp"
+#include "tests/support/contact_cases.hpp"
 
 using namespace ashimpact;
 
@@ -105,6 +110,69 @@ TEST_CASE("a return at exactly -1/zeta is uniform, and ends where the contact en
     CHECK(std::abs(covered - motion.overlap(1)) < 1e-18L);
 }
 
+TEST_CASE("a return however stiff ends after some dozen steps, at 1/zeta") {
+    // Contact times by quadrature of dt = -dv/[F (1 + zeta v)], U = U_max - v/zeta + ln(1 + zeta v)/zeta^2,
+    // with 40 digits.
+    const struct {
+        Extended zeta;
+        double time;
+    } exact[]{{1e3L, 91.1369041054798187}, {1e6L, 5743.49863080724263}, {1e8L, 91028.2112378782245}};
+    for (const auto& [zeta, time] : exact) {
+        CAPTURE(static_cast<double>(zeta));
+        CHECK(std::abs(static_cast<double>(follow(hertz(zeta), 1.0_ext).end.time) / time - 1) < 1e-12);
+    }
+    for (const Extended zeta : {1e3L, 1e5L, 1e8L, 1e15L, 1e30L}) {
+        const Orbit<Extended> orbit = follow(hertz(zeta), 1.0_ext);
+        CAPTURE(static_cast<double>(zeta));
+        CHECK(orbit.outcome == Outcome::rebound);
+        CHECK(std::abs(static_cast<double>(zeta * orbit.restitution(1) - 1)) < 1e-14);
+        const double closed = HuntCrossleyDamping::hertz_restitution(static_cast<double>(zeta));
+        CHECK(std::abs(static_cast<double>(zeta) * closed - 1) < 1e-14);
+        CHECK(orbit.steps < 200);
+        const MotionState<Extended>& last = orbit.last();
+        CHECK(std::abs(0.5L - last.velocity * last.velocity / 2 - last.dissipation) < 1e-14L);
+    }
+}
+
+TEST_CASE("the creep of a stiff return is the motion that shorter steps follow") {
+    for (const Extended adhesion : {1e-7L, 1e-5L}) {
+        for (const Extended zeta : {800.0L, 3000.0L}) {
+            const Motion<Extended> motion = contact<Dmt>(adhesion, zeta, Detachment::zero_overlap);
+            const Orbit<Extended> orbit = follow(motion, 1.0_ext);
+            CAPTURE(static_cast<double>(adhesion));
+            CAPTURE(static_cast<double>(zeta));
+            // From halfway on by Runge & Kutta's method in the coordinate: dv/dq = -delta' (eta + F/v).
+            Extended q = orbit.turn.position * 0.5L;
+            Extended v = -motion.force(q) / motion.damping(q);
+            constexpr int count = 400'000;
+            const Extended step = -q / count;
+            const auto rate = [&](Extended x, Extended u) {
+                return x <= 0 ? 0 : -motion.slope(x) * (motion.damping(x) + motion.force(x) / u);
+            };
+            for (int i = 0; i < count; ++i, q += step) {
+                const Extended k1 = rate(q, v);
+                const Extended k2 = rate(q + step / 2, v + step / 2 * k1);
+                const Extended k3 = rate(q + step / 2, v + step / 2 * k2);
+                const Extended k4 = rate(q + step, v + step * k3);
+                v += step / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+            }
+            REQUIRE(orbit.outcome == Outcome::rebound);
+            CHECK(std::abs(static_cast<double>(v / orbit.end.velocity - 1)) < 1e-9);
+        }
+    }
+}
+
+TEST_CASE("the force on a Hertz contact vanishes at touch and nowhere before") {
+    for (const Extended zeta : {0.3L, 2.0L, 100.0L, 1e4L}) {
+        const Orbit<Extended> by_force = follow(contact<Hertz>(0, zeta, Detachment::zero_force), 1.0_ext);
+        const Orbit<Extended> by_place = follow(hertz(zeta), 1.0_ext);
+        CAPTURE(static_cast<double>(zeta));
+        CHECK(by_force.outcome == Outcome::rebound);
+        CHECK(by_force.end.velocity == by_place.end.velocity);
+        CHECK(by_force.end.time == by_place.end.time);
+    }
+}
+
 TEST_CASE("without adhesion every impact rebounds; with it v_c parts capture and rebound") {
     CHECK(critical_impacts(hertz(3)).verdict == CaptureVerdict::never_captured);
     for (const Extended zeta : {0.1L, 1.0L, 5.0L}) {
@@ -175,6 +243,44 @@ TEST_CASE("the ledger of an impact closes") {
         closes(contact<Jkr>(0.1L, zeta, Detachment::pull_off));
         closes(PlasticMotion<Extended>({0.1L, 0.3L}, hunt_crossley(zeta), Detachment::pull_off));
     }
+}
+
+TEST_CASE("the least damping that captures is found where adhesion is weak") {
+    for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<Jkr>(), Law::of<Sjkr>()}) {
+        for (const DampingLaw damping : {DampingLaw::hunt_crossley, DampingLaw::brach_dunn}) {
+            DampingProblem problem{law, law.default_detachment(), damping, test::ash(1e-7), 10.0, 0.0};
+            CAPTURE(law.name());
+            CAPTURE(name_of(damping));
+            if (!law.is_adhesive()) {
+                CHECK_THROWS_AS(static_cast<void>(damping_from_restitution(problem)), InputError);
+                continue;
+            }
+            const DampingInversion found = damping_from_restitution(problem);
+            CHECK(found.impact.outcome == Outcome::capture);
+            Impact impact{law, problem.detachment, found.damping, problem.contact, problem.velocity};
+            impact.damping.coefficient *= 1 - 1e-12;
+            CHECK(solve_impact(impact).outcome == Outcome::rebound);
+            problem.restitution = 1e-5;
+            CHECK(std::abs(damping_from_restitution(problem).impact.restitution / 1e-5 - 1) < 1e-8);
+        }
+    }
+}
+
+TEST_CASE("a restitution that rounding of the damping steps over is refused with what is reached") {
+    // The well is some 1e14 times as deep as the impact's energy.
+    const DampingProblem problem{
+        .law = Law::of<Sjkr>(),
+        .detachment = Detachment::zero_overlap,
+        .damping_law = DampingLaw::hunt_crossley,
+        .contact = {.mass = 2.3441706420197456e-14,
+                    .effective_radius = 0.0032196586671426847,
+                    .contact_modulus = 1986560004.5554245,
+                    .work_of_adhesion = 0.0,
+                    .parameters = {{cohesion_energy_density.name, 917887783.2043376}}},
+        .velocity = 4.6668918047519723,
+        .restitution = 0.0063706177148126963};
+    const std::string refused = test::input_error_of([&] { return damping_from_restitution(problem); });
+    CHECK(refused.find("restitution 0.00637062 is lost in rounding") != std::string::npos);
 }
 
 // Brach & Dunn 1995: F_d = (zeta_H F_r + zeta_A |F_a|) d(delta)/dt.
