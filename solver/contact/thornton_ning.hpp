@@ -40,18 +40,6 @@ struct ThorntonNing : Jkr<Real> {
                std::sqrt(pair.effective_radius / length);
     }
 
-    using Jkr<Real>::attractive_force;
-    /// The same on the branches of a yielded contact, where the force is @p force: the tensile rim of a
-    /// sphere that is flattened as much, or all of the force where the contact is tensile throughout.
-    [[nodiscard]] Real attractive_force(const Real& u, const Real& force) const {
-        using std::sqrt;
-        const Real rim = this->adhesion * u;
-        const Real hertz_part = force + Real(1.5) * this->adhesion * power<3>(u);
-        if (Real(2) * hertz_part <= this->adhesion * power<3>(u)) return force;
-        const Real flattening = hertz_part / power<6>(u);  // R*/R_p; the Hertz pressure falls with it
-        return -rim * sqrt(rim / (Real(2) * flattening));
-    }
-
     /// State u at which the elastic branch ends by that rule. None for zero overlap, to which a flattened
     /// sphere does not return.
     [[nodiscard]] std::optional<Real> detachment_point(Detachment detachment) const {

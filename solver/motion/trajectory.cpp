@@ -47,9 +47,8 @@ class Sampler {
   private:
     [[nodiscard]] Contact contact_at(const Motion<Extended>& motion, Extended q) const {
         const Extended u = motion.root_radius(q);
-        const Extended force = motion.force(q);
-        const Extended attraction = attraction_at(u, force);
-        return {u * u, std::max(0.0_ext, force - attraction), attraction};
+        const Extended attraction = attraction_at(u);
+        return {u * u, std::max(0.0_ext, motion.force(q) - attraction), attraction};
     }
     /// With a cohesive zone the repulsion is the Hertz part a^3, the rest attraction.
     [[nodiscard]] static Contact contact_at(const TouchingBranch& branch, Extended q) {
@@ -60,15 +59,11 @@ class Sampler {
     [[nodiscard]] static Contact contact_at(const GapBranch& branch, Extended q) {
         return {0, 0, std::min(0.0_ext, branch.force(q))};
     }
-    /// The law's attraction; on the branches of a yielded contact the tensile rim of JKR, or all of the force
-    /// where the contact is tensile throughout.
-    [[nodiscard]] Extended attraction_at(Extended u, Extended force) const {
+    /// The law's attraction; yielding changes the Hertz part of the force alone.
+    [[nodiscard]] Extended attraction_at(Extended u) const {
         return law_.visit<Extended>([&]<template <class> class L>() -> Extended {
-            const Extended adhesion = adhesion_;
-            if constexpr (requires(L<Extended> law) { law.attractive_force(u, force); })
-                return L<Extended>{adhesion}.attractive_force(u, force);
-            else if constexpr (has_polynomials<L>)
-                return ashimpact::attractive_force(L<Extended>{adhesion}, u);
+            if constexpr (has_polynomials<L>)
+                return 0 - L<Extended>{adhesion_}.attraction(u);  // never -0
             else
                 return 0;  // without adhesion, or it would have a cohesive zone
         });
@@ -76,7 +71,7 @@ class Sampler {
 
     Law law_;
     Scale scale_;
-    double adhesion_;
+    Extended adhesion_;
 };
 
 /// Pseudo-time within a step that ends at @p used at which its time series reaches @p time.

@@ -8,7 +8,8 @@
 
 namespace ashimpact {
 
-/// One instant of an impact; forces positive where they push the bodies apart.
+/// One instant of an impact; forces positive where they push the bodies apart. The static force is parted as
+/// the damping laws part it: repulsion is its Hertzian part, of JKR K a^3/R*, attraction the rest.
 struct TrajectoryPoint {
     double time;              ///< since first touch [s]
     double overlap;           ///< [m]
