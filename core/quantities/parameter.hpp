@@ -32,6 +32,7 @@ struct LawParameter {
     /// Power of the unit of overlap with which the parameter goes in softened contacts. Needed for a length,
     /// whose dimension leaves it open; see length_power() in solver/dem/softening.hpp.
     std::optional<double> length_power{};
+    bool of_attraction = false;  ///< of a damping law: without effect on a contact law that has no attraction
 };
 
 /// Most parameters with a value that a contact pair carries.

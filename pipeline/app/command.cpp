@@ -305,14 +305,22 @@ void Command::add_contact_options(bool required) {
         "w, \"0.3 J/m2\" (not a surface energy); not for " +
             laws_where([](Law law) { return !law.uses_work_of_adhesion(); }));
     add("--yield-pressure", "Q", "p_y, \"35.3 MPa\", for thornton-ning");
-    for (const LawParameter& parameter : law_parameters())
-        add(option_of(parameter), parameter.dimension == Dimension::fraction ? "X" : "Q",
-            fmt::format("{}, \"{}\", for {}", parameter.description, parameter.example,
-                        joined(takers_of(parameter))));
+    for (const LawParameter& parameter : law_parameters()) add_parameter(parameter);
     add("--detachment", "NAME",
         "where the contact ends: zero-overlap, zero-force, pull-off, load-controlled; default: that of the "
         "law");
     add_damping_law_option();
+}
+
+void Command::add_parameter(const LawParameter& parameter) {
+    add(option_of(parameter), parameter.dimension == Dimension::fraction ? "X" : "Q",
+        fmt::format("{}, \"{}\", for {}", parameter.description, parameter.example,
+                    joined(takers_of(parameter))));
+}
+
+void Command::add_damping_parameter_options() {
+    for (const DampingLaw law : all_values<DampingLaw>)
+        for (const LawParameter& parameter : parameters_of(law)) add_parameter(parameter);
 }
 
 void Command::add_damping_law_option() {

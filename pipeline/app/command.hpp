@@ -45,10 +45,14 @@ class Command {
     /// The options that describe a contact. @param required whether the command cannot do without
     void add_contact_options(bool required);
     void add_damping_law_option();
+    /// Those of the parameters of damping laws.
+    void add_damping_parameter_options();
     /// --damping, or --damping-restitution with --at.
     void add_damping_option();
 
   private:
+    void add_parameter(const LawParameter& parameter);
+
     CLI::App& app_;
     CommandOptions& options_;
 };

@@ -105,7 +105,7 @@ std::string verdict_text(const CriticalVelocity& result) {
 
 std::string result_text(const CriticalVelocityProblem& problem, const CriticalVelocity& result) {
     TextList list;
-    add_model(list, problem.law, problem.detachment, problem.damping);
+    add_model(list, problem.law, problem.detachment, problem.damping, problem.contact);
     list.add("critical velocity", verdict_text(result));
     if (result.verdict == CaptureVerdict::finite) {
         list.add("contact time",
@@ -145,6 +145,7 @@ void run_critical_velocity_command(const CommandOptions& options, std::ostream& 
     if (options.has("--json")) {
         Json json{{"law", problem.law.name()}};
         json.update(critical_velocity_json(law_critical_velocity(problem), problem.damping.law));
+        add_further_damping(json, problem.damping, problem.contact);
         add_requested(json, damping);
         add_notes(json, doubts);
         out << write_json(json, Digits::seventeen);
@@ -229,7 +230,8 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
     const double velocity = std::sqrt(2 * energy / pair.mass);
     const double tabor = tabor_parameter(adhesive, usual_separation);
     const DampingChoice choice = read_damping_choice(options, pair);
-    const bool damped = options.has("--damping") || choice.requested;
+    const bool damped =
+        options.has("--damping") || choice.requested || is_damped(choice.damping, pair.parameters);
     const auto soft = read_softening(options, pair, damped ? std::optional(choice.damping) : std::nullopt);
     std::vector<Finding> doubts = options.doubts();
     if (const auto doubt = outside_model(velocity)) doubts.push_back(*doubt);
@@ -244,6 +246,7 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
         if (damped) {
             json["damping_law"] = name_of(choice.damping.law);
             json["damping"] = quantity_json(choice.damping.coefficient, unit_of(choice.damping.law));
+            add_further_damping(json, choice.damping, pair);
         }
         add_requested(json, choice);
         if (soft) json["softened"] = softened_json(*soft);
@@ -261,10 +264,7 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
              critical_velocity_text(
                  velocity, readable(velocity, "m/s") + ": below it adhesion captures without damping"));
     list.add("Tabor parameter", readable_number(tabor) + " (DMT holds below 0.1, JKR above 5)");
-    if (damped)
-        list.add("damping",
-                 fmt::format("{} ({})", readable(choice.damping.coefficient, unit_of(choice.damping.law)),
-                             name_of(choice.damping.law)));
+    if (damped) add_damping_lines(list, choice.damping, pair);
     if (soft) add_softened(list, *soft);
     out << list.text(0) << requested_text(choice);
 }
@@ -296,6 +296,7 @@ void add_contact_commands(const CommandLine& line) {
     contact.add("--adhesion-rule", "NAME", "girifalco-good, dong2013, dupre: w from surface energies");
     contact.add("--roughness", "Q", "rms of both surfaces, reduces w (Rabinovich et al. 2000)");
     contact.add_damping_law_option();
+    contact.add_damping_parameter_options();
     contact.add_damping_option();
     contact.add("--soften", "S",
                 "also the constants with E* divided by S > 1 and the same e and v_c, for DEM codes");

@@ -52,14 +52,16 @@ std::vector<LawParameter> parameters_of(Law law, DampingLaw damping_law) {
     std::vector<LawParameter> found;
     add_new(found, law.parameters());
     add_new(found, parameters_of(damping_law));
+    if (!law.is_adhesive()) std::erase_if(found, [](const LawParameter& p) { return p.of_attraction; });
     return found;
 }
 
 std::optional<std::string> idle_reason(Law law, DampingLaw damping, std::string_view name) {
     const auto own = std::ranges::find(law_parameters(), name, &LawParameter::name);
     if (own != law_parameters().end() && is_of_damping(*own)) {
-        if (takes(damping, *own)) return std::nullopt;
-        return "damping law " + std::string(name_of(damping)) + " does not use it";
+        if (!takes(damping, *own)) return "damping law " + std::string(name_of(damping)) + " does not use it";
+        if (own->of_attraction && !law.is_adhesive()) return std::string(law.name()) + " has no attraction";
+        return std::nullopt;
     }
     const bool counts = name == "yield_pressure"     ? law.is_plastic()
                         : name == "work_of_adhesion" ? law.uses_work_of_adhesion()

@@ -17,6 +17,7 @@ inline constexpr LawParameter adhesion_damping{
     .typical = 0.1,
     .may_be_zero = true,
     .choice = 2,
+    .of_attraction = true,
 };
 /// zeta_A/zeta_H of BrachDunnDamping.
 inline constexpr LawParameter adhesion_damping_ratio{
@@ -27,6 +28,7 @@ inline constexpr LawParameter adhesion_damping_ratio{
     .typical = 1.0,
     .may_be_zero = true,
     .choice = 2,
+    .of_attraction = true,
 };
 
 /// Repulsion and attraction damped apart, eta = zeta_H F_r + zeta_A |F_a| (Brach & Dunn 1995, Aerosol Sci.
@@ -39,18 +41,20 @@ struct BrachDunnDamping {
     static constexpr double overdamped_squared = HuntCrossleyDamping::overdamped_squared;
     static constexpr double error_weight = 1.0;
     static constexpr std::array parameters{adhesion_damping_ratio, adhesion_damping};
+    /// What the coefficients after the first are.
+    static constexpr std::array further{adhesion_damping};
 
     /// Terms of eta, each for the scaled coefficient 1.
     template <class U>
     [[nodiscard]] static constexpr std::array<U, 2> shapes(const U& /*u*/, const StaticForces<U>& forces) {
         return {forces.repulsion, forces.attraction};
     }
-    /// Coefficients of the terms [s/m].
+    /// Coefficients of the terms [s/m]; without a parameter, as beside no attraction, the second is 0.
     [[nodiscard]] static std::array<double, 2> coefficients(double coefficient,
                                                             const ParameterValues<double>& values) {
         if (values.has(adhesion_damping_ratio))
             return {coefficient, coefficient * values[adhesion_damping_ratio]};
-        return {coefficient, values[adhesion_damping]};
+        return {coefficient, values.has(adhesion_damping) ? values[adhesion_damping] : 0.0};
     }
     /// Coefficients whose scaled value is 1 [s/m].
     template <class Scale>

@@ -38,6 +38,20 @@ bool is_damped(const Damping& damping, const ParameterValues<double>& values) {
     });
 }
 
+ParameterValues<double> further_coefficients(const Damping& damping, const ParameterValues<double>& values) {
+    using Values = ParameterValues<double>;
+    return RegisteredDampings::visit<Values>(damping.law, [&]<class D>() {
+        Values further;
+        if constexpr (requires { D::further; }) {
+            static_assert(D::further.size() + 1 == terms_of<D>);
+            const auto coefficients = coefficients_of<D>(damping.coefficient, values);
+            for (std::size_t k = 0; k < D::further.size(); ++k)
+                further.set(D::further[k].name, coefficients[k + 1]);
+        }
+        return further;
+    });
+}
+
 bool vanishes_at_touch(DampingLaw law) {
     return RegisteredDampings::visit<bool>(
         law, []<class D>() { return touch_shapes<D>() == std::array<double, terms_of<D>>{}; });

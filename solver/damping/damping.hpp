@@ -57,6 +57,9 @@ struct Damping {
 /// Whether scaled impacts depend on one damping number: the law has one term. Kernels, tables and maps leave
 /// other damping laws to the scalar solver.
 [[nodiscard]] bool has_one_number(DampingLaw law);
+/// Coefficients of the terms after the first, by the parameter that each of them is.
+[[nodiscard]] ParameterValues<double> further_coefficients(const Damping& damping,
+                                                           const ParameterValues<double>& values);
 /// Whether any term acts, its coefficient being above 0. @param values those of the law's parameters
 [[nodiscard]] bool is_damped(const Damping& damping, const ParameterValues<double>& values);
 /// Whether the damping vanishes with the contact radius, without adhesion. If it does not, every contact

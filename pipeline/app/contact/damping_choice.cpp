@@ -47,7 +47,7 @@ std::optional<double> read_velocity(const CommandOptions& options, DampingLaw la
 }  // namespace
 
 DampingChoice read_damping_choice(const CommandOptions& options, const ContactPair& contact) {
-    const Damping given = read_damping(options);
+    const Damping given = read_damping(options, contact);
     if (!options.has("--damping-restitution")) {
         if (options.has("--at"))
             throw InputError("belongs to --damping-restitution", "both, or --damping").at("--at");

@@ -260,11 +260,15 @@ DampingLaw read_damping_law(const CommandOptions& options) {
                     [&] { return name.empty() ? DampingLaw::constant : named<DampingLaw>(name); });
 }
 
-Damping read_damping(const CommandOptions& options) {
+Damping read_damping(const CommandOptions& options, const ContactPair& contact) {
     const DampingLaw law = read_damping_law(options);
     if (!options.has("--damping")) {
-        const bool acts = options.has("--damping-restitution") || !parameters_of(law).empty();
-        if (law != DampingLaw::constant && !acts) warn_idle("--damping-law", "there is no damping");
+        const bool acts = options.has("--damping-restitution") || is_damped({law, 0}, contact.parameters);
+        if (law != DampingLaw::constant && !acts) {
+            warn_idle("--damping-law", "there is no damping");
+            for (const LawParameter& parameter : parameters_of(law))
+                if (contact.parameters.has(parameter)) warn_idle(option_of(parameter), "there is no damping");
+        }
         return {law, 0};
     }
     const double coefficient = options.number("--damping", dimension_of(law));
@@ -274,19 +278,27 @@ Damping read_damping(const CommandOptions& options) {
     });
 }
 
+void add_further_damping(Json& json, const Damping& damping, const ContactPair& contact) {
+    const auto further = further_coefficients(damping, contact.parameters);
+    for (const auto& [name, value] : further)
+        json[std::string(name)] = quantity_json(value, unit_of(damping.law));
+}
+
 Json impact_json(const Impact& impact, const ImpactResult& result) {
-    return {{"law", impact.law.name()},
-            {"detachment", name_of(impact.detachment)},
-            {"damping_law", name_of(impact.damping.law)},
-            {"damping", quantity_json(impact.damping.coefficient, unit_of(impact.damping.law))},
-            {"outcome", name_of(result.outcome)},
-            {"restitution", quantity_json(result.restitution, Dimension::fraction)},
-            {"contact_time", quantity_json(result.contact_time, Dimension::time)},
-            {"approach_time", quantity_json(result.approach_time, Dimension::time)},
-            {"maximum_overlap", quantity_json(result.maximum_overlap, Dimension::length)},
-            {"rebound_velocity", quantity_json(result.rebound_velocity, Dimension::velocity)},
-            {"energy", energy_json(result.energy)},
-            {"regime", regime_json(regime_of(impact, result.maximum_overlap))}};
+    Json json{{"law", impact.law.name()},
+              {"detachment", name_of(impact.detachment)},
+              {"damping_law", name_of(impact.damping.law)},
+              {"damping", quantity_json(impact.damping.coefficient, unit_of(impact.damping.law))}};
+    add_further_damping(json, impact.damping, impact.contact);
+    json.update({{"outcome", name_of(result.outcome)},
+                 {"restitution", quantity_json(result.restitution, Dimension::fraction)},
+                 {"contact_time", quantity_json(result.contact_time, Dimension::time)},
+                 {"approach_time", quantity_json(result.approach_time, Dimension::time)},
+                 {"maximum_overlap", quantity_json(result.maximum_overlap, Dimension::length)},
+                 {"rebound_velocity", quantity_json(result.rebound_velocity, Dimension::velocity)},
+                 {"energy", energy_json(result.energy)},
+                 {"regime", regime_json(regime_of(impact, result.maximum_overlap))}});
+    return json;
 }
 
 std::string regime_text(const Regime& regime) {
@@ -328,10 +340,21 @@ void warn_of(const std::vector<Finding>& findings, const std::string& place) {
                 spdlog::warn("warning: {}{}{}", place, place.empty() ? "" : ": ", finding.text);
 }
 
-void add_model(TextList& list, Law law, Detachment detachment, const Damping& damping) {
-    list.add("law", fmt::format("{}, contact ends at {}", law.name(), name_of(detachment)));
+void add_damping_lines(TextList& list, const Damping& damping, const ContactPair& contact) {
     list.add("damping", fmt::format("{} ({})", readable(damping.coefficient, unit_of(damping.law)),
                                     name_of(damping.law)));
+    const auto further = further_coefficients(damping, contact.parameters);
+    for (const auto& [name, value] : further) {
+        std::string words = "  " + std::string(name);
+        std::ranges::replace(words, '_', ' ');
+        list.add(words, readable(value, unit_of(damping.law)));
+    }
+}
+
+void add_model(TextList& list, Law law, Detachment detachment, const Damping& damping,
+               const ContactPair& contact) {
+    list.add("law", fmt::format("{}, contact ends at {}", law.name(), name_of(detachment)));
+    add_damping_lines(list, damping, contact);
 }
 
 std::string impact_text(const Impact& impact, const ImpactResult& result) {
@@ -339,7 +362,7 @@ std::string impact_text(const Impact& impact, const ImpactResult& result) {
         return value ? readable(*value, "s") : std::string(none);
     };
     TextList list;
-    add_model(list, impact.law, impact.detachment, impact.damping);
+    add_model(list, impact.law, impact.detachment, impact.damping, impact.contact);
     list.add("velocity", readable(impact.velocity, "m/s"));
     list.add("outcome", std::string(name_of(result.outcome)));
     list.add("restitution", readable_number(result.restitution));

@@ -82,8 +82,9 @@ struct ContactChoice {
 /// The damping law. @throws InputError naming the option
 [[nodiscard]] DampingLaw read_damping_law(const CommandOptions& options);
 
-/// The damping law and its coefficient, 0 where it was not given. @throws InputError naming the option
-[[nodiscard]] Damping read_damping(const CommandOptions& options);
+/// The damping law and its coefficient, 0 where it was not given. Warns of options of a damping that does not
+/// act on the contact. @throws InputError naming the option
+[[nodiscard]] Damping read_damping(const CommandOptions& options, const ContactPair& contact);
 
 /// An impact and what it did, with the keys of the command's --json.
 [[nodiscard]] Json impact_json(const Impact& impact, const ImpactResult& result);
@@ -91,8 +92,15 @@ struct ContactChoice {
 /// The lines a reader gets of it.
 [[nodiscard]] std::string impact_text(const Impact& impact, const ImpactResult& result);
 
+/// Adds the coefficients that a damping has beside the first, "adhesion_damping".
+void add_further_damping(Json& json, const Damping& damping, const ContactPair& contact);
+
+/// Adds the lines on a damping.
+void add_damping_lines(TextList& list, const Damping& damping, const ContactPair& contact);
+
 /// Adds the lines on contact law and damping.
-void add_model(TextList& list, Law law, Detachment detachment, const Damping& damping);
+void add_model(TextList& list, Law law, Detachment detachment, const Damping& damping,
+               const ContactPair& contact);
 
 /// The lines on the regime of an impact.
 [[nodiscard]] std::string regime_text(const Regime& regime);

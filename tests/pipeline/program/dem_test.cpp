@@ -62,6 +62,26 @@ TEST_CASE("a damping for a restitution gives it without adhesion, and less with 
                     .contains("damping_restitution"));
 }
 
+TEST_CASE("damping of two terms is answered with both coefficients") {
+    const Sandbox sandbox;
+    const std::string both =
+        dem_ash + " --damping-law brach-dunn-damping --damping '0.2 s/m' --adhesion-damping-ratio 3";
+    const std::string impact = "impact --law dmt --velocity '2 m/s'" + both;
+    for (const Json& answer : {answer_of(sandbox, impact), answer_of(sandbox, "contact" + both),
+                               answer_of(sandbox, "critical-velocity --law dmt" + both)}) {
+        CHECK(si_value(answer["adhesion_damping"]) == doctest::Approx(0.6).epsilon(1e-15));
+        CHECK(answer["adhesion_damping"]["unit"] == "s/m");
+    }
+    const Json found =
+        answer_of(sandbox, "damping --law dmt --velocity '2 m/s' --restitution 0.4" + dem_ash +
+                               " --damping-law brach-dunn-damping --adhesion-damping '0.1 s/m'");
+    CHECK(si_value(found["adhesion_damping"]) == 0.1);
+    CHECK(succeeded(sandbox, impact).out == containing("  adhesion damping"));
+    CHECK(succeeded(sandbox, "contact" + both).out == containing("  adhesion damping"));
+    CHECK_FALSE(answer_of(sandbox, "impact --law dmt --velocity 2 --damping 0.01" + dem_ash)
+                    .contains("adhesion_damping"));
+}
+
 TEST_CASE("tsuji needs no velocity for its restitution, the others do") {
     const Sandbox sandbox;
     const std::string impact = "impact --law hertz --velocity '1 m/s' --damping-restitution 0.3" + dem_ash;

@@ -165,6 +165,14 @@ TEST_CASE("an option that changes nothing is said or refused") {
            "warning: --damping-exponent: there is no damping, so it changes nothing"},
           {std::string("impact --law dmt --velocity 2 --damping-law tsuji") + adhesive_sphere,
            "warning: --damping-law: there is no damping, so it changes nothing"},
+          {std::string("impact --law hertz --velocity 2 --damping-law brach-dunn-damping --damping 0.2 "
+                       "--adhesion-damping 0.5") +
+               adhesive_sphere,
+           "warning: --adhesion-damping: hertz has no attraction, so it changes nothing"},
+          {std::string("impact --law dmt --velocity 2 --damping-law brach-dunn-damping "
+                       "--adhesion-damping-ratio 2") +
+               adhesive_sphere,
+           "warning: --adhesion-damping-ratio: there is no damping, so it changes nothing"},
           {std::string("impact --law hertz --velocity 2 --tabor 2 --roughness '1 nm'") + adhesive_sphere,
            "warning: --roughness: hertz does not use it, so it changes nothing"}}) {
         CAPTURE(command);
