@@ -55,14 +55,18 @@ class RestitutionByDamping {
     throw InputError(text, fmt::format("0 {} e <= {:.8g}", reaches_zero ? "<=" : "<", greatest));
 }
 
-/// Relative miss of a restitution up to which a damping gives it back.
+/// Relative miss of a restitution up to which a damping gives it back, and miss of its square up to which
+/// nobody would see it: next to capture the spacing of numbers allows no nearer one.
 constexpr double most_miss = 1e-4;
+constexpr double unseen_miss = 1e-12;
 
 /// Refuses a restitution that the damping found misses: a deep well or a small restitution makes it fall by
 /// more from one number to the next. @param number scaled damping found, @param found its restitution
 void require_found(const DampingProblem& problem, RestitutionByDamping& curve, double number, double found,
                    double greatest) {
-    if (std::abs(found - problem.restitution) <= most_miss * problem.restitution) return;
+    const double miss = std::abs(found - problem.restitution);
+    if (miss <= most_miss * problem.restitution) return;
+    if (miss * (found + problem.restitution) <= unseen_miss) return;
     constexpr double next = 1e-15;
     const auto before = static_cast<double>(curve.at<Extended>(number * (1 - next)));
     const auto after = static_cast<double>(curve.at<Extended>(number * (1 + next)));
