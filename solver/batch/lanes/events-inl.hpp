@@ -28,6 +28,11 @@ struct Places {
     Mask too_slow;        ///< no return is fast enough at equilibrium to reach the end of contact
 };
 
+/// Whether the damping of a form falls to touch with the repulsion, or faster; see
+/// Motion::force_keeps_sign().
+template <class F>
+inline constexpr bool falls_with_repulsion = F::damping_of_state.lowest() >= (F::squared ? 3 : 6);
+
 /// Lanes whose damping keeps every return slower than what the well takes, as CaptureTest has it.
 template <class F>
 [[nodiscard]] HWY_INLINE Mask too_slow_to_leave(const Equation<F>& equation, const Places& places) {

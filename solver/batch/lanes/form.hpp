@@ -140,11 +140,6 @@ struct Form {
     static constexpr Symbol potential = stiffness.antiderivative();    ///< U(q)
 };
 
-/// Whether the damping of a form falls to touch with the repulsion, or faster; see
-/// Motion::force_keeps_sign().
-template <class F>
-inline constexpr bool falls_with_repulsion = F::damping_of_state.lowest() >= (F::squared ? 3 : 6);
-
 /// Calls @p call with the Form of a contact law and a damping law of one term.
 template <template <class> class L, class Call>
 void with_form(DampingLaw damping_law, const Call& call) {
