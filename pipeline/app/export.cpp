@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include "core/json/document.hpp"
 #include "core/quantities/quantity.hpp"
@@ -15,6 +16,8 @@
 #include "pipeline/case/case.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/export/folder.hpp"
+#include "pipeline/present/export/laboratory.hpp"
+#include "pipeline/present/export/run_subject.hpp"
 #include "pipeline/present/export/subject.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
@@ -32,16 +35,18 @@ ExportSubject subject_of_options(const CommandOptions& options) {
     const DampingChoice damping_choice = read_damping_choice(options, choice.contact);
     const Damping& damping = damping_choice.damping;
     const double diameter = 2 * choice.sphere.radius;
-    ExportSubject subject{
-        .law = choice.law,
-        .detachment = choice.detachment,
-        .contact = choice.contact,
-        .density = sphere_density(choice.sphere.radius, choice.sphere.mass),
-        .damping = {.law = damping.law, .nodes = {{0, damping.coefficient}}, .reference_diameter = diameter},
-        .from_diameter = diameter,
-        .to_diameter = diameter};
+    const double density = sphere_density(choice.sphere.radius, choice.sphere.mass);
+    ExportSubject subject{.law = choice.law,
+                          .detachment = choice.detachment,
+                          .damping_law = damping.law,
+                          .sizes = {{.diameter = diameter,
+                                     .contact = choice.contact,
+                                     .density = density,
+                                     .damping = {{{0, damping.coefficient}}}}},
+                          .from_diameter = diameter,
+                          .to_diameter = diameter};
     subject.origins = {fmt::format("radius of the sphere {}, density {}, from the command line",
-                                   readable(choice.sphere.radius, "m"), readable(subject.density, "kg/m3")),
+                                   readable(choice.sphere.radius, "m"), readable(density, "kg/m3")),
                        fmt::format("E* = {}, contact modulus of {} together, from the command line",
                                    readable(choice.contact.contact_modulus, "Pa"),
                                    choice.partner ? "both spheres" : "particle and wall"),
@@ -64,8 +69,8 @@ ExportSubject subject_of_options(const CommandOptions& options) {
 
 /// What belongs to one size alone: a folder takes w and the law's parameters for every size.
 void require_same_at_every_size(const CommandOptions& options, const ExportSubject& subject) {
-    if (subject.one_size()) return;
-    if (subject.contact.parameters.has(stated_tabor) && subject.law.takes(stated_tabor))
+    if (!subject.goes_beyond_sizes()) return;
+    if (subject.reference().contact.parameters.has(stated_tabor) && subject.law.takes(stated_tabor))
         throw InputError("goes with the size, and several sizes are asked for",
                          "--cohesion-range or --cohesive-stress, which every size shares")
             .at("--tabor");
@@ -89,27 +94,26 @@ void read_ranges(const CommandOptions& options, ExportSubject& subject) {
             "a range that rises")
             .at("--from-diameter, --to-diameter");
     require_same_at_every_size(options, subject);
-    if (!subject.one_size() && !subject.damping.is_zero() && !options.has("--damping-exponent"))
-        throw InputError("several sizes are asked for, but not how the damping goes with the size",
-                         "0 for the same damping at every size, 2 for the same e of Hertz spheres, ...")
+    const bool needs_exponent = subject.goes_beyond_sizes() && !subject.is_undamped();
+    if (needs_exponent && !options.has("--damping-exponent"))
+        throw InputError(
+            subject.sizes.size() == 1
+                ? "several sizes are asked for, but not how the damping goes with the size"
+                : "sizes beyond the measured ones are asked for, but not how the damping goes on",
+            "0 for the same damping at every size, 2 for the same e of Hertz spheres, ...")
             .at("--damping-exponent");
     if (options.has("--damping-exponent")) {
-        if (subject.one_size() || subject.damping.is_zero())
-            warn_idle("--damping-exponent", subject.one_size() ? "there is one size" : "there is no damping");
-        subject.damping.exponent = options.number("--damping-exponent", Dimension::fraction);
-        if (std::abs(subject.damping.exponent) > 10)
-            throw InputError("is " + shortest(subject.damping.exponent),
-                             "-10 to 10; 2 keeps e of Hertz spheres")
+        if (!needs_exponent)
+            warn_idle("--damping-exponent", subject.is_undamped() ? "there is no damping"
+                                            : subject.one_size()  ? "there is one size"
+                                                                  : "all sizes lie between measured ones");
+        subject.exponent = options.number("--damping-exponent", Dimension::fraction);
+        if (std::abs(subject.exponent) > 10)
+            throw InputError("is " + shortest(subject.exponent), "-10 to 10; 2 keeps e of Hertz spheres")
                 .at("--damping-exponent");
     }
     if (options.has("--to-velocity")) {
-        const double to = options.positive("--to-velocity", Dimension::velocity);
-        if (subject.damping.depends_on_velocity() && to > *subject.to_velocity)
-            throw InputError(fmt::format("the damping of the run is known up to {}",
-                                         readable(*subject.to_velocity, "m/s")),
-                             "a velocity up to that")
-                .at("--to-velocity");
-        subject.to_velocity = to;
+        subject.to_velocity = options.positive("--to-velocity", Dimension::velocity);
     }
     if (subject.velocity && subject.to_velocity && *subject.velocity > *subject.to_velocity)
         throw InputError("lies beyond --to-velocity", "up to " + readable(*subject.to_velocity, "m/s"))
@@ -124,18 +128,27 @@ void refuse_contact_options(const CommandOptions& options) {
     for (const char* name :
          {"--radius", "--diameter", "--density", "--mass", "--partner-radius", "--partner-diameter",
           "--partner-density", "--partner-mass", "--roughness", "--contact-modulus", "--work-of-adhesion",
-          "--yield-pressure", "--damping", "--damping-restitution", "--at", "--detachment"})
+          "--yield-pressure", "--damping", "--damping-restitution", "--detachment"})
         if (options.has(name)) refuse(name);
     for (const LawParameter& parameter : law_parameters())
         if (options.has(option_of(parameter))) refuse(option_of(parameter));
     if (options["--damping-law"] != name_of(DampingLaw::constant)) refuse("--damping-law");
 }
 
-ExportSubject subject_of(const CommandOptions& options) {
+/// The subject with the damping of one velocity, and a line on that.
+ExportSubject with_one_damping(const ExportSubject& subject, double velocity) {
+    ExportSubject constant = with_damping_at(subject, velocity);
+    constant.origins.push_back(fmt::format(
+        "at every velocity the damping is that of {}, so that e is the measured one there and v_c "
+        "is not that of the run unless it is that velocity",
+        readable(velocity, "m/s")));
+    return constant;
+}
+
+ExportSubject subject_of(const CommandOptions& options, const ExportCode& code) {
     if (!options.has("run")) {
-        for (const auto& [option, allowed] : {std::pair{"--sample", "the folder of a run before it"},
-                                              std::pair{"--follow-velocity", "the folder of a run"}})
-            if (options.has(option)) throw InputError("there is no run", allowed).at(option);
+        if (options.has("--sample"))
+            throw InputError("there is no run", "the folder of a run before it").at("--sample");
         if (!options.has("--law"))
             throw InputError("neither a run nor an impact is given",
                              "RUN_DIR --sample S, or --law, --radius and the other options of an impact")
@@ -143,10 +156,26 @@ ExportSubject subject_of(const CommandOptions& options) {
         return subject_of_options(options);
     }
     refuse_contact_options(options);
-    return subject_of_run({.folder = options["run"],
-                           .sample = options["--sample"],
-                           .law = options["--law"],
-                           .follow_velocity = options.has("--follow-velocity")});
+    if (options.has("--follow-velocity")) warn_idle("--follow-velocity", "the damping of a run does so");
+    ExportSubject subject = subject_of_run(
+        {.folder = options["run"], .samples = options.list("--sample"), .law = options["--law"]});
+    if (!code.takes_samples && subject.sizes.size() > 1)
+        throw InputError(
+            fmt::format("the run has {} samples, and a folder for {} takes one E*, w and density",
+                        subject.sizes.size(), code.name),
+            "one of them by --sample; table, openfoam and fluent take several")
+            .at("--sample");
+    if (options.has("--at")) return with_one_damping(subject, options.positive("--at", Dimension::velocity));
+    if (subject.partner && !code.pairs_follow && subject.depends_on_velocity()) {
+        const double critical = threshold_at(subject, subject.from_diameter).value.value_or(0);
+        spdlog::warn(
+            "warning: two spheres have one damping at every velocity in {}: that of v_c = {}, so that e is "
+            "too "
+            "small above; --at V takes the damping measured at V",
+            code.name, readable(critical, "m/s"));
+        return with_one_damping(subject, critical);
+    }
+    return subject;
 }
 
 /// Refuses to write over files that no export left there, and among those for another code.
@@ -168,7 +197,7 @@ void require_free(const std::filesystem::path& folder, const ExportFolder& files
 
 void run_export_command(const CommandOptions& options, const TableImage& image, std::ostream& out) {
     const ExportCode& code = export_code(options["code"]);
-    ExportSubject subject = subject_of(options);
+    ExportSubject subject = subject_of(options, code);
     read_ranges(options, subject);
     if (options.has("--soften")) {
         if (!code.no_contact.empty())
@@ -178,7 +207,7 @@ void run_export_command(const CommandOptions& options, const TableImage& image, 
         subject = softened(std::move(subject), options.number("--soften", Dimension::fraction));
         require_small_overlaps(subject);
     }
-    warn_of(sizes_outside_model(subject));
+    require_inside_model(subject);
     const ExportFolder files = code.folder(subject, image);
     const std::filesystem::path folder(options["--output"]);
     require_free(folder, files, code.name);
@@ -189,7 +218,7 @@ void run_export_command(const CommandOptions& options, const TableImage& image, 
     for (const FileContent& each : contents) out << each.path.string() << '\n';
     std::string script = (folder / code.script).string();
     if (script.starts_with('-')) script.insert(0, "./");
-    out << "README.md says how to use it. To run and compare:\n  "
+    out << laboratory_lines(subject) << "README.md says how to use it. To run and compare:\n  "
         << (code.script.ends_with(".py") ? "python3 " : "sh ") << shell_word(script) << '\n';
 }
 
@@ -197,6 +226,7 @@ void add_export(const CommandLine& line, const CommandBody& body) {
     Command command = line.add(
         "export", "Runnable inputs for DEM and CFD codes",
         "ashimpact export lammps results --sample \"88 um\" --law brach-dunn -o ash-in-lammps\n"
+        "  ashimpact export openfoam results --law jkr -o ash-in-openfoam\n"
         "  ashimpact export openfoam --law dmt --radius \"5 um\" --density \"2300 kg/m3\" --contact-modulus "
         "\"60 GPa\"\n    --work-of-adhesion \"0.2 J/m2\" --damping \"1e-5 kg/s\" --from-diameter \"1 um\" "
         "--to-diameter \"50 um\"\n    --damping-exponent 2 -o ash-in-openfoam\n"
@@ -206,17 +236,21 @@ void add_export(const CommandLine& line, const CommandBody& body) {
     for (const ExportCode& code : export_codes()) codes.emplace_back(code.name);
     command.add("code", "CODE", joined(codes))->required();
     command.add("run", "RUN_DIR", "folder of a run; else give the options of an impact");
-    command.add("--sample", "NAME", "of the run");
-    command.add_flag("--follow-velocity",
-                     "of a run: damping along the measured e(v_in) instead of the critical one");
+    command
+        .add_list("--sample", "NAME",
+                  "of the run; may be given several times for openfoam, fluent, table; default: all")
+        ->allow_extra_args(false);
+    command.add_flag("--follow-velocity", "of a run: damping along the measured e(v_in), the default");
     command.add_contact_options(false);
     command.add_damping_option();
     command.add("--velocity", "Q", "one more impact to check");
-    command.add("--from-diameter", "Q", "smallest size; default: that of the sphere or sample");
-    command.add("--to-diameter", "Q", "largest size; default: that of the sphere or sample");
+    command.add("--from-diameter", "Q", "smallest size; default: that of the sphere or samples");
+    command.add("--to-diameter", "Q", "largest size; default: that of the sphere or samples");
     command.add("--to-velocity", "Q", "largest velocity; default: 10 v_c, at least 10 m/s");
-    command.add("--damping-exponent", "N",
-                "for several sizes: damping goes with (diameter/that of the sphere)^N; 0: the same for all");
+    command.add(
+        "--damping-exponent", "N",
+        "for sizes beyond the known ones: damping goes with (diameter/the nearest known one)^N; 0: the "
+        "same for all");
     command.add(
         "--soften", "S",
         "divide E* by S > 1 and scale what goes with it: contacts S^0.4 times longer, the same e and v_c; "

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <functional>
 #include <random>
 #include <regex>
 #include <string>
@@ -10,6 +12,7 @@
 #include "core/text/error.hpp"
 #include "materials/contact_properties.hpp"
 #include "pipeline/present/export/folder.hpp"
+#include "pipeline/present/export/laboratory.hpp"
 #include "pipeline/present/export/subject.hpp"
 #include "solver/contact/sjkr.hpp"
 #include "tests/support/checks.hpp"
@@ -21,14 +24,13 @@ namespace {
 /// Fly ash of 88 um with constant damping.
 ExportSubject ash(std::string_view law_name) {
     const Law law = Law::named(law_name);
+    const ContactPair contact{.mass = sphere_mass(44e-6, 2600),
+                              .effective_radius = 44e-6,
+                              .contact_modulus = 90e9,
+                              .work_of_adhesion = 0.3};
     return {.law = law,
             .detachment = law.default_detachment(),
-            .contact = {.mass = sphere_mass(44e-6, 2600),
-                        .effective_radius = 44e-6,
-                        .contact_modulus = 90e9,
-                        .work_of_adhesion = 0.3},
-            .density = 2600,
-            .damping = {.law = DampingLaw::constant, .nodes = {{0, 0.0141}}, .reference_diameter = 88e-6},
+            .sizes = {{.diameter = 88e-6, .contact = contact, .density = 2600, .damping = {{{0, 0.0141}}}}},
             .from_diameter = 88e-6,
             .to_diameter = 88e-6};
 }
@@ -36,7 +38,37 @@ ExportSubject ash(std::string_view law_name) {
 ExportSubject sizes(ExportSubject subject, double from, double to, double exponent) {
     subject.from_diameter = from;
     subject.to_diameter = to;
-    subject.damping.exponent = exponent;
+    subject.exponent = exponent;
+    return subject;
+}
+
+/// Another damping law with one coefficient.
+ExportSubject damped(ExportSubject subject, DampingLaw law, double coefficient) {
+    subject.damping_law = law;
+    subject.sizes.front().damping = {{{0, coefficient}}};
+    return subject;
+}
+
+/// Ash whose damping falls above v_c, as measured impacts show it.
+ExportSubject followed(std::string_view law) {
+    ExportSubject subject = ash(law);
+    subject.sizes.front().damping = {{{0, 0.0141}, {0.3, 0.0125}, {0.8, 0.0098}, {1.4, 0.0071}}};
+    return subject;
+}
+
+/// Three sizes, each with its own E*, density and damping along the velocity.
+ExportSubject three_sizes(std::string_view law) {
+    ExportSubject subject = followed(law);
+    const auto add = [&](double diameter, double modulus, double density, DampingCurve damping) {
+        ContactPair contact = subject.reference().contact;
+        contact.effective_radius = diameter / 2;
+        contact.mass = sphere_mass(diameter / 2, density);
+        contact.contact_modulus = modulus;
+        subject.sizes.push_back({diameter, contact, density, std::move(damping)});
+    };
+    add(96e-6, 91e9, 2550, {{{0, 0.0165}, {0.5, 0.013}, {1.6, 0.009}}});
+    add(120e-6, 95e9, 2400, {{{0, 0.021}, {0.2, 0.0195}, {1.2, 0.013}, {2.0, 0.0135}}});
+    subject.to_diameter = 120e-6;
     return subject;
 }
 
@@ -69,8 +101,8 @@ const std::string& content(const ExportFolder& folder, std::string_view name) {
 ExportSubject two_spheres(std::string_view law) {
     ExportSubject subject = ash(law);
     subject.partner = PartnerBody{.radius = 44e-6, .mass = sphere_mass(44e-6, 2600)};
-    subject.contact.effective_radius /= 2;
-    subject.contact.mass /= 2;
+    subject.sizes.front().contact.effective_radius /= 2;
+    subject.sizes.front().contact.mass /= 2;
     return subject;
 }
 
@@ -105,65 +137,101 @@ TEST_CASE("a table has the critical velocity of every size") {
 }
 
 TEST_CASE("a table of impacts without capture starts at its smallest velocity") {
-    ExportSubject subject = ash("hertz");
-    subject.damping = {.law = DampingLaw::contact_radius, .nodes = {{0, 300.0}}, .reference_diameter = 88e-6};
+    const ExportSubject subject = damped(ash("hertz"), DampingLaw::contact_radius, 300);
     const ImpactTable table = make_impact_table(subject);
     CHECK_FALSE(table.captures);
     CHECK(table.from_velocity == doctest::Approx(table.to_velocity / 1000));
     CHECK(worst_error(subject, table) < table_accuracy);
 }
 
-TEST_CASE("damping that follows the velocity moves the threshold to where both agree") {
-    ExportSubject subject = ash("dmt");
-    const double at_rest = *threshold_at(subject, 88e-6).value;
-    subject.damping.nodes = {{at_rest, 0.0141}, {2 * at_rest, 0.010}, {6 * at_rest, 0.007}};
-    subject.to_velocity = 6 * at_rest;
-    CHECK(relative_difference(*threshold_at(subject, 88e-6).value, at_rest) < 1e-9);
-    const ImpactTable table = make_impact_table(subject);
-    CHECK(worst_error(subject, table) < table_accuracy);
+TEST_CASE("a table follows the damping along the velocity, at several sizes with their own contacts") {
+    for (const char* law : {"hertz", "dmt", "jkr"}) {
+        CAPTURE(law);
+        for (ExportSubject subject : {followed(law), sizes(followed(law), 30e-6, 200e-6, 1.5),
+                                      three_sizes(law), sizes(three_sizes(law), 60e-6, 150e-6, 2)}) {
+            CAPTURE(subject.sizes.size());
+            const ImpactTable table = make_impact_table(subject);
+            CHECK(table.largest_error < table_accuracy);
+            CHECK(worst_error(subject, table) < table_accuracy);
+            for (const AshSize& size : subject.sizes)
+                CHECK(relative_difference(start_velocity(table, size.diameter),
+                                          *threshold_at(subject, size.diameter).value) < 1e-14);
+            CHECK(std::ranges::is_sorted(table.diameter, std::ranges::less_equal()));
+        }
+    }
+}
+
+TEST_CASE("damping that rises so steeply that faster spheres are captured again is refused") {
+    ExportSubject subject = ash("hertz");
+    subject.sizes.front().damping = {{{0, 0.0141}, {0.5, 0.0141}, {0.8, 0.024}}};
+    CHECK(contains(input_error_of([&] { return make_impact_table(subject); }), "more than once"));
+}
+
+TEST_CASE("ash between two known sizes has what lies between theirs, and at a known size its own") {
+    const ExportSubject subject = three_sizes("dmt");
+    const AshBetween at = ash_at(subject, 96e-6);
+    CHECK(at.damping(0) == 0.0165);
+    CHECK(at.damping(0.25) == doctest::Approx(0.01475).epsilon(1e-14));
+    CHECK(at.damping(9) == 0.009);
+    CHECK(contact_at(subject, 96e-6).contact_modulus == 91e9);
+    CHECK(contact_at(subject, 96e-6).mass == subject.sizes[1].contact.mass);
+    const double d = std::sqrt(88e-6 * 96e-6);  // the middle in ln d
+    CHECK(relative_difference(ash_at(subject, d).damping(0), std::sqrt(0.0141 * 0.0165)) < 1e-14);
+    CHECK(relative_difference(ash_at(subject, d).damping(5), std::sqrt(0.0071 * 0.009)) < 1e-14);
+    CHECK(relative_difference(contact_at(subject, d).contact_modulus, 90.5e9) < 1e-14);
+    CHECK(relative_difference(ash_at(subject, d).density(), 2575) < 1e-14);
+    // Beyond the known sizes: those of the nearest one, with the damping by the exponent.
+    const ExportSubject wide = sizes(subject, 44e-6, 240e-6, 2);
+    CHECK(relative_difference(ash_at(wide, 44e-6).damping(0.3), 0.0125 / 4) < 1e-14);
+    CHECK(relative_difference(ash_at(wide, 240e-6).damping(0), 0.084) < 1e-14);
+    CHECK(contact_at(wide, 240e-6).contact_modulus == 95e9);
+}
+
+TEST_CASE("one damping at every velocity is that of each size at the velocity") {
+    const ExportSubject subject = three_sizes("dmt");
+    const ExportSubject constant = with_damping_at(subject, 3);
+    for (const AshSize& size : subject.sizes) {
+        CHECK(impact_at(constant, size.diameter, 0.1).damping.coefficient ==
+              impact_at(subject, size.diameter, 3).damping.coefficient);
+        CHECK(impact_at(constant, size.diameter, 3).damping.coefficient < size.damping.critical());
+    }
 }
 
 TEST_CASE("a table of a law with a parameter of its own has that parameter in its impacts") {
     ExportSubject subject = ash("sjkr");
-    subject.contact.parameters = {{cohesion_energy_density.name, 2e9}};
+    subject.sizes.front().contact.parameters = {{cohesion_energy_density.name, 2e9}};
     const ImpactTable table = make_impact_table(subject);
     CHECK(worst_error(subject, table) < table_accuracy);
     const double strong = table.start_velocity.front();
-    subject.contact.parameters = {{cohesion_energy_density.name, 0.0}};
+    subject.sizes.front().contact.parameters = {{cohesion_energy_density.name, 0.0}};
     CHECK(strong > 1.1 * make_impact_table(subject).start_velocity.front());
 }
 
 TEST_CASE("what a table cannot hold is refused") {
-    ExportSubject captured = ash("hertz");
-    captured.damping = {.law = DampingLaw::tsuji, .nodes = {{0, 3.0}}, .reference_diameter = 88e-6};
+    const ExportSubject captured = damped(ash("hertz"), DampingLaw::tsuji, 3);
     CHECK_THROWS_AS(static_cast<void>(make_impact_table(captured)), InputError);
     ExportSubject slow = ash("dmt");
     slow.to_velocity = 1e-3;
     CHECK_THROWS_AS(static_cast<void>(make_impact_table(slow)), InputError);
     CHECK_THROWS_AS(static_cast<void>(make_impact_table(sizes(ash("dmt"), 1e-9, 1, 0))), InputError);
-    ExportSubject followed = sizes(ash("dmt"), 60e-6, 88e-6, 2);
-    followed.damping.nodes = {{1, 0.014}, {2, 0.01}};
-    followed.to_velocity = 2;
-    CHECK_THROWS_WITH_AS(static_cast<void>(make_impact_table(followed)), doctest::Contains("steeply"),
-                         InputError);
 }
 
-TEST_CASE("damping goes with the size and along its nodes") {
-    const SizedDamping damping{.law = DampingLaw::constant,
-                               .nodes = {{1, 4.0}, {2, 2.0}, {4, 1.0}},
-                               .reference_diameter = 2,
-                               .exponent = 2};
-    CHECK(damping.coefficient(2, 0.5) == 4.0);
-    CHECK(damping.coefficient(2, 1.5) == 3.0);
-    CHECK(damping.coefficient(2, 3) == 1.5);
-    CHECK(damping.coefficient(2, 9) == 1.0);
-    CHECK(damping.coefficient(4, 1.5) == 12.0);
+TEST_CASE("damping goes along its nodes, and its place above v_c has an inverse") {
+    const DampingCurve damping{{{0, 4.0}, {1, 2.0}, {3, 1.0}}};
+    CHECK(damping(0) == 4.0);
+    CHECK(damping(0.5) == 3.0);
+    CHECK(damping(2) == 1.5);
+    CHECK(damping(9) == 1.0);
     CHECK(damping.depends_on_velocity());
+    CHECK(place_above(0.5, 1) == 0);
+    CHECK(velocity_at_place(0, 1.7) == 1.7);
+    for (const double v : {1.0001, 1.3, 4.0, 50.0})
+        CHECK(relative_difference(velocity_at_place(place_above(v, 1), 1), v) < 1e-13);
 }
 
 TEST_CASE("damping that goes with the square of the size keeps the critical velocity of Hertz spheres") {
     ExportSubject subject = ash("hertz");
-    subject.damping.exponent = 2;
+    subject.exponent = 2;
     CHECK(relative_difference(*threshold_at(subject, 20e-6).value, *threshold_at(subject, 88e-6).value) <
           1e-12);
 }
@@ -171,7 +239,7 @@ TEST_CASE("damping that goes with the square of the size keeps the critical velo
 TEST_CASE("expected impacts lie on both sides of the critical velocity") {
     ExportSubject subject = ash("dmt");
     subject.from_diameter = 60e-6;
-    subject.damping.exponent = 2;
+    subject.exponent = 2;
     subject.velocity = 2.345;
     int captures = 0;
     int own = 0;
@@ -218,14 +286,14 @@ TEST_CASE("a code refuses what it cannot do, with the reason") {
     two = two_spheres("dmt");
     two.from_diameter = 60e-6;
     refused(liggghts_folder, two, "edinburgh");
-    two.damping.exponent = 2;
+    two.exponent = 2;
     refused(lammps_folder, two, "--damping-exponent 0");
-    ExportSubject tsuji = ash("dmt");
-    tsuji.damping = {.law = DampingLaw::tsuji, .nodes = {{0, 0.5}}, .reference_diameter = 88e-6};
-    refused(yade_folder, tsuji, "`en` with `gamma`");
-    ExportSubject followed = ash("dmt");
-    followed.damping.nodes = {{1, 0.014}, {2, 0.01}};
-    refused(yade_folder, followed, "velocity of approach");
+    refused(yade_folder, damped(ash("dmt"), DampingLaw::tsuji, 0.5), "`en` with `gamma`");
+    two = two_spheres("dmt");
+    two.sizes.front().damping = {{{0, 0.0035}, {1, 0.002}}};
+    refused(lammps_folder, two, "velocity of approach");
+    refused(liggghts_folder, two, "velocity of approach");
+    CHECK_FALSE(yade_folder(two).empty());
     ExportSubject zero_force = ash("hertz");
     zero_force.detachment = Detachment::zero_force;
     refused(lammps_folder, zero_force, "let go");
@@ -259,7 +327,7 @@ TEST_CASE("a softened folder has the impacts of the stiff contact, and constants
     stiff.to_velocity = 2;
     const ExportSubject soft = softened(stiff, 1000);
     CHECK(stretch_of(soft) == doctest::Approx(std::pow(1000, 0.4)).epsilon(1e-14));
-    CHECK(stiffened(soft).contact.contact_modulus == 90e9);
+    CHECK(stiffened(soft).reference().contact.contact_modulus == 90e9);
     const auto expected = expected_impacts(stiff);
     const auto impacts = expected_impacts(soft);
     REQUIRE(impacts.size() == expected.size());
@@ -302,7 +370,7 @@ TEST_CASE("a softened contact overlaps by at most 5 % of R* in the impacts of a 
     CHECK_THROWS_AS(require_small_overlaps(softened(subject, 100'000)), InputError);
     // Where adhesion alone pulls the spheres too far together, no velocity is small enough.
     ExportSubject sticky = ash("sjkr");
-    sticky.contact.parameters = {{cohesion_energy_density.name, 2e9}};
+    sticky.sizes.front().contact.parameters = {{cohesion_energy_density.name, 2e9}};
     sticky.to_velocity = 2;
     sticky.velocity = 1.9;
     const std::string pulled = input_error_of([&] {
@@ -314,32 +382,94 @@ TEST_CASE("a softened contact overlaps by at most 5 % of R* in the impacts of a 
     CHECK_THROWS_AS(static_cast<void>(softened(subject, 1)), InputError);
 }
 
-TEST_CASE(
-    "LAMMPS gets the damping along its nodes: lines between them, and what it is at either end beyond") {
-    ExportSubject subject = ash("dmt");
-    subject.damping.nodes = {{1, 0.016}, {2, 0.012}, {4, 0.011}};
+TEST_CASE("LAMMPS gets the damping along its nodes, as a sum of ramps, and v_c by size as a polynomial") {
+    const ExportSubject subject = sizes(followed("dmt"), 30e-6, 120e-6, 1.5);
     const std::string input = content(lammps_folder(subject), "ash_wall.in");
-    const auto at = input.find("ash_curve0 atom \"");
-    REQUIRE(at != std::string::npos);
-    const std::string curve = input.substr(at, input.find('\n', at) - at);
-    // A sum of ramps: the coefficient at the first node, and the change of slope at each.
+    const auto formula = [&](const std::string& name) {
+        const auto at = input.find("ash_" + name + " atom \"");
+        REQUIRE(at != std::string::npos);
+        const auto from = input.find('"', at) + 1;
+        return input.substr(from, input.find('"', from) - from);
+    };
+    // The coefficient at the first node, and the change of slope at each.
+    const std::string curve = formula("curve0");
     const std::regex ramp(
-        R"RE(\(([-+.0-9e]+)\)\*\(f_ash_memory>([-+.0-9e]+)\)\*\(f_ash_memory-([-+.0-9e]+)\))RE");
-    for (const double velocity : {0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 9.0}) {
-        CAPTURE(velocity);
-        double sum = std::stod(curve.substr(curve.find('"') + 1));
+        R"RE(\(([-+.0-9e]+)\)\*\(v_ash_place>([-+.0-9e]+)\)\*\(v_ash_place-([-+.0-9e]+)\))RE");
+    for (const double t : {0.0, 0.2, 0.3, 0.5, 1.0, 1.4, 3.0}) {
+        CAPTURE(t);
+        double sum = std::stod(curve);
         for (std::sregex_iterator match(curve.begin(), curve.end(), ramp), end; match != end; ++match)
-            sum += std::stod((*match)[1]) * std::max(0.0, velocity - std::stod((*match)[2]));
-        CHECK(relative_difference(sum, subject.damping.coefficient(88e-6, velocity)) < 1e-12);
+            sum += std::stod((*match)[1]) * std::max(0.0, t - std::stod((*match)[2]));
+        CHECK(relative_difference(sum, subject.reference().damping(t)) < 1e-12);
     }
+    // exp((c0 + v_ash_size*(c1 + v_ash_size*...)))
+    const std::string critical = formula("critical");
+    std::vector<double> powers;
+    for (const char* at = critical.c_str(); *at != '\0';) {
+        char* end = nullptr;
+        const double number = std::strtod(at, &end);
+        if (end == at || *at == '+' || *at == 'e') {
+            ++at;
+            continue;
+        }
+        powers.push_back(number);
+        at = end;
+    }
+    REQUIRE(powers.size() > 6);
+    for (const double d : {30e-6, 41e-6, 88e-6, 111e-6, 120e-6}) {
+        CAPTURE(d);
+        const double x = (std::log(d) - 0.5 * (std::log(30e-6) + std::log(120e-6))) / (0.5 * std::log(4.0));
+        double sum = 0;
+        for (auto power = powers.rbegin(); power != powers.rend(); ++power) sum = sum * x + *power;
+        CHECK(relative_difference(std::exp(sum), *threshold_at(subject, d).value) < 1e-9);
+    }
+}
+
+TEST_CASE("expected impacts stand beside what the laboratory measured there") {
+    ExportSubject subject = three_sizes("dmt");
+    const double critical = *threshold_at(subject, 96e-6).value;
+    const ExportSubject truth = subject;
+    Laboratory laboratory{.sample = "made up", .diameter = 96e-6, .impacts = {{0.5 * critical, 0}}};
+    for (double v = 1.05 * critical; v < 6 * critical; v *= 1.02)
+        laboratory.impacts.push_back({v, solve_impact(impact_at(truth, 96e-6, v)).restitution});
+    subject.laboratory = {laboratory};
+    CHECK(laboratory_differences(subject).front().largest < 1e-9);
+    CHECK(laboratory_differences(subject).front().other_outcomes == 0);
+    // With the critical damping at every velocity, as exports had it, e is far too small.
+    const auto off = laboratory_differences(with_damping_at(subject, critical));
+    CHECK(off.front().largest > 0.2);
+    CHECK(off.front().at_velocity > 3 * critical);
+    CHECK(*measured_restitution(subject, 96e-6, 2 * critical) ==
+          doctest::Approx(solve_impact(impact_at(truth, 96e-6, 2 * critical)).restitution).epsilon(0.02));
+    CHECK(measured_restitution(subject, 96e-6, 0.5 * critical) == 0.0);
+    CHECK_FALSE(measured_restitution(subject, 96e-6, 20 * critical).has_value());
+    CHECK_FALSE(measured_restitution(subject, 88e-6, 2 * critical).has_value());
+    const std::string line = "e against the measured impacts of 96 um";
+    CHECK(contains(content(openfoam_folder(subject), "README.md"), line));
+    CHECK(contains(content(fluent_folder(subject), "README.md"), line));
+    CHECK_FALSE(contains(content(lammps_folder(followed("dmt")), "README.md"), "e against"));
+    const Json expected = Json::parse(content(openfoam_folder(subject), "expected.json"));
+    CHECK(expected["laboratory"]["samples"].size() == 1);
+    int beside = 0;
+    for (const Json& impact : expected["impacts"]) beside += impact["measured_restitution"].is_null() ? 0 : 1;
+    CHECK(beside == 3);  // 1.2, 2 and 5 v_c of 96 um
+}
+
+TEST_CASE("a critical velocity outside the model is not exported") {
+    ExportSubject subject = sizes(ash("jkr"), 0.5e-6, 88e-6, 0);
+    CHECK(contains(input_error_of([&] {
+                       require_inside_model(subject);
+                       return 0;
+                   }),
+                   "outside the model"));
+    CHECK_NOTHROW(require_inside_model(ash("jkr")));
 }
 
 TEST_CASE("the assumptions of LAMMPS name each force that is added to its wall, and no other") {
     const auto names = [](const ExportSubject& subject, const std::string& force) {
         return content(lammps_folder(subject), "assumptions.md").find(force) != std::string::npos;
     };
-    ExportSubject tsuji = ash("dmt");
-    tsuji.damping = {.law = DampingLaw::tsuji, .nodes = {{0, 0.5}}, .reference_diameter = 88e-6};
+    const ExportSubject tsuji = damped(ash("dmt"), DampingLaw::tsuji, 0.5);
     CHECK_FALSE(names(ash("hertz"), "`fix addforce`"));
     CHECK_FALSE(names(ash("dmt"), "`fix addforce`"));
     CHECK(names(ash("brach-dunn"), "attraction 2 pi f sqrt(R* overlap)"));

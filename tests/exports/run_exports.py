@@ -6,6 +6,8 @@ compare.py judge. Usage: run_exports.py PROGRAM WORK [CODE...]; with `table`, or
 Short form: the laws of each code once. ASHIMPACT_WHOLE=1: every law and damping. A code that is not installed is
 skipped, said aloud, and a failure where CI is set, unless `./dev` could not install it (its list of packages then stands
 in ASHIMPACT_CANNOT_INSTALL); 77 is the status of a test that skipped something."""
+import csv
+import glob
 import hashlib
 import json
 import os
@@ -14,6 +16,7 @@ import subprocess
 import sys
 import time
 
+import laboratory
 import openfoam_clouds
 
 PROGRAM, WORK = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
@@ -54,8 +57,10 @@ def cases():
         yield "lammps", law, options + CONSTANT + SIZES + ["2"]
         if law != "brach-dunn" or WHOLE:
             yield "liggghts", law, options + CONSTANT + SIZES + ["2"]
-    follow = [run, "--sample", "88 um", "--law", "dmt", "--follow-velocity"]
+    follow = [run, "--sample", "88 um", "--law", "dmt"]
+    measured_sizes = [run, "--law", "brach-dunn"]
     yield "lammps", "followed", follow
+    yield "lammps", "followed-sizes", follow + SIZES + ["1.5"]
     yield "openfoam solver", "jkr", JKR + CONSTANT + SIZES + ["1.5"]
     yield "table", "sjkr", SJKR + CONSTANT + SIZES + ["2"]
     for law, options in (("hertz", HERTZ), ("jkr", JKR)):
@@ -63,7 +68,11 @@ def cases():
         yield "fluent", law, options + CONSTANT + SIZES + ["1"]
         yield "openfoam", law, options + CONSTANT + SIZES + ["0"]
     yield "openfoam", "followed", follow
+    yield "openfoam", "measured-sizes", measured_sizes
+    yield "fluent", "measured-sizes", measured_sizes
     yield "table", "run", [run, "--sample", "96 um", "--law", "jkr"]
+    yield "table", "beyond-measured-sizes", measured_sizes + ["--from-diameter", "40 um", "--damping-exponent", "2"]
+    yield "table", "one-damping", measured_sizes + ["--at", "3.4 m/s"]
     yield "yade", "dmt", DMT + CONSTANT
     yield "yade", "en", HERTZ + ["--damping-law", "tsuji", "--damping", "0.5", "--detachment", "zero-force"]
     yield "lammps", "hunt-crossley", DMT + HUNT_CROSSLEY
@@ -99,7 +108,9 @@ def cases():
     yield "yade", "pair-en", (HERTZ + PARTNER + ["--damping-law", "tsuji", "--damping", "0.5", "--detachment", "zero-force"])
     two = [os.path.join(WORK, "two-spheres"), "--sample", "88 um", "--law", "dmt"]
     yield "lammps", "pair-run", two
-    yield "table", "pair-followed", two + ["--follow-velocity"]
+    yield "lammps", "pair-run-at", two + ["--at", "3 m/s"]
+    for code in ("table", "yade"):
+        yield code, "pair-followed", two
     for code in ("lammps", "liggghts"):
         for damping_law, damping in (("contact-radius", "2000 Pa s"), ("tsuji", "0.5")):
             for law, options in (("hertz", HERTZ), ("dmt", DMT), ("brach-dunn", BRACH_DUNN)):
@@ -110,7 +121,16 @@ def cases():
         yield code, "undamped", HERTZ
         yield code, "sjkr", SJKR + CONSTANT + SIZES + ["2"]
     yield "liggghts", "followed", follow
+    yield "liggghts", "followed-sizes", follow + SIZES + ["1.5"]
     yield "openfoam solver", "followed", follow
+    yield "openfoam solver", "followed-sizes", follow + SIZES + ["1.5"]
+    yield "openfoam solver", "measured-sizes", measured_sizes
+    yield "yade", "followed", follow + SIZES + ["1.5"]
+    for code in ("lammps", "liggghts", "table"):
+        yield code, "softened-followed", follow + SOFT
+    for code in ("lammps", "liggghts", "yade"):    # the last velocities are e = 0.005 and less
+        yield code, "slow-sjkr", SJKR + ["--damping", "0.05 kg/s"]
+        yield code, "slow-tsuji", (HERTZ if code == "yade" else DMT) + ["--damping-law", "tsuji", "--damping", "1.5"]
     for law, options in (("hertz", HERTZ), ("brach-dunn", BRACH_DUNN), ("sjkr", SJKR)):
         yield "yade", law, options + CONSTANT
     yield "yade", "tsuji", HERTZ + ["--damping-law", "tsuji", "--damping", "0.5"]
@@ -251,9 +271,11 @@ def check(code, name, options):
 
 def check_refusals():
     for code, options, reason in (  # tests/exports/exports_test.cpp has what each code cannot do
-            ("yade", [os.path.join(WORK, "run"), "--sample", "88 um", "--law", "dmt", "--follow-velocity"], "velocity"),
-            ("openfoam", [os.path.join(WORK, "run"), "--sample", "88 um", "--law", "dmt", "--follow-velocity"] + SIZES
-             + ["2"], "lammps or liggghts for several"),
+            ("yade", [os.path.join(WORK, "run"), "--law", "dmt"], "--sample"),
+            ("openfoam", [os.path.join(WORK, "run"), "--sample", "88 um", "--sample", "89 um"], "89 um"),
+            ("openfoam", [os.path.join(WORK, "run"), "--law", "dmt"] + SIZES[:4], "beyond the measured ones"),
+            ("table", ["--law", "jkr", "--damping", "0.0141 kg/s", "--from-diameter", "500 nm", "--damping-exponent", "0"]
+             + ASH + ADHESION, "outside the model"),
             ("lammps", DMT + CONSTANT + SIZES[:4], "--damping-exponent"), ("lamps", DMT, "lammps"),
             ("lammps", DMT + PARTNER + ["--damping-law", "tsuji", "--damping", "0.5"], "no damping tsuji"),
             ("liggghts", HERTZ + PARTNER + ["--damping", "30 kg/s"], "edinburgh"),
@@ -336,6 +358,63 @@ def check_headline():
             fail("the headline %.12g is exported as %.12g" % (headline, critical))
 
 
+def check_contradiction():
+    """A critical velocity above the measured rebounds is not exported."""
+    run = copy_of_run("contradiction")
+    path = os.path.join(run, "7-critical-velocity.json")
+    with open(path) as file:
+        artifact = json.load(file)
+    sample = next(s for s in artifact["result"]["samples"] if s["name"] == "88 um")
+    sample["dmt"]["critical_velocity"]["value"] = 5.0
+    sample["dmt"]["critical_velocity"]["interval"] = sample["dmt"]["interval"] = None
+    with open(path, "w") as file:
+        json.dump(artifact, file)
+    folder, refused = exported("contradicted", "table", run, "--sample", "88 um", "--law", "dmt")
+    if refused.returncode != 2 or "was measured to rebound" not in refused.stderr or os.path.exists(folder):
+        fail("a critical velocity above measured rebounds is not refused: " + refused.stderr)
+
+
+def found_restitutions(code, folder, impacts):
+    """What the code made of each impact of expected.json."""
+    if code == "fluent":
+        text = "".join("%.17g %.17g 2300\n" % impact for impact in impacts)
+        answer = subprocess.run([os.path.join(folder, "stand_in/check")], input=text, stdout=subprocess.PIPE, check=True,
+                                universal_newlines=True)
+        return [float(line.split()[2]) for line in answer.stdout.splitlines()]
+    records = []
+    for path in glob.glob(os.path.join(folder, "check/postProcessing/ashImpact/kinematicCloud/impacts_*.csv")):
+        with open(path) as file:
+            records += list(csv.DictReader(file))
+    return [next((float(row["restitution [1]"]) for row in records if abs(float(row["diameter [m]"]) / d - 1) < 1e-9
+                  and abs(float(row["velocity [m/s]"]) / v - 1) < 1e-6), float("nan")) for d, v in impacts]
+
+
+def check_laboratory(code, made_up):
+    """The exported case returns e(v) of a made-up laboratory within the scatter of one impact, at each of its sizes."""
+    name = "laboratory"
+    check(code, name, [os.path.join(WORK, "laboratory")])
+    folder = os.path.join(WORK, "%s-%s" % (code, name))
+    if not installed(code) or not os.path.exists(os.path.join(folder, "expected.json")):
+        return
+    with open(os.path.join(folder, "expected.json")) as file:
+        impacts = [(i["diameter"]["value"], i["velocity"]["value"]) for i in json.load(file)["impacts"]]
+    seen = set()
+    for (diameter, velocity), e in zip(impacts, found_restitutions(code, folder, impacts)):
+        true = next((d for d in made_up.critical if abs(d / diameter - 1) < 1e-9), None)
+        multiple = 0 if true is None else round(velocity / made_up.critical[true], 1)
+        asked = next((m for m in (1.2, 2, 5) if abs(multiple / m - 1) < 0.1), None)
+        if asked is None:
+            continue
+        seen.add((true, asked))
+        measured, scatter = made_up.true_restitution(true, velocity), made_up.scatter(true, velocity)
+        print("laboratory %-9s %3.0f um %3g v_c: e %.4f, of the laboratory %.4f +- %.4f" %
+              (code, 1e6 * true, asked, e, measured, scatter), flush=True)
+        if not abs(e - measured) <= scatter:
+            fail("%s: e of %g um at %g v_c is off by %.2g" % (code, 1e6 * true, asked, e - measured))
+    if len(seen) != 9:
+        fail("%s: %d of 9 impacts of the laboratory were compared" % (code, len(seen)))
+
+
 def worked_case(name, *arguments):
     """A case of the docs by its command; its last lines say what was found."""
     if not shutil.which("gnuplot"):
@@ -378,13 +457,13 @@ def check_order():
     sys.path.insert(0, folder)
     import compare
     with open(os.path.join(folder, "expected.json")) as file:
-        impacts = json.load(file)["impacts"]
+        expected = json.load(file)
     checked = 0
-    for number, impact in enumerate(impacts, 1):
+    for number, impact in enumerate(expected["impacts"], 1):
         e, v = impact["restitution"]["value"], impact["velocity"]["value"]
         if impact["outcome"] == "capture" or e < 0.02:
             continue
-        errors = {run[1]: abs(compare.end_of_contact(run[3]) / v - e)
+        errors = {run[1]: abs(compare.end_of_contact(run[3], expected["end_powers"]) / v - e)
                   for run in compare.read_log(log) if run[0] == number}
         ratio = errors[2000] / errors[10000]
         checked += 1
@@ -415,11 +494,18 @@ def main():
         check_refusals()
         check_names()
         check_headline()
+        check_contradiction()
     for code, name, options in cases():
         if not CODES or code.split()[0] in CODES:
             check(code, name, options)
             if name == "softened":
                 check_softened(code)
+    followers = [code for code in ("openfoam", "fluent") if not CODES or code in CODES]
+    if followers:
+        made_up = laboratory.Laboratory()
+        run("laboratory", made_up.write_case(WORK, "jkr"))
+    for code in followers:
+        check_laboratory(code, made_up)
     check_order()
     if (not CODES or "lammps" in CODES) and installed("lammps"):
         check_cloud()

@@ -243,7 +243,7 @@ void add_impacts(const Handle& file, const ExportSubject& subject, const ImpactT
     add_table("velocity", "m/s", "v_in = v_0 (1 + sinh(t)^2)", table.velocity);
     add_table("restitution", "1", "e_n; 0 for a capture", table.restitution);
     add_table("contact_time", "s", "not a number for a capture", table.contact_time);
-    add_table("damping", unit_of(subject.damping.law), "coefficient of the damping law", table.damping);
+    add_table("damping", unit_of(subject.damping_law), "coefficient of the damping law", table.damping);
 }
 
 std::string image_of(const Handle& file) {
@@ -366,7 +366,7 @@ std::string impact_table_image(const ExportSubject& subject, const ImpactTable& 
     add_attribute(file.id(), "program", "ashimpact " + std::string(program_version()));
     add_attribute(file.id(), "law", std::string(subject.law.name()));
     add_attribute(file.id(), "detachment", std::string(name_of(subject.detachment)));
-    add_attribute(file.id(), "damping_law", std::string(name_of(subject.damping.law)));
+    add_attribute(file.id(), "damping_law", std::string(name_of(subject.damping_law)));
     add_attribute(file.id(), "from_velocity", exact(table.from_velocity));
     add_attribute(file.id(), "to_velocity", exact(table.to_velocity));
     add_sizes(file, table);

@@ -110,7 +110,6 @@ const DemModel& wall_model(const ExportSubject& subject, const DemCode& code) {
 
 /// The model of two spheres. @throws InputError with the reason if it lacks something of the contact
 const DemModel& pair_model(const ExportSubject& subject, const DemCode& code) {
-    const SizedDamping& damping = subject.damping;
     const auto refuse = [&](const std::string& reason) {
         throw InputError(fmt::format("{}: its contact of two spheres {}", code.name, reason),
                          std::string(code.pair_laws));
@@ -118,31 +117,31 @@ const DemModel& pair_model(const ExportSubject& subject, const DemCode& code) {
     const DemModel* model = model_of(code.pairs, subject.law);
     if (model == nullptr) refuse(fmt::format("knows no {}", subject.law.name()));
     const bool elastic_end = model->end == Detachment::zero_overlap &&
-                             subject.detachment == Detachment::zero_force && damping.is_zero();
+                             subject.detachment == Detachment::zero_force && subject.is_undamped();
     if (subject.detachment != model->end && !elastic_end)
         refuse(fmt::format("ends at {}, not at {}", model->end_words, name_of(subject.detachment)));
-    if (damping.is_zero()) return *model;
-    if (damping.depends_on_velocity()) refuse("knows no damping that depends on the velocity of approach");
-    if (damping.law != model->damping)
-        refuse(fmt::format("has no damping {} with its coefficient", name_of(damping.law)));
-    if (damping.exponent != 0 && !subject.one_size())
+    if (subject.is_undamped()) return *model;
+    if (subject.depends_on_velocity()) refuse("knows no damping that depends on the velocity of approach");
+    if (subject.damping_law != model->damping)
+        refuse(fmt::format("has no damping {} with its coefficient", name_of(subject.damping_law)));
+    if (subject.exponent != 0 && !subject.one_size())
         refuse("has one damping for every size, which is --damping-exponent 0");
     return *model;
 }
 
 /// The damping of a pair [kg/s]; 0: none.
 double pair_damping(const ExportSubject& subject) {
-    return subject.damping.coefficient(subject.from_diameter, 0);
+    return ash_at(subject, subject.from_diameter).damping(0);
 }
 
 /// Whether the model of a wall has the damping itself: one coefficient for every size and velocity.
-bool damps_itself(const DemModel& model, const SizedDamping& damping) {
-    return damping.law == model.damping && !damping.depends_on_velocity() && damping.exponent == 0;
+bool damps_itself(const DemModel& model, const ExportSubject& subject) {
+    return subject.damping_law == model.damping && !subject.depends_on_velocity() && subject.exponent == 0;
 }
 
 AddedForces added_to(const DemModel& model, const ExportSubject& subject) {
     return {.attraction = subject.law.is_adhesive() && !model.attracts,
-            .damping = !damps_itself(model, subject.damping) && !subject.damping.is_zero()};
+            .damping = !damps_itself(model, subject) && !subject.is_undamped()};
 }
 
 double hertz_time(const ExportSubject& subject, const ExpectedImpact& impact) {
@@ -207,7 +206,7 @@ TemplateValues deck_values(const ExportSubject& subject) {
                                 {"steps", fmt::format("{:.0f}", steps)},
                                 {"cloud_box", exact(100 * size)},
                                 {"cloud_top", exact(1000 * size)},
-                                {"young_modulus", exact(2 * subject.contact.contact_modulus)}});
+                                {"young_modulus", exact(2 * subject.reference().contact.contact_modulus)}});
     return values;
 }
 
@@ -219,7 +218,8 @@ std::string sphere_lines(const DemCode& code, int atom, const std::string& diame
 }
 
 std::string body_lines(const ExportSubject& subject, const DemCode& code) {
-    const std::string ash = sphere_lines(code, 1, "${diameter}", "${mass}", exact(subject.density));
+    const std::string ash =
+        sphere_lines(code, 1, "${diameter}", "${mass}", exact(subject.reference().density));
     if (!subject.partner) return ash;
     const auto [radius, mass] = *subject.partner;
     return "create_atoms     1 single 0 0 ${partner_z} units box\n" + ash +
@@ -249,8 +249,9 @@ ExportFolder deck_folder(const ExportSubject& subject, const DemCode& code, cons
     values["program"] = code.program;
     values["command"] = code.command;
     values["tried"] = code.tried;
-    values["setup"] = std::string(2 * subject.contact.contact_modulus < soft_modulus ? code.soft_setup : "") +
-                      std::string(code.setup);
+    values["setup"] =
+        std::string(2 * subject.reference().contact.contact_modulus < soft_modulus ? code.soft_setup : "") +
+        std::string(code.setup);
     values["bodies"] = body_lines(subject, code);
     values["contact"] = deck.contact;
     values["title"] = pair ? "of two spheres, the contact of ash_pair.in" : "on the wall of ash_wall.in";
@@ -303,12 +304,12 @@ ExportFolder lammps_pair_folder(const ExportSubject& subject) {
             "velocity\n",
             subject.law.name(), name_of(subject.detachment),
             breaks ? "# Under jkr this version ends in an error with `linear_nohistory`.\n" : "",
-            lammps_model(model, subject.contact, pair_damping(subject)),
+            lammps_model(model, subject.reference().contact, pair_damping(subject)),
             breaks ? "linear_history 0 0 0" : "linear_nohistory 0 0");
     std::vector<std::string> conversions{
         lammps_conversion(model, "a pair", "E/(2(1 - nu^2))"),
         "R* and m* are those that LAMMPS makes of the radii and masses of both"};
-    if (!subject.damping.is_zero())
+    if (!subject.is_undamped())
         conversions.emplace_back(
             "`damping velocity` with eta in kg/s: F_d = -eta v of the relative velocity, as here");
     TemplateValues values = deck_values(subject);
@@ -339,7 +340,7 @@ double edinburgh_restitution(const ExportSubject& subject, const ContactPair& co
 
 ExportFolder liggghts_pair_folder(const ExportSubject& subject) {
     const DemModel& model = pair_model(subject, liggghts);
-    if (!subject.one_size() && (model.attracts || !subject.damping.is_zero()))
+    if (!subject.one_size() && (model.attracts || !subject.is_undamped()))
         throw InputError(
             "LIGGGHTS: its `model edinburgh` takes attraction and damping as numbers of two types, which are "
             "others for each size",
@@ -372,8 +373,7 @@ ExportFolder lammps_folder(const ExportSubject& subject, const TableImage& /*ima
     if (subject.partner) return lammps_pair_folder(subject);
     const DemModel& model = wall_model(subject, lammps);
     const AddedForces added = added_to(model, subject);
-    const double damping =
-        damps_itself(model, subject.damping) ? subject.damping.nodes.front().coefficient : 0;
+    const double damping = damps_itself(model, subject) ? subject.reference().damping.critical() : 0;
     const std::string file =
         softening_comment(subject) +
         fmt::format(
@@ -382,7 +382,7 @@ ExportFolder lammps_folder(const ExportSubject& subject, const TableImage& /*ima
             "E = 2 E* and nu = 0: the\n# effective modulus of a wall is E/(2(1 - nu)) in this version. Its "
             "surface energy is w/2.\nfix              ash_wall all wall/gran granular {} tangential "
             "linear_nohistory 0 0 damping velocity zplane ${{ash_wall_z}} NULL\n",
-            subject.law.name(), lammps_model(model, subject.contact, damping)) +
+            subject.law.name(), lammps_model(model, subject.reference().contact, damping)) +
         added_force_lines(subject, added);
     std::vector<std::string> conversions{lammps_conversion(model, "its wall", "E/(2(1 - nu))"),
                                          "R* is the radius of the sphere: the wall is flat"};

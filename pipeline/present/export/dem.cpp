@@ -10,6 +10,7 @@
 #include "pipeline/present/export/folder.hpp"
 #include "solver/contact/sjkr.hpp"
 #include "solver/damping/brach_dunn.hpp"
+#include "solver/numeric/chebyshev.hpp"
 
 namespace ashimpact {
 
@@ -22,6 +23,13 @@ using Powers = std::array<double, 4>;
 constexpr Powers smooth{2, 2.5, 3.5, 4};
 constexpr Powers square_root{1.5, 2, 2.5, 3};
 constexpr Powers fourth_root{1.25, 1.5, 2, 2.25};
+
+/// Powers of the overlap in the velocity of a sphere that leaves, by the same least power.
+Powers end_powers_of(const Powers& powers) {
+    if (powers == fourth_root) return {1, 1.25, 2, 2.25};
+    if (powers == square_root) return {1, 1.5, 2, 2.5};
+    return {1, 2, 2.5, 3};
+}
 
 /// The attraction of a law as a force of its own.
 struct Attraction {
@@ -68,17 +76,18 @@ const Attraction* attraction_of(const ExportSubject& subject);
 
 /// zeta_A/zeta_H of Brach & Dunn's damping, 0 of other damping laws [1].
 double adhesion_share(const ExportSubject& subject) {
-    const double coefficient = subject.damping.nodes.front().coefficient;
-    if (has_one_number(subject.damping.law) || coefficient == 0) return 0;
-    return BrachDunnDamping::coefficients(coefficient, subject.contact.parameters)[1] / coefficient;
+    const AshSize& ash = subject.reference();
+    const double coefficient = ash.damping.critical();
+    if (has_one_number(subject.damping_law) || coefficient == 0) return 0;
+    return BrachDunnDamping::coefficients(coefficient, ash.contact.parameters)[1] / coefficient;
 }
 
 /// Repulsion and attraction, each in its share of the first coefficient of Brach & Dunn's damping [N].
 std::string damped_forces_formula(const ExportSubject& subject) {
     const Attraction& attraction = *attraction_of(subject);
-    if (attraction.formula == nullptr) return repulsion_formula(subject.contact);
-    return fmt::format("{} + {}*{}", repulsion_formula(subject.contact), exact(adhesion_share(subject)),
-                       attraction.formula(subject.contact));
+    if (attraction.formula == nullptr) return repulsion_formula(subject.reference().contact);
+    return fmt::format("{} + {}*{}", repulsion_formula(subject.reference().contact),
+                       exact(adhesion_share(subject)), attraction.formula(subject.reference().contact));
 }
 
 /// A damping as a force of its own.
@@ -104,13 +113,14 @@ constexpr std::array dampings{
                  .factor =
                      [](const ExportSubject& subject) {
                          return fmt::format("*sqrt(mass*{}*sqrt(c_ash_radius))*sqrt(sqrt(v_ash_depth))",
-                                            exact(4.0 / 3.0 * subject.contact.contact_modulus));
+                                            exact(4.0 / 3.0 * subject.reference().contact.contact_modulus));
                      },
                  .powers = fourth_root,
                  .lagging = {1, 2, 2.5, 3}},
     AddedDamping{
         .law = DampingLaw::hunt_crossley,
-        .factor = [](const ExportSubject& subject) { return "*" + repulsion_formula(subject.contact); },
+        .factor =
+            [](const ExportSubject& subject) { return "*" + repulsion_formula(subject.reference().contact); },
         .powers = smooth,
         .lagging = {1, 2, 3, 4}},
     AddedDamping{
@@ -131,18 +141,22 @@ const Attraction* attraction_of(const ExportSubject& subject) {
 }
 
 const AddedDamping* damping_of(const ExportSubject& subject) {
-    return row_of(dampings, subject.damping.law, &AddedDamping::law);
+    return row_of(dampings, subject.damping_law, &AddedDamping::law);
+}
+
+/// Powers of the forces, whatever velocity the code damps with.
+Powers force_powers(const ExportSubject& subject) {
+    const Attraction* attraction = attraction_of(subject);
+    const Powers powers = attraction != nullptr ? attraction->powers : smooth;
+    return subject.is_undamped() ? powers : std::min(powers, damping_of(subject)->powers);
 }
 
 Powers powers_of(const ExportSubject& subject, const DemCheck& check) {
-    const Attraction* attraction = attraction_of(subject);
-    const Powers powers = attraction != nullptr ? attraction->powers : smooth;
-    if (subject.damping.is_zero()) return powers;
-    const AddedDamping& damping = *damping_of(subject);
-    return check.damping_lags ? damping.lagging : std::min(powers, damping.powers);
+    return check.damping_lags && !subject.is_undamped() ? damping_of(subject)->lagging
+                                                        : force_powers(subject);
 }
 
-/// Damping coefficient at the velocity f_ash_memory, a sum of ramps through the nodes, cut into lines.
+/// Damping at the place v_ash_place, a sum of ramps through the nodes, cut into lines.
 std::string velocity_curve(const std::vector<DampingNode>& nodes) {
     constexpr std::size_t ramps_a_line = 6;
     std::string lines;
@@ -151,11 +165,10 @@ std::string velocity_curve(const std::vector<DampingNode>& nodes) {
     std::size_t part = 0;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const bool last = i + 1 == nodes.size();
-        const double slope = last ? 0
-                                  : (nodes[i + 1].coefficient - nodes[i].coefficient) /
-                                        (nodes[i + 1].velocity - nodes[i].velocity);
-        sum += fmt::format(" + ({0})*(f_ash_memory>{1})*(f_ash_memory-{1})", exact(slope - slope_before),
-                           exact(nodes[i].velocity));
+        const double slope =
+            last ? 0 : (nodes[i + 1].coefficient - nodes[i].coefficient) / (nodes[i + 1].t - nodes[i].t);
+        sum += fmt::format(" + ({0})*(v_ash_place>{1})*(v_ash_place-{1})", exact(slope - slope_before),
+                           exact(nodes[i].t));
         slope_before = slope;
         if ((i + 1) % ramps_a_line == 0 || last) {
             lines += fmt::format("variable         ash_curve{} atom \"{}\"\n", part, sum);
@@ -173,17 +186,83 @@ constexpr const char* impact_memory =
     "fix              ash_memory all store/state 1 v_ash_impact\n"
     "variable         ash_impact atom \"(v_ash_overlap<=0)*(-vz) + (v_ash_overlap>0)*f_ash_memory\"\n";
 
+/// ln v_c as a polynomial of x = (ln d - middle)/half.
+struct ThresholdFit {
+    double middle = 0;
+    double half = 1;
+    Eigen::VectorXd powers{};
+};
+
+/// By values at Chebyshev nodes. @throws InputError where v_c(d) is not smooth
+ThresholdFit threshold_fit(const ExportSubject& subject) {
+    constexpr double accuracy = 1e-10;  // of v_c; e near v_c is more sensitive by two orders
+    constexpr int least_degree = 6;
+    constexpr int greatest_degree = 24;
+    const auto logarithm = [&](double ln_d) {
+        const double diameter = std::clamp(std::exp(ln_d), subject.from_diameter, subject.to_diameter);
+        return std::log(threshold_at(subject, diameter).value.value_or(0));
+    };
+    ThresholdFit fit{.middle = std::log(subject.reference().diameter), .half = 1, .powers = {}};
+    if (subject.one_size()) {
+        fit.middle = std::log(subject.from_diameter);
+        fit.powers = Eigen::VectorXd::Constant(1, logarithm(fit.middle));
+        return fit;
+    }
+    const double lower = std::log(subject.from_diameter);
+    const double upper = std::log(subject.to_diameter);
+    fit.middle = 0.5 * (lower + upper);
+    fit.half = 0.5 * (upper - lower);
+    for (int degree = least_degree; degree <= greatest_degree; degree += 3) {
+        const ChebyshevAxis axis{lower, upper, degree};
+        Eigen::VectorXd values(degree + 1);
+        for (int i = 0; i <= degree; ++i) values[i] = logarithm(axis.node(i));
+        fit.powers = chebyshev_by_powers(degree + 1) * (axis.analysis() * values);
+        double error = 0;
+        for (int i = 0; i < degree; ++i) {
+            const double place = 0.5 * (axis.node(i) + axis.node(i + 1));
+            const double x = (place - fit.middle) / fit.half;
+            double sum = 0;
+            for (Eigen::Index k = fit.powers.size() - 1; k >= 0; --k) sum = sum * x + fit.powers[k];
+            error = std::max(error, std::abs(sum - logarithm(place)));
+        }
+        if (error <= accuracy) return fit;
+    }
+    throw InputError("the critical velocity is not smooth enough over the sizes for a formula",
+                     "a shorter range of diameters, or --at for one damping at every velocity")
+        .at("--from-diameter, --to-diameter");
+}
+
+/// v_c of a particle, and the place of its velocity of approach above it.
+std::string place_lines(const ExportSubject& subject) {
+    const ThresholdFit fit = threshold_fit(subject);
+    std::string formula = exact(fit.powers[fit.powers.size() - 1]);
+    for (Eigen::Index k = fit.powers.size() - 2; k >= 0; --k)
+        formula = fmt::format("({} + v_ash_size*{})", exact(fit.powers[k]), formula);
+    std::string lines = "# The damping follows v_in/v_c, with ash_place = asinh(sqrt(v_in/v_c - 1)).\n";
+    if (subject.one_size()) {
+        lines += fmt::format("variable         ash_critical atom {}\n", exact(std::exp(fit.powers[0])));
+    } else {
+        lines += fmt::format(
+            "variable         ash_size atom \"(ln(2*c_ash_radius) - ({}))/{}\"\n"
+            "variable         ash_critical atom \"exp({})\"\n",
+            exact(fit.middle), exact(fit.half), formula);
+    }
+    return lines +
+           "variable         ash_excess atom "
+           "\"(f_ash_memory>v_ash_critical)*(f_ash_memory/v_ash_critical - 1)\"\n"
+           "variable         ash_place atom \"ln(sqrt(v_ash_excess) + sqrt(v_ash_excess + 1))\"\n";
+}
+
 std::string damping_variable(const ExportSubject& subject) {
-    const SizedDamping& damping = subject.damping;
+    const AshSize& ash = subject.reference();
     std::string lines;
-    std::string formula = exact(damping.nodes.front().coefficient);
-    if (damping.depends_on_velocity()) {
-        lines = impact_memory + velocity_curve(damping.nodes);
+    std::string formula = exact(ash.damping.critical());
+    if (subject.depends_on_velocity()) {
+        lines = impact_memory + place_lines(subject) + velocity_curve(ash.damping.nodes);
         formula = "v_ash_curve";
     }
-    if (damping.exponent != 0)
-        formula += fmt::format("*(2*c_ash_radius/{})^({})", exact(damping.reference_diameter),
-                               exact(damping.exponent));
+    if (subject.exponent != 0)
+        formula += fmt::format("*(2*c_ash_radius/{})^({})", exact(ash.diameter), exact(subject.exponent));
     formula += damping_of(subject)->factor(subject);
     return lines + fmt::format("variable         ash_damping atom \"{}\"\n", formula);
 }
@@ -202,17 +281,15 @@ constexpr DemModel betan{
 
 /// Whether betan is the whole contact, else Hertz with added forces. @throws InputError if neither can
 bool takes_betan(const ExportSubject& subject) {
-    const SizedDamping& damping = subject.damping;
-    if (damping.depends_on_velocity())
-        throw InputError("YADE: it knows no damping that depends on the velocity of approach",
-                         "damping that is the same at every velocity");
-    if (damping.law == betan.damping && subject.law.is_adhesive() && !damping.is_zero())
+    const bool damped = !subject.is_undamped();
+    const bool tsuji = subject.damping_law == betan.damping;
+    if (tsuji && subject.law.is_adhesive() && damped)
         throw InputError(
             "YADE: Tsuji's damping with attraction is its `en` with `gamma`, whose restitution is off "
             "by a tenth (0.559 for 0.498) for a cause not known",
             "--damping-law constant or contact-radius, or law hertz");
-    if (damping.law == betan.damping && subject.law.name() == betan.law && subject.detachment == betan.end) {
-        if (damping.exponent != 0)
+    if (tsuji && subject.law.name() == betan.law && subject.detachment == betan.end) {
+        if (subject.exponent != 0)
             throw InputError("YADE: one `betan` is for every size", "--damping-exponent 0");
         return true;
     }
@@ -221,6 +298,23 @@ bool takes_betan(const ExportSubject& subject) {
                          "hertz, dmt, brach-dunn, sjkr with zero-overlap; hertz with --damping-law "
                          "tsuji --detachment zero-force");
     return false;
+}
+
+/// Nodes of the damping for impacts.py, (t, coefficient).
+std::string yade_nodes(const ExportSubject& subject) {
+    std::string list;
+    for (const DampingNode& node : subject.reference().damping.nodes)
+        list += fmt::format("{}({}, {})", list.empty() ? "" : ", ", exact(node.t), exact(node.coefficient));
+    return "[" + list + "]";
+}
+
+/// Middle, half width and coefficients of threshold_fit() for impacts.py; None without need of them.
+std::string yade_threshold(const ExportSubject& subject) {
+    if (!subject.depends_on_velocity()) return "None";
+    const ThresholdFit fit = threshold_fit(subject);
+    std::string list;
+    for (const double power : fit.powers) list += (list.empty() ? "" : ", ") + exact(power);
+    return fmt::format("({}, {}, [{}])", exact(fit.middle), exact(fit.half), list);
 }
 
 }  // namespace
@@ -235,14 +329,14 @@ std::optional<std::string> added_forces_refusal(const ExportSubject& subject) {
     if (subject.detachment != Detachment::zero_overlap && !zero_force)
         return fmt::format("its walls let go at zero overlap, not at {}", name_of(subject.detachment));
     if (damping_of(subject) == nullptr)
-        return fmt::format("it has no damping law {}", name_of(subject.damping.law));
-    if (zero_force && !subject.damping.is_zero())
+        return fmt::format("it has no damping law {}", name_of(subject.damping_law));
+    if (zero_force && !subject.is_undamped())
         return "its walls do not let go where the force of contact and damping is zero; zero-overlap does it";
     return std::nullopt;
 }
 
 std::string added_force_lines(const ExportSubject& subject, AddedForces added) {
-    const bool damped = !subject.damping.is_zero();
+    const bool damped = !subject.is_undamped();
     if (!added.attraction && !damped) return "";
     std::string lines =
         "compute          ash_radius all property/atom radius\n"
@@ -252,7 +346,7 @@ std::string added_force_lines(const ExportSubject& subject, AddedForces added) {
     std::string force = added.damping ? "-v_ash_damping*vz" : "";
     if (added.attraction) {
         lines += fmt::format("variable         ash_attraction atom \"{}\"\n",
-                             attraction_of(subject)->formula(subject.contact));
+                             attraction_of(subject)->formula(subject.reference().contact));
         force += (force.empty() ? "-" : " - ") + std::string("v_ash_attraction");
     }
     if (!force.empty())
@@ -267,32 +361,38 @@ std::vector<std::string> added_force_conversions(const ExportSubject& subject, A
     if (added.attraction) lines.emplace_back(attraction_of(subject)->words);
     if (added.damping)
         lines.emplace_back("damping force -eta v on the normal velocity while in contact, by `fix addforce`");
-    if (added.damping && subject.damping.depends_on_velocity())
+    if (added.damping && subject.depends_on_velocity())
         lines.emplace_back(
-            "eta follows the velocity of approach, which `fix store/state` keeps for as long as the contact "
-            "lasts");
+            "eta follows the velocity of approach over v_c, which `fix store/state` keeps for as long as the "
+            "contact lasts");
     return lines;
 }
 
 ExportFile dem_expected(const ExportSubject& subject, const DemCheck& check) {
-    Json more{{"log", "log.impacts"}, {"powers", powers_of(subject, check)}, {"tolerance", check.tolerance}};
+    Json more{{"log", "log.impacts"},
+              {"powers", powers_of(subject, check)},
+              {"end_powers", end_powers_of(force_powers(subject))},
+              {"tolerance", check.tolerance}};
     if (check.free_flight) more["end"] = "free-flight";
     return expected_json(subject, check.code, more);
 }
 
 ExportFolder yade_folder(const ExportSubject& subject, const TableImage& /*image*/) {
     const bool own = takes_betan(subject);
-    const double coefficient = subject.damping.nodes.front().coefficient;
+    const double coefficient = subject.reference().damping.critical();
     TemplateValues values = common_values(subject);
-    values["damping_law"] = std::string(name_of(subject.damping.law));
-    values["coefficient"] = exact(coefficient);
-    values["exponent"] = exact(subject.damping.exponent);
+    values["damping_law"] = std::string(name_of(subject.damping_law));
+    values["exponent"] = exact(subject.exponent);
     values["adhesion_damping_ratio"] = exact(adhesion_share(subject));
     // The force of `betan` is 2 betan sqrt(m dF/d(delta)) v with dF/d(delta) = (3/2) k sqrt(delta), so that
     // betan = c/sqrt(6). `en` would be a fit of betan (Thornton et al. 2013) that is off by some 1e-4.
     values["damping_ratio"] = own ? exact(coefficient / std::sqrt(6.0)) : "None";
-    values["cohesion_energy_density"] = exact(
-        subject.law.takes(cohesion_energy_density) ? subject.contact.parameters[cohesion_energy_density] : 0);
+    values["cohesion_energy_density"] =
+        exact(subject.law.takes(cohesion_energy_density)
+                  ? subject.reference().contact.parameters[cohesion_energy_density]
+                  : 0);
+    values["nodes"] = yade_nodes(subject);
+    values["threshold"] = yade_threshold(subject);
     values["partner"] = subject.partner ? fmt::format("({}, {})", exact(subject.partner->radius),
                                                       exact(subject.partner->mass))
                                         : "None";

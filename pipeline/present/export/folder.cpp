@@ -18,6 +18,7 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "core/version.hpp"
+#include "pipeline/present/export/laboratory.hpp"
 #include "solver/dem/softening.hpp"
 #include "solver/motion/regime.hpp"
 
@@ -25,7 +26,7 @@ namespace ashimpact {
 
 namespace {
 
-constexpr std::array critical_multiples{0.99, 1.01, 1.5, 3.0, 10.0};
+constexpr std::array critical_multiples{0.99, 1.01, 1.2, 2.0, 5.0, 10.0};
 constexpr double largest_overlap = 0.1;                          // of the radius; beyond it no law here holds
 constexpr std::array velocities_without_capture{0.1, 0.5, 2.0};  // [m/s]
 
@@ -38,8 +39,11 @@ std::vector<double> sorted_once(std::vector<double> values) {
 std::vector<double> sizes_of(const ExportSubject& subject) {
     const double middle = std::sqrt(subject.from_diameter * subject.to_diameter);
     std::vector<double> sizes{subject.from_diameter, subject.to_diameter};
-    for (const double size : {subject.reference_diameter(), 0.97 * middle})
+    const auto add = [&](double size) {
         if (size > subject.from_diameter && size < subject.to_diameter) sizes.push_back(size);
+    };
+    for (const AshSize& size : subject.sizes) add(size.diameter);
+    add(0.97 * middle);
     return sorted_once(std::move(sizes));
 }
 
@@ -67,16 +71,25 @@ std::string_view template_text(std::string_view path) {
 }
 
 std::string damping_words(const ExportSubject& subject) {
-    const SizedDamping& damping = subject.damping;
-    if (damping.is_zero()) return "none";
+    if (subject.is_undamped()) return "none";
+    const AshSize& reference = subject.reference();
     std::string words =
-        damping.depends_on_velocity()
-            ? fmt::format("{} at {} nodes of v_in", name_of(damping.law), damping.nodes.size())
-            : fmt::format("{} {}", name_of(damping.law),
-                          readable(damping.nodes.front().coefficient, unit_of(damping.law)));
-    if (damping.exponent != 0)
-        words += fmt::format(" at {}, times (d/d_0)^{}", readable(damping.reference_diameter, "m"),
-                             shortest(damping.exponent));
+        subject.depends_on_velocity()
+            ? fmt::format("{} along the {} impacts", name_of(subject.damping_law),
+                          std::ranges::any_of(subject.laboratory, &Laboratory::reconstructed)
+                              ? "reconstructed"
+                              : "measured")
+            : fmt::format("{} {}", name_of(subject.damping_law),
+                          readable(reference.damping.critical(), unit_of(subject.damping_law)));
+    if (subject.sizes.size() > 1)
+        words = fmt::format("{} of {} sizes",
+                            subject.depends_on_velocity() ? words : std::string(name_of(subject.damping_law)),
+                            subject.sizes.size());
+    if (subject.exponent != 0 && subject.goes_beyond_sizes())
+        words += subject.sizes.size() > 1
+                     ? fmt::format(", beyond them times (d/d_0)^{}", shortest(subject.exponent))
+                     : fmt::format(" at {}, times (d/d_0)^{}", readable(reference.diameter, "m"),
+                                   shortest(subject.exponent));
     return words;
 }
 
@@ -87,8 +100,9 @@ std::string change(std::string_view name, double before, double after, std::stri
 
 /// The constants of a softened contact, before and after.
 std::string softened_constants(const ExportSubject& subject) {
-    const ContactPair& soft = subject.contact;
-    const ContactPair& stiff = subject.stiff->contact;
+    const ContactPair& soft = subject.reference().contact;
+    const AshSize& before = subject.stiff->sizes.front();
+    const ContactPair& stiff = before.contact;
     std::vector<std::string> changes{change("E*", stiff.contact_modulus, soft.contact_modulus, "Pa")};
     if (subject.law.uses_work_of_adhesion())
         changes.push_back(change("w", stiff.work_of_adhesion, soft.work_of_adhesion, "J/m2"));
@@ -98,10 +112,10 @@ std::string softened_constants(const ExportSubject& subject) {
         if (stiff.parameters.has(parameter))
             changes.push_back(change(parameter.name, stiff.parameters[parameter], soft.parameters[parameter],
                                      si_unit(parameter.dimension)));
-    if (!subject.damping.is_zero())
-        changes.push_back(change(fmt::format("damping {}", name_of(subject.damping.law)),
-                                 subject.stiff->nodes.front().coefficient,
-                                 subject.damping.nodes.front().coefficient, unit_of(subject.damping.law)));
+    if (!subject.is_undamped())
+        changes.push_back(change(fmt::format("damping {}", name_of(subject.damping_law)),
+                                 before.damping.critical(), subject.reference().damping.critical(),
+                                 unit_of(subject.damping_law)));
     return joined(changes);
 }
 
@@ -142,6 +156,14 @@ std::string range_words(const ExportSubject& subject) {
                                             readable(subject.to_diameter, "m"));
 }
 
+std::string density_words(const ExportSubject& subject) {
+    const auto [least, greatest] = std::ranges::minmax(subject.sizes, {}, &AshSize::density);
+    return least.density == greatest.density
+               ? readable(least.density, "kg/m3")
+               : fmt::format("{} to {}, by size", readable(least.density, "kg/m3"),
+                             readable(greatest.density, "kg/m3"));
+}
+
 /// Who meets whom, and the R* and m* of it.
 std::string geometry_words(const ExportSubject& subject) {
     if (!subject.partner) return "R* = d/2, m = density pi d^3/6";
@@ -155,7 +177,6 @@ std::string geometry_words(const ExportSubject& subject) {
 std::set<std::string> remarks(const ExportSubject& subject) {
     std::set<std::string> lines;
     const ExportSubject stiff = stiffened(subject);
-    for (const Finding& doubt : sizes_outside_model(stiff)) lines.insert(doubt.text);
     for (const ExpectedImpact& each : expected_impacts(stiff)) {
         if (!each.maximum_overlap) continue;
         const Regime regime =
@@ -217,12 +238,13 @@ TemplateValues common_values(const ExportSubject& subject) {
                        : ""},
         {"softening_comment", softening_comment(subject)},
         {"version", std::string(program_version())},
-        {"diameter", exact(subject.reference_diameter())},
-        {"density", exact(subject.density)},
+        {"diameter", exact(subject.reference().diameter)},
+        {"density", exact(subject.reference().density)},
+        {"laboratory", laboratory_lines(subject)},
         {"other_body", subject.partner ? "on another sphere" : "on a wall"},
-        {"density_words", readable(subject.density, "kg/m3")},
-        {"contact_modulus", exact(subject.contact.contact_modulus)},
-        {"work_of_adhesion", exact(subject.contact.work_of_adhesion)},
+        {"density_words", density_words(subject)},
+        {"contact_modulus", exact(subject.reference().contact.contact_modulus)},
+        {"work_of_adhesion", exact(subject.reference().contact.work_of_adhesion)},
         {"range", range_words(subject)},
         {"smallest", exact(subject.from_diameter)},
         {"largest", exact(subject.to_diameter)}};
@@ -232,11 +254,17 @@ ExportFile assumptions(const ExportSubject& subject, const std::vector<std::stri
     std::string text = "# Assumptions and conversions\n\n## The numbers and where they come from\n\n";
     for (const std::string& origin : subject.origins) text += "- " + origin + "\n";
     text += fmt::format(
-        "- {}{}: {}\n- damping: {}\n- law {}, contact ends at {}; one normal impact on {}, no rotation, no "
+        "- {}{}: {}\n- damping: {}\n{}- law {}, contact ends at {}; one normal impact on {}, no rotation, no "
         "friction\n",
-        range_words(subject), subject.one_size() ? "" : ", E*, w and density the same for all of them",
-        geometry_words(subject), damping_words(stiffened(subject)), subject.law.name(),
-        name_of(subject.detachment), subject.partner ? "the other sphere" : "a flat wall");
+        range_words(subject),
+        subject.one_size() || subject.sizes.size() > 1 ? "" : ", E*, w and density the same for all of them",
+        geometry_words(subject), damping_words(stiffened(subject)),
+        subject.depends_on_velocity() && subject.goes_beyond_sizes()
+            ? "- sizes beyond the measured ones have the damping of the nearest one at the same v/v_c, times "
+              "(d/d_0)^n\n"
+            : "",
+        subject.law.name(), name_of(subject.detachment),
+        subject.partner ? "the other sphere" : "a flat wall");
     text += "\n## What they became\n\n";
     if (subject.stiff)
         for (const std::string& line : softening_lines(subject)) text += "- " + line + "\n";
@@ -251,14 +279,11 @@ ExportFile assumptions(const ExportSubject& subject, const std::vector<std::stri
     return {"assumptions.md", without_controls(text)};
 }
 
-std::vector<Finding> sizes_outside_model(const ExportSubject& subject) {
-    std::vector<Finding> findings;
+void require_inside_model(const ExportSubject& subject) {
     for (const double diameter : sizes_of(subject))
-        if (auto doubt = outside_model(threshold_at(subject, diameter).value.value_or(0))) {
-            doubt->text.insert(0, readable(diameter, "m") + ": ");
-            findings.push_back(*std::move(doubt));
-        }
-    return findings;
+        if (const auto doubt = outside_model(threshold_at(subject, diameter).value.value_or(0)))
+            throw InputError(readable(diameter, "m") + ": " + doubt->text,
+                             "damping and sizes with critical velocities inside the model");
 }
 
 std::vector<ExpectedImpact> expected_impacts(const ExportSubject& subject) {
@@ -274,6 +299,7 @@ std::vector<ExpectedImpact> expected_impacts(const ExportSubject& subject) {
                                .velocity = velocity,
                                .outcome = result.outcome,
                                .restitution = result.restitution,
+                               .measured = measured_restitution(stiff, diameter, velocity),
                                .contact_time = result.contact_time,
                                .maximum_overlap = stretch * result.maximum_overlap});
             if (result.contact_time) *impacts.back().contact_time *= stretch;
@@ -313,38 +339,47 @@ void require_small_overlaps(const ExportSubject& subject) {
 }
 
 ExportFile expected_json(const ExportSubject& subject, std::string_view code, const Json& more) {
+    std::vector<double> densities;
+    for (const AshSize& size : subject.sizes) densities.push_back(size.density);
     Json document{{"program", "ashimpact"},
                   {"version", program_version()},
                   {"code", code},
                   {"law", subject.law.name()},
                   {"detachment", name_of(subject.detachment)},
-                  {"damping_law", name_of(subject.damping.law)},
-                  {"density", quantity_json(subject.density, Dimension::density)}};
+                  {"damping_law", name_of(subject.damping_law)},
+                  {"density", quantity_json(subject.reference().density, Dimension::density)},
+                  {"densities", {{"values", densities}, {"unit", "kg/m3"}}}};
     if (subject.partner)
         document["partner"] = {{"radius", quantity_json(subject.partner->radius, Dimension::length)},
                                {"mass", quantity_json(subject.partner->mass, Dimension::mass)}};
     if (subject.stiff)
         document["softening"] = {{"factor", subject.stiff->factor}, {"stretch", stretch_of(subject)}};
+    if (!subject.laboratory.empty()) document["laboratory"] = laboratory_json(subject);
     document.update(more);
     document["impacts"] = Json::array();
-    for (const ExpectedImpact& impact : expected_impacts(subject))
+    for (const ExpectedImpact& impact : expected_impacts(subject)) {
         document["impacts"].push_back(
             {{"diameter", quantity_json(impact.diameter, Dimension::length)},
              {"velocity", quantity_json(impact.velocity, Dimension::velocity)},
              {"outcome", name_of(impact.outcome)},
              {"restitution", quantity_json(impact.restitution, Dimension::fraction)},
              {"contact_time", quantity_json(impact.contact_time, Dimension::time)}});
+        if (!subject.laboratory.empty())
+            document["impacts"].back()["measured_restitution"] =
+                quantity_json(impact.measured, Dimension::fraction);
+    }
     return {"expected.json", write_json(document, Digits::seventeen)};
 }
 
 std::span<const ExportCode> export_codes() {
     static constexpr std::array codes{
-        ExportCode{"openfoam", openfoam_folder, "run.sh", "its parcels take e and v_c without a contact"},
+        ExportCode{"openfoam", openfoam_folder, "run.sh", "its parcels take e and v_c without a contact",
+                   true},
         ExportCode{"lammps", lammps_folder},
         ExportCode{"liggghts", liggghts_folder},
-        ExportCode{"yade", yade_folder},
-        ExportCode{"fluent", fluent_folder, "run.sh", "its particles take e and v_c without a contact"},
-        ExportCode{"table", table_folder, "compare.py"}};
+        ExportCode{.name = "yade", .folder = yade_folder, .pairs_follow = true},
+        ExportCode{"fluent", fluent_folder, "run.sh", "its particles take e and v_c without a contact", true},
+        ExportCode{"table", table_folder, "compare.py", {}, true, true}};
     return codes;
 }
 

@@ -11,6 +11,7 @@
 
 #include "core/finding.hpp"
 #include "core/json/document.hpp"
+#include "pipeline/present/export/impact_table.hpp"
 #include "pipeline/present/export/subject.hpp"
 
 namespace ashimpact {
@@ -53,18 +54,19 @@ struct ExpectedImpact {
     double velocity;  ///< [m/s]
     Outcome outcome;
     double restitution;                     ///< 0 for a capture [1]
+    std::optional<double> measured{};       ///< e of the laboratory there; none: not known [1]
     std::optional<double> contact_time;     ///< none for a capture [s]
     std::optional<double> maximum_overlap;  ///< [m]
 };
 
-/// The doubts about critical velocities of the sizes whose impacts are expected, by size.
-[[nodiscard]] std::vector<Finding> sizes_outside_model(const ExportSubject& subject);
+/// Refuses a size of the expected impacts whose critical velocity is outside the model. @throws InputError
+void require_inside_model(const ExportSubject& subject);
 
 /// Refuses a softened contact that overlaps too much in these impacts. @throws InputError with the factor and
 /// the velocity that are allowed
 void require_small_overlaps(const ExportSubject& subject);
 
-/// Impacts of the smallest, the largest, the reference size and one between, at 0.99 and 1.01 v_c, at
+/// Impacts of the smallest, the largest, the known sizes and one between, at 0.99 and 1.01 v_c, at
 /// multiples of v_c up to the largest velocity, and at the subject's own velocity.
 [[nodiscard]] std::vector<ExpectedImpact> expected_impacts(const ExportSubject& subject);
 
@@ -81,6 +83,8 @@ struct ExportCode {
     ExportFolder (*folder)(const ExportSubject&, const TableImage&);
     std::string_view script = "run.sh";  ///< runs and compares
     std::string_view no_contact{};       ///< why there is no contact to soften; empty: there is one
+    bool takes_samples = false;          ///< several known sizes, each with its E*, w and damping
+    bool pairs_follow = false;           ///< the damping of two spheres may follow the velocity of approach
 };
 
 [[nodiscard]] std::span<const ExportCode> export_codes();

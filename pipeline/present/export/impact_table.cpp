@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/present/export/impact_table.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -6,7 +8,6 @@
 
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
-#include "pipeline/present/export/subject.hpp"
 #include "solver/batch/batch.hpp"
 
 namespace ashimpact {
@@ -37,38 +38,76 @@ std::vector<double> even(double from, double to, std::size_t count) {
     return values;
 }
 
-std::vector<double> diameters_of(const ExportSubject& subject, std::size_t count) {
-    if (subject.one_size()) return {subject.from_diameter};
-    auto values = even(std::log(subject.from_diameter), std::log(subject.to_diameter), count);
-    for (double& value : values) value = std::exp(value);
-    values.front() = subject.from_diameter;
-    values.back() = subject.to_diameter;
-    return values;
+/// A place in the table along the sizes: a diameter and the piece whose formulas hold there.
+struct SizePlace {
+    double diameter;
+    std::size_t piece;
+};
+
+/// The sizes at which pieces of the range begin and end, with the numbers of the pieces after them.
+std::vector<SizePlace> piece_ends(const ExportSubject& subject) {
+    std::vector<SizePlace> ends{{subject.from_diameter, piece_of(subject.sizes, subject.from_diameter)}};
+    if (subject.sizes.size() > 1)
+        for (std::size_t i = 0; i < subject.sizes.size(); ++i)
+            if (const double d = subject.sizes[i].diameter;
+                d > subject.from_diameter && d < subject.to_diameter)
+                ends.push_back({d, i + 1});
+    ends.push_back({subject.to_diameter, ends.back().piece});
+    return ends;
 }
 
-/// v_c; 0 for a size that is never captured.
-double finite_threshold(const ExportSubject& subject, double diameter) {
-    const CriticalVelocity critical = threshold_at(subject, diameter);
+/// The sizes of a table, @p count for each piece. Two at a known size, for either side of the kink.
+std::vector<SizePlace> places_of(const ExportSubject& subject, std::size_t count) {
+    if (subject.one_size()) return {{subject.from_diameter, piece_of(subject.sizes, subject.from_diameter)}};
+    std::vector<SizePlace> places;
+    const auto ends = piece_ends(subject);
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+        const double from = ends[i - 1].diameter;
+        const bool last = i + 1 == ends.size();
+        const double to = last ? ends[i].diameter : ends[i].diameter * (1 - kink_width);
+        const auto logarithms = even(std::log(from), std::log(to), count);
+        for (std::size_t k = 0; k < count; ++k)
+            places.push_back({k == 0           ? from
+                              : k + 1 == count ? to
+                                               : std::exp(logarithms[k]),
+                              ends[i - 1].piece});
+    }
+    return places;
+}
+
+/// v_c of a verdict; 0 for a size that is never captured.
+double finite_value(const CriticalVelocity& critical, double diameter) {
     if (critical.verdict == CaptureVerdict::always_captured)
         throw InputError(fmt::format("spheres of {} are captured at every velocity", readable(diameter, "m")),
                          "impacts of which some rebound; a wall that keeps all particles needs no table");
     return critical.value.value_or(0);
 }
 
-/// d ln v_c / d ln d by a central difference of fourth order [1].
-double slope_at(const ExportSubject& subject, double diameter) {
+/// v_c; 0 for a size that is never captured.
+double finite_threshold(const ExportSubject& subject, const SizePlace& place) {
+    const bool known =
+        std::ranges::find(subject.sizes, place.diameter, &AshSize::diameter) != subject.sizes.end();
+    return finite_value(
+        known ? threshold_at(subject, place.diameter) : threshold_at(subject, place.diameter, place.piece),
+        place.diameter);
+}
+
+/// d ln v_c / d ln d by a central difference of fourth order, by the formulas of the piece [1].
+double slope_at(const ExportSubject& subject, const SizePlace& place) {
     constexpr double step = 2e-3;
     const auto logarithm = [&](double shift) {
-        return std::log(finite_threshold(subject, diameter * std::exp(shift)));
+        const double diameter = place.diameter * std::exp(shift);
+        return std::log(finite_value(threshold_at(subject, diameter, place.piece), diameter));
     };
     return (8 * (logarithm(step) - logarithm(-step)) - (logarithm(2 * step) - logarithm(-2 * step))) /
            (12 * step);
 }
 
-void set_thresholds(const ExportSubject& subject, ImpactTable& table) {
+void set_thresholds(const ExportSubject& subject, const std::vector<SizePlace>& places, ImpactTable& table) {
     std::size_t captures = 0;
-    for (const double diameter : table.diameter) {
-        table.start_velocity.push_back(finite_threshold(subject, diameter));
+    for (const SizePlace& place : places) {
+        table.diameter.push_back(place.diameter);
+        table.start_velocity.push_back(finite_threshold(subject, place));
         if (table.start_velocity.back() > 0) ++captures;
     }
     table.captures = captures > 0;
@@ -87,16 +126,8 @@ void set_thresholds(const ExportSubject& subject, ImpactTable& table) {
         throw InputError(fmt::format("no size rebounds up to {}", readable(table.to_velocity, "m/s")),
                          "a velocity above the critical one")
             .at("--to-velocity");
-    for (const double diameter : table.diameter)
-        table.slope.push_back(subject.one_size() ? 0.0 : slope_at(subject, diameter));
-}
-
-double t_of(double velocity, double start) {
-    return std::asinh(std::sqrt(std::max(0.0, velocity / start - 1)));
-}
-
-double velocity_of(double t, double start) {
-    return start * (1 + std::sinh(t) * std::sinh(t));
+    for (const SizePlace& place : places)
+        table.slope.push_back(subject.one_size() ? 0.0 : slope_at(subject, place));
 }
 
 ImpactBatchResult solve(const std::vector<Impact>& impacts) {
@@ -112,8 +143,9 @@ void fill_nodes(const ExportSubject& subject, ImpactTable& table) {
     for (Eigen::Index i = 0; i < rows; ++i) {
         const auto size = static_cast<std::size_t>(i);
         for (Eigen::Index j = 0; j < columns; ++j) {
-            const double v = velocity_of(table.t[static_cast<std::size_t>(j)], table.start_velocity[size]);
-            const Impact impact = impact_at(subject, table.diameter[size], v);
+            const double v =
+                velocity_at_place(table.t[static_cast<std::size_t>(j)], table.start_velocity[size]);
+            const Impact impact = impact_above(subject, table.diameter[size], v, table.start_velocity[size]);
             table.velocity(i, j) = v;
             table.damping(i, j) = impact.damping.coefficient;
             impacts.push_back(impact);
@@ -124,6 +156,9 @@ void fill_nodes(const ExportSubject& subject, ImpactTable& table) {
     table.restitution = Eigen::Map<const RowMajor>(result.restitution.data(), rows, columns);
     table.contact_time = Eigen::Map<const RowMajor>(result.contact_time.data(), rows, columns);
     if (!table.captures) return;
+    for (Eigen::Index i = 0; i < rows; ++i)  // damping that rises with the velocity may capture again
+        if (!(table.restitution.row(i).tail(columns - 1) > 0).all())
+            refuse_several(table.diameter[static_cast<std::size_t>(i)]);
     table.restitution.col(0) = 0;  // the limit, whatever rounding makes of an impact at v_c
     table.contact_time.col(0) = std::numeric_limits<double>::quiet_NaN();
 }
@@ -149,11 +184,12 @@ struct Errors {
 struct Probe {
     double diameter;
     double velocity;
+    double start;  ///< v_0 [m/s]
     bool between_sizes;
     bool between_nodes;
 };
 
-/// Middles of cells and sides, where e is furthest off; with damping along the velocity its nodes, too.
+/// Middles of cells and sides, where e is furthest off; the nodes of the damping, too.
 std::vector<Probe> probes_of(const ExportSubject& subject, const ImpactTable& table) {
     std::vector<double> logarithms;
     for (const double diameter : table.diameter) logarithms.push_back(std::log(diameter));
@@ -165,12 +201,13 @@ std::vector<Probe> probes_of(const ExportSubject& subject, const ImpactTable& ta
         const double start = start_velocity(table, d);
         const auto add = [&](double velocity, bool between_nodes) {
             if (velocity > start && velocity <= table.to_velocity)
-                probes.push_back({d, velocity, i % 2 == 1, between_nodes});
+                probes.push_back({d, velocity, start, i % 2 == 1, between_nodes});
         };
         for (std::size_t j = 0; j < nodes.size(); ++j)
-            if (i % 2 + j % 2 > 0) add(velocity_of(nodes[j], start), j % 2 == 1);
-        if (!subject.damping.depends_on_velocity()) continue;
-        for (const DampingNode& node : subject.damping.nodes) add(node.velocity, true);
+            if (i % 2 + j % 2 > 0) add(velocity_at_place(nodes[j], start), j % 2 == 1);
+        if (!subject.depends_on_velocity()) continue;
+        for (const AshSize& size : subject.sizes)
+            for (const DampingNode& node : size.damping.nodes) add(velocity_at_place(node.t, start), true);
     }
     return probes;
 }
@@ -179,11 +216,12 @@ Errors errors_of(const ExportSubject& subject, const ImpactTable& table) {
     const std::vector<Probe> probes = probes_of(subject, table);
     if (probes.empty()) return {};
     std::vector<Impact> impacts;
-    for (const Probe& probe : probes) impacts.push_back(impact_at(subject, probe.diameter, probe.velocity));
+    for (const Probe& probe : probes)
+        impacts.push_back(impact_above(subject, probe.diameter, probe.velocity, probe.start));
     const ImpactBatchResult result = solve(impacts);
     Errors errors;
     for (std::size_t i = 0; i < probes.size(); ++i) {
-        const auto& [diameter, velocity, between_sizes, between_nodes] = probes[i];
+        const auto& [diameter, velocity, start, between_sizes, between_nodes] = probes[i];
         const double error = std::abs(result.restitution[static_cast<Eigen::Index>(i)] -
                                       restitution(table, diameter, velocity));
         errors.anywhere = std::max(errors.anywhere, error);
@@ -200,8 +238,8 @@ double threshold_error(const ExportSubject& subject, const ImpactTable& table) {
     double largest = 0;
     for (std::size_t i = 1; table.captures && i < table.diameter.size(); ++i) {
         const double middle = std::sqrt(table.diameter[i - 1] * table.diameter[i]);
-        largest = std::max(largest,
-                           std::abs(start_velocity(table, middle) / finite_threshold(subject, middle) - 1));
+        const double exact = finite_value(threshold_at(subject, middle), middle);
+        largest = std::max(largest, std::abs(start_velocity(table, middle) / exact - 1));
     }
     return largest;
 }
@@ -211,8 +249,7 @@ std::size_t sizes_for_thresholds(const ExportSubject& subject) {
     double before = std::numeric_limits<double>::infinity();
     for (std::size_t sizes = smallest_sizes;; sizes = 2 * sizes - 1) {
         ImpactTable table;
-        table.diameter = diameters_of(subject, sizes);
-        set_thresholds(subject, table);
+        set_thresholds(subject, places_of(subject, sizes), table);
         const double error = threshold_error(subject, table);
         if (error <= threshold_aim) return sizes;
         if (error > threshold_progress * before || sizes * smallest_nodes > largest_cells)
@@ -225,10 +262,10 @@ std::size_t sizes_for_thresholds(const ExportSubject& subject) {
 
 ImpactTable table_of(const ExportSubject& subject, const Division& division) {
     ImpactTable table;
-    table.diameter = diameters_of(subject, division.sizes);
-    set_thresholds(subject, table);
+    set_thresholds(subject, places_of(subject, division.sizes), table);
     double end = 0;
-    for (const double start : table.start_velocity) end = std::max(end, t_of(table.to_velocity, start));
+    for (const double start : table.start_velocity)
+        end = std::max(end, place_above(table.to_velocity, start));
     table.t = even(0, end, division.nodes);
     fill_nodes(subject, table);
     return table;
@@ -252,12 +289,6 @@ Between between(const std::vector<double>& diameters, double diameter) {
 }  // namespace
 
 ImpactTable make_impact_table(const ExportSubject& subject) {
-    if (subject.damping.depends_on_velocity() && !subject.one_size())
-        throw InputError(
-            "the damping of the run falls steeply just above the critical velocity of its one size; where "
-            "other sizes have other critical velocities, no table keeps their restitution to 2e-4",
-            "one size, or lammps or liggghts for several")
-            .at("--follow-velocity");
     if (std::log10(subject.to_diameter / subject.from_diameter) > largest_decades)
         throw InputError("the range of diameters spans more than six decades", "a shorter range")
             .at("--from-diameter, --to-diameter");
@@ -270,7 +301,7 @@ ImpactTable make_impact_table(const ExportSubject& subject) {
         const double half = aim / 2;  // of the error, for each axis
         if (errors.along_sizes > half) division.sizes = 2 * division.sizes - 1;
         if (errors.along_t > half || errors.along_sizes <= half) division.nodes = 2 * division.nodes - 1;
-        if (division.sizes * division.nodes > largest_cells)
+        if (table.diameter.size() * division.nodes > largest_cells)
             throw InputError(fmt::format("a table of {} nodes is still {:.1g} off in the restitution",
                                          table.t.size() * table.diameter.size(), errors.anywhere),
                              "a shorter range of diameters or velocities");
@@ -290,7 +321,7 @@ double restitution(const ImpactTable& table, double diameter, double velocity) {
     const double start = start_velocity(table, diameter);
     if (velocity < start) return table.captures ? 0 : table.restitution(0, 0);
     const double spacing = table.t[1] - table.t[0];
-    const double place = t_of(velocity, start) / spacing;
+    const double place = place_above(velocity, start) / spacing;
     const auto j = std::min(static_cast<Eigen::Index>(place), static_cast<Eigen::Index>(table.t.size()) - 2);
     const double b = place - static_cast<double>(j);
     const auto along_t = [&](std::size_t size) {

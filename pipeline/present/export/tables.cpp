@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Codes that look impacts up in a table: OpenFOAM, Fluent, and the table by itself.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "core/quantities/quantity.hpp"
 #include "pipeline/present/export/folder.hpp"
+#include "solver/contact/law_parameters.hpp"
 
 namespace ashimpact {
 
@@ -38,14 +40,23 @@ ExportFile table_expected(const ExportSubject& subject, std::string_view code, c
                          {{"tolerance", table_accuracy}, {"largest_error_found", table.largest_error}});
 }
 
+/// The least and the greatest density of the sizes [kg/m3].
+std::array<double, 2> density_range(const ExportSubject& subject) {
+    const auto [least, greatest] = std::ranges::minmax(subject.sizes, {}, &AshSize::density);
+    return {least.density, greatest.density};
+}
+
 std::string fluent_header(const ExportSubject& subject, const ImpactTable& table) {
+    const auto densities = density_range(subject);
     const auto array = [](std::string_view name, const auto& values) {
         return fmt::format("static const double {}[] = {{\n{}}};\n", name, lines_of(values, ","));
     };
     return fmt::format(
                "/* Table of ash_wall: e over ln(diameter) and t = asinh(sqrt(v/start_velocity - 1)); SI "
-               "units. */\nstatic const double ash_density = {}; /* of the ash [kg/m3] */\n",
-               exact(subject.density)) +
+               "units. */\nstatic const double ash_least_density = {}, ash_greatest_density = {}; /* of the "
+               "ash "
+               "[kg/m3] */\n",
+               exact(densities.front()), exact(densities.back())) +
            array("ash_diameters", table.diameter) + array("ash_start_velocities", table.start_velocity) +
            array("ash_slopes", table.slope) + array("ash_restitutions", restitutions(table)) +
            fmt::format(
@@ -60,44 +71,69 @@ std::string foam_list(std::string_view name, const Values& values) {
     return fmt::format("{}\n(\n{});\n", name, lines_of(values, ""));
 }
 
-std::string foam_table(const ImpactTable& table, double density) {
+std::string foam_table(const ExportSubject& subject, const ImpactTable& table) {
+    const auto densities = density_range(subject);
     return fmt::format(
                "// Table of ashImpact: e over ln(diameter) and t = asinh(sqrt(v/startVelocity - 1)); SI "
-               "units.\ndensity         {};\nnodes           {};\nstep            {};\n"
+               "units.\ndensity         {};\n{}nodes           {};\nstep            {};\n"
                "fromVelocity    {};\ntoVelocity      {};\ncaptures        {};\n",
-               exact(density), table.t.size(), exact(table.t[1]), exact(table.from_velocity),
-               exact(table.to_velocity), table.captures ? "yes" : "no") +
+               exact(densities[0]),
+               densities[0] == densities[1] ? "" : fmt::format("greatestDensity {};\n", exact(densities[1])),
+               table.t.size(), exact(table.t[1]), exact(table.from_velocity), exact(table.to_velocity),
+               table.captures ? "yes" : "no") +
            foam_list("diameter", table.diameter) + foam_list("startVelocity", table.start_velocity) +
            foam_list("slope", table.slope) + foam_list("restitution", restitutions(table));
 }
 
-/// What libashimpact needs: the parameters by its names, and the damping by size and velocity.
+/// A name with a list of numbers on one line.
+template <class Values>
+std::string foam_entry(std::string_view name, const Values& values) {
+    std::string text = fmt::format("    {} (", name);
+    for (const double value : values) text += " " + exact(value);
+    return text + " );\n";
+}
+
+/// What libashimpact needs: for each known size the parameters by its names, and the nodes of the damping.
 std::string foam_solver(const ExportSubject& subject) {
     std::string text = fmt::format(
-        "// Model of ashImpact with `solver yes;`; SI units.\nlaw             {};\n"
-        "detachment      {};\ndampingLaw      {};\nparameters\n{{\n",
-        subject.law.name(), name_of(subject.detachment), name_of(subject.damping.law));
-    const auto add = [&](std::string_view name, double value) {
-        text += fmt::format("    {} {};\n", name, exact(value));
+        "// Model of ashImpact with `solver yes;`; SI units. Each list has a number for each diameter; "
+        "between "
+        "them the\n// parameters are linear in ln d, and so is ln(damping) at equal t. Beyond them damping "
+        "goes "
+        "with (d/d_0)^exponent.\nlaw             {};\ndetachment      {};\ndampingLaw      {};\n"
+        "exponent        {};\n",
+        subject.law.name(), name_of(subject.detachment), name_of(subject.damping_law),
+        exact(subject.exponent));
+    const auto list = [&](std::string_view name, const auto& value_of) {
+        std::vector<double> values;
+        for (const AshSize& size : subject.sizes) values.push_back(value_of(size));
+        text += foam_entry(name, values);
     };
-    add("density", subject.density);
-    add("contact_modulus", subject.contact.contact_modulus);
-    add("work_of_adhesion", subject.contact.work_of_adhesion);
-    if (std::isfinite(subject.contact.yield_pressure)) add("yield_pressure", subject.contact.yield_pressure);
-    for (const LawParameter& parameter : subject.law.parameters())
-        if (subject.contact.parameters.has(parameter))
-            add(parameter.name, subject.contact.parameters[parameter]);
-    std::vector<double> velocities;
-    std::vector<double> coefficients;
-    for (const DampingNode& node : subject.damping.nodes) {
-        velocities.push_back(node.velocity);
-        coefficients.push_back(node.coefficient);
+    text += "known\n{\n";
+    list("diameter", [](const AshSize& size) { return size.diameter; });
+    text += "}\nparameters\n{\n";
+    list("density", [](const AshSize& size) { return size.density; });
+    list("contact_modulus", [](const AshSize& size) { return size.contact.contact_modulus; });
+    list("work_of_adhesion", [](const AshSize& size) { return size.contact.work_of_adhesion; });
+    if (std::isfinite(subject.reference().contact.yield_pressure))
+        list("yield_pressure", [](const AshSize& size) { return size.contact.yield_pressure; });
+    for (const LawParameter& parameter : parameters_of(subject.law, subject.damping_law))
+        if (subject.reference().contact.parameters.has(parameter))
+            list(parameter.name, [&](const AshSize& size) { return size.contact.parameters[parameter]; });
+    text +=
+        "}\n// damping(t) of each diameter, t = asinh(sqrt(v/v_c - 1)): linear between nodes, constant "
+        "beyond\n";
+    for (std::size_t i = 0; i < subject.sizes.size(); ++i) {
+        std::vector<double> places;
+        std::vector<double> coefficients;
+        for (const DampingNode& node : subject.sizes[i].damping.nodes) {
+            places.push_back(node.t);
+            coefficients.push_back(node.coefficient);
+        }
+        text += fmt::format("curve{}\n{{\n{}{}}}\n", i, foam_entry("t", places),
+                            foam_entry("damping", coefficients));
     }
-    text += fmt::format(
-        "}}\n// coefficient(d, v) = c(v) (d/referenceDiameter)^exponent, c linear between these velocities\n"
-        "referenceDiameter {};\nexponent        {};\n",
-        exact(subject.damping.reference_diameter), exact(subject.damping.exponent));
-    return text + foam_list("velocity", velocities) + foam_list("damping", coefficients);
+    return text;
 }
 
 /// One injector a parcel, each with its own velocity, and the file of its place.
@@ -134,7 +170,7 @@ ExportFile critical_velocity_csv(const ImpactTable& table) {
 ExportFile table_csv(const ExportSubject& subject, const ImpactTable& table) {
     std::string csv = fmt::format(
         "diameter [m],t [1],velocity [m/s],outcome,restitution [1],contact_time [s],damping [{}]\n",
-        unit_of(subject.damping.law));
+        unit_of(subject.damping_law));
     for (Eigen::Index i = 0; i < table.velocity.rows(); ++i)
         for (Eigen::Index j = 0; j < table.velocity.cols(); ++j) {
             const double time = table.contact_time(i, j);
@@ -228,7 +264,7 @@ ExportFolder openfoam_folder(const ExportSubject& subject, const TableImage& /*i
          {"g", "transportProperties", "turbulenceProperties", "kinematicCloudProperties"})
         add("check/constant/", "openfoam/check/" + file);
     add("check/0/", "openfoam/check/U");
-    for (const auto& [name, content] : {ExportFile{"ashTable", foam_table(table, subject.density)},
+    for (const auto& [name, content] : {ExportFile{"ashTable", foam_table(subject, table)},
                                         ExportFile{"ashSolver", foam_solver(subject)}}) {
         folder.push_back({name, content});
         folder.push_back({"check/constant/" + name, content});

@@ -2,7 +2,7 @@
 """Compares what the code made of the impacts with expected.json. Usage: python3 compare.py [LOG]
 
 The log holds, for each run, a line "impact NUMBER RESOLUTION TIME_STEP" and rows "step position velocity".
-The contact ends where the sphere is back at the height at which it touched: read between the steps. Where adhesion holds
+The contact ends where the sphere is back at the height at which it touched: extrapolated over the overlap. Where adhesion holds
 on beyond that ("end": "free-flight" in expected.json), it has ended if the velocity no longer changes. A code
 with a finite time step is off by a series in that step; each restitution is extrapolated to step zero.
 Exit status 0: all agree, 1: some do not."""
@@ -23,33 +23,18 @@ def read_log(path):
     return runs
 
 
-def neville(times, values, time):
-    p = list(values)
-    for level in range(1, len(p)):
-        for i in range(len(p) - level):
-            p[i] += (time - times[i]) / (times[i + level] - times[i]) * (p[i + 1] - p[i])
-    return p[0]
+def end_of_contact(rows, powers):
+    """Velocity with which the sphere is back at the height of first touch; None: it stays below.
 
-
-def end_of_contact(rows):
-    """Velocity with which the sphere is back at the height of first touch; None: it stays below."""
+    It is extrapolated over the overlap, in which it is a series of these powers. The last row is left out: where the force
+    ends with a root of the overlap, the error of the last step depends on where in it the contact ends."""
     start = rows[0][1]
     turned = next((i for i, row in enumerate(rows) if row[2] > 0), None)
     end = None if turned is None else next((i for i in range(turned, len(rows)) if rows[i][1] >= start), None)
     if end is None:
         return None
-    inside = rows[max(0, end - 5):end]
-    times = [row[0] for row in inside]
-    heights = [row[1] - start for row in inside]
-    velocities = [row[2] for row in inside]
-    low, high = times[-1], rows[end][0] + (rows[end][0] - times[-1])
-    for _ in range(200):
-        middle = 0.5 * (low + high)
-        if neville(times, heights, middle) < 0:
-            low = middle
-        else:
-            high = middle
-    return neville(times, velocities, low)
+    inside = rows[max(0, end - 2 - len(powers)):end - 1]
+    return at_step_zero([start - row[1] for row in inside], [row[2] for row in inside], powers)
 
 
 def end_of_flight(rows):
@@ -81,8 +66,8 @@ def main():
     for number, impact in enumerate(expected["impacts"], 1):
         mine = [run for run in runs if run[0] == number and run[3]]
         velocity = impact["velocity"]["value"]
-        end_of = end_of_flight if expected.get("end") == "free-flight" else end_of_contact
-        ends = [(run[2], end_of(run[3])) for run in mine]
+        ends = [(run[2], end_of_flight(run[3]) if expected.get("end") == "free-flight"
+                 else end_of_contact(run[3], expected["end_powers"])) for run in mine]
         captured = [end is None for _, end in ends]
         outcome = "none" if not ends else "capture" if all(captured) else "rebound" if not any(captured) else "both"
         found = 0.0

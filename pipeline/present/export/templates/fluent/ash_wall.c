@@ -10,16 +10,15 @@
 
 #define ASH_TANGENTIAL_LOSS 0.0 /* share of the tangential velocity that a rebound takes, 0 to 1 */
 
-/* The table holds for ash of one density: a particle of another has another mass, and so another critical velocity. */
+/* The table holds for ash of these densities: a particle of another has another mass, and so another critical velocity. */
 static void ash_compare_density(double density)
 {
     static int warned = 0;
-    const double difference = density - ash_density;
-    if (warned || (difference <= 0.01 * ash_density && difference >= -0.01 * ash_density)) return;
+    if (warned || (density <= 1.01 * ash_greatest_density && density >= 0.99 * ash_least_density)) return;
     warned = 1;
-    Message("ash_wall: warning: a particle of %g kg/m3 hit a wall; v_c and e are those of ash of %g kg/m3: give the material "
-            "of the injection that density, or export for the density of the injection\n",
-            density, ash_density);
+    Message("ash_wall: warning: a particle of %g kg/m3 hit a wall; v_c and e are those of ash of %g to %g kg/m3: give the "
+            "material of the injection that density, or export for the density of the injection\n",
+            density, ash_least_density, ash_greatest_density);
 }
 
 DEFINE_DPM_BC(ash_wall, tp, t, f, f_normal, dim)

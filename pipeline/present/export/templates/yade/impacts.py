@@ -8,7 +8,10 @@ import math
 @softening_comment@CONTACT_MODULUS, DENSITY, WORK_OF_ADHESION = @contact_modulus@, @density@, @work_of_adhesion@
 LAW, DAMPING_LAW = "@law@", "@damping_law@"
 COHESION_ENERGY_DENSITY = @cohesion_energy_density@    # of law sjkr
-COEFFICIENT, REFERENCE_DIAMETER, EXPONENT = @coefficient@, @diameter@, @exponent@
+REFERENCE_DIAMETER, EXPONENT = @diameter@, @exponent@
+NODES = @nodes@    # (t, damping) with t = asinh(sqrt(v/v_c - 1)) of the velocity of approach; linear between
+THRESHOLD = @threshold@    # ln v_c = sum c_k x^k, x = (ln d - middle)/half width; None: one damping for every velocity
+MEMORY = {}    # velocity of approach of each sphere, or of each pair by the number of its ash
 ADHESION_DAMPING_RATIO = @adhesion_damping_ratio@    # zeta_A/zeta_H of brach-dunn-damping
 PARTNER = @partner@    # radius and mass of the sphere that the ash meets; None: the wall z = 0
 DAMPING_RATIO = @damping_ratio@    # YADE's own `betan`; None: the damping is that of ash_force()
@@ -35,10 +38,25 @@ def attraction(radius, overlap):
     return 0.0
 
 
+def coefficient(diameter, velocity):
+    """of the damping at a velocity of approach"""
+    if THRESHOLD is None:
+        return NODES[0][1]
+    middle, half, powers = THRESHOLD
+    x = (math.log(diameter) - middle) / half
+    critical = math.exp(sum(c * x ** k for k, c in enumerate(powers)))
+    t = math.asinh(math.sqrt(max(0.0, velocity / critical - 1)))
+    for (t0, c0), (t1, c1) in zip(NODES, NODES[1:]):
+        if t <= t1:
+            return c0 + (t - t0) / (t1 - t0) * (c1 - c0)
+    return NODES[-1][1]
+
+
 def damping(ash, overlap):
     """eta [kg/s]"""
     radius, mass = effective(ash.shape.radius, ash.state.mass)
-    eta = COEFFICIENT * (2 * ash.shape.radius / REFERENCE_DIAMETER) ** EXPONENT
+    diameter = 2 * ash.shape.radius
+    eta = coefficient(diameter, MEMORY.get(ash.id, 0.0)) * (diameter / REFERENCE_DIAMETER) ** EXPONENT
     if DAMPING_LAW == "contact-radius":
         return eta * math.sqrt(radius * overlap)
     if DAMPING_LAW in ("hunt-crossley", "brach-dunn-damping"):
@@ -54,8 +72,11 @@ def ash_force(ash, overlap, speed):
 
     YADE knows the velocity of half a step ago, with which the damping would be that of a mass m* - eta dt/2. Dividing the
     forces of the contact, YADE's repulsion among them, by 1 + eta dt/(2 m*) takes that error out."""
+    if overlap < 0:
+        MEMORY[ash.id] = -speed
     if overlap < 0 or DAMPING_RATIO is not None:
         return 0.0
+    MEMORY.setdefault(ash.id, -speed)
     radius, mass = effective(ash.shape.radius, ash.state.mass)
     eta = damping(ash, overlap)
     repulsion = 4 / 3 * CONTACT_MODULUS * math.sqrt(radius * overlap) * overlap
@@ -120,6 +141,7 @@ def impact(log, number, diameter, velocity, contact_time, captured):
         O.dt = contact_time / (resolution - 0.5)
         ash, other = O.bodies[0], O.bodies[1]
         pairs = [] if PARTNER is None else [(ash, other)]
+        MEMORY[ash.id] = velocity
         first = 0.0         # force at first touch
         if DAMPING_RATIO is None:
             first = attraction(effective(diameter / 2, ash.state.mass)[0], 0) + damping(ash, 0) * velocity

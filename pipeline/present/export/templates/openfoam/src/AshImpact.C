@@ -18,7 +18,9 @@ void Foam::AshImpact<CloudType>::readTable(const fileName& file)
     dict.readEntry("startVelocity", startVelocity_);
     dict.readEntry("slope", slope_);
     dict.readEntry("restitution", restitution_);
-    density_ = dict.get<scalar>("density");
+    leastDensity_ = greatestDensity_ = dict.get<scalar>("density");
+    dict.readIfPresent("greatestDensity", greatestDensity_);
+    if (greatestDensity_ < leastDensity_) Swap(leastDensity_, greatestDensity_);
     table_.step = dict.get<scalar>("step");
     table_.from_velocity = dict.get<scalar>("fromVelocity");
     table_.to_velocity = dict.get<scalar>("toVelocity");
@@ -53,22 +55,37 @@ void Foam::AshImpact<CloudType>::openSolver(const fileName& file)
     const word law(dict.get<word>("law"));
     const word detachment(dict.get<word>("detachment"));
     const word dampingLaw(dict.get<word>("dampingLaw"));
-    const dictionary& numbers = dict.subDict("parameters");
-    const wordList names(numbers.toc());
-    List<ashimpact_parameter> ash(names.size());
-    forAll(names, i)
-    {
-        ash[i].name = names[i].c_str();
-        ash[i].value = numbers.get<scalar>(names[i]);
-    }
-    density_ = numbers.get<scalar>("density");
-    dict.readEntry("velocity", dampingVelocity_);
-    dict.readEntry("damping", damping_);
-    referenceDiameter_ = dict.get<scalar>("referenceDiameter");
     exponent_ = dict.get<scalar>("exponent");
-    if (damping_.empty() || damping_.size() != dampingVelocity_.size() || !(referenceDiameter_ > 0))
+    dict.subDict("known").readEntry("diameter", known_);
+    const dictionary& numbers = dict.subDict("parameters");
+    names_ = numbers.toc();
+    values_.setSize(names_.size());
+    curves_.setSize(known_.size());
+    bool complete = !known_.empty();
+    List<ashimpact_parameter> ash(names_.size());
+    forAll(names_, i)
     {
-        FatalErrorInFunction << "The damping of " << file << " is not complete" << exit(FatalError);
+        numbers.readEntry(names_[i], values_[i]);
+        complete = complete && values_[i].size() == known_.size();
+        if (!complete) break;
+        ash[i].name = names_[i].c_str();
+        ash[i].value = values_[i].first();
+        if (names_[i] == "density")
+        {
+            leastDensity_ = min(values_[i]);
+            greatestDensity_ = max(values_[i]);
+        }
+    }
+    forAll(curves_, i)
+    {
+        const dictionary& curve = dict.subDict("curve" + Foam::name(i));
+        curve.readEntry("t", curves_[i].first());
+        curve.readEntry("damping", curves_[i].second());
+        complete = complete && !curves_[i].first().empty() && curves_[i].first().size() == curves_[i].second().size();
+    }
+    if (!complete)
+    {
+        FatalErrorInFunction << "The lists of " << file << " do not fit one another" << exit(FatalError);
     }
     ashimpact_model* model = nullptr;
     ashimpact_error error;
@@ -92,20 +109,93 @@ void Foam::AshImpact<CloudType>::openSolver(const fileName& file)
 
 
 #ifdef ASHIMPACT_C_INTERFACE
+// Damping of one known size, linear in t between its nodes.
 template<class CloudType>
-Foam::scalar Foam::AshImpact<CloudType>::damping(const scalar diameter, const scalar velocity) const
+Foam::scalar Foam::AshImpact<CloudType>::along(const label size, const scalar t) const
 {
-    const scalarList& at = dampingVelocity_;
-    scalar coefficient = damping_.last();
-    if (velocity <= at.first()) coefficient = damping_.first();
-    for (label i = 1; i < at.size() && velocity > at.first(); ++i)
+    const scalarList& at = curves_[size].first();
+    const scalarList& damping = curves_[size].second();
+    for (label i = 1; i < at.size() && t > at.first(); ++i)
     {
-        if (velocity > at[i]) continue;
-        const scalar share = (velocity - at[i - 1])/(at[i] - at[i - 1]);
-        coefficient = damping_[i - 1] + share*(damping_[i] - damping_[i - 1]);
-        break;
+        if (t <= at[i]) return damping[i - 1] + (t - at[i - 1])/(at[i] - at[i - 1])*(damping[i] - damping[i - 1]);
     }
-    return exponent_ == 0 ? coefficient : coefficient*std::pow(diameter/referenceDiameter_, exponent_);
+    return t > at.first() ? damping.last() : damping.first();
+}
+
+
+// Damping of a diameter between two known sizes, the lower one and the next.
+template<class CloudType>
+Foam::scalar Foam::AshImpact<CloudType>::damping
+(
+    const scalar diameter,
+    const label lower,
+    const scalar share,
+    const scalar t
+) const
+{
+    const scalar below = along(lower, t);
+    const scalar beyond = diameter/known_[lower];
+    if (share == 0) return exponent_ == 0 || beyond == 1 ? below : below*std::pow(beyond, exponent_);
+    const scalar above = along(lower + 1, t);
+    return below > 0 && above > 0 ? below*std::pow(above/below, share) : below + share*(above - below);
+}
+
+
+template<class CloudType>
+Foam::scalar Foam::AshImpact<CloudType>::solved(const scalar diameter, const scalar velocity) const
+{
+    label lower = 0;
+    scalar share = 0;
+    while (lower + 1 < known_.size() && known_[lower + 1] <= diameter) ++lower;
+    if (lower + 1 < known_.size() && diameter > known_[lower])
+    {
+        share = std::log(diameter/known_[lower])/std::log(known_[lower + 1]/known_[lower]);
+    }
+    scalarList values(names_.size());
+    List<ashimpact_column> columns(names_.size() + 3);
+    forAll(names_, i)
+    {
+        values[i] = values_[i][lower];
+        if (share > 0) values[i] += share*(values_[i][lower + 1] - values_[i][lower]);
+        columns[i] = {names_[i].c_str(), &values[i], 0};
+    }
+    scalar coefficient = damping(diameter, lower, share, 0);
+    columns[names_.size()] = {"diameter", &diameter, 0};
+    columns[names_.size() + 1] = {"damping", &coefficient, 0};
+    columns[names_.size() + 2] = {"velocity", &velocity, 0};
+    const auto checked = [](const ashimpact_status status, const ashimpact_error& error)
+    {
+        if (status != ASHIMPACT_OK)
+        {
+            FatalErrorInFunction << error.message << exit(FatalError);
+        }
+    };
+    ashimpact_error error;
+    if (curves_[lower].first().size() > 1)
+    {
+        double critical = 0;
+        const ashimpact_output outputs[1] = {{"critical_velocity", &critical}};
+        checked
+        (
+            ashimpact_solve_critical_velocities
+            (
+                model_.get(), 1, columns.cdata(), columns.size() - 1, outputs, 1, &error
+            ),
+            error
+        );
+        if (velocity > critical && critical > 0)
+        {
+            coefficient = damping(diameter, lower, share, std::asinh(std::sqrt(velocity/critical - 1)));
+        }
+    }
+    double e = 0;
+    const ashimpact_output outputs[1] = {{"restitution", &e}};
+    checked
+    (
+        ashimpact_solve_impacts(model_.get(), 1, columns.cdata(), columns.size(), outputs, 1, &error),
+        error
+    );
+    return e;
 }
 #endif
 
@@ -125,7 +215,8 @@ Foam::AshImpact<CloudType>::AshImpact(const dictionary& dict, CloudType& cloud)
 :
     PatchInteractionModel<CloudType>(dict, cloud, typeName),
     table_(),
-    density_(0),
+    leastDensity_(0),
+    greatestDensity_(0),
     mu_(this->coeffDict().template lookupOrDefault<scalar>("mu", 0)),
     patches_(this->coeffDict().template lookupOrDefault<wordRes>("patches", wordRes())),
     remove_(this->coeffDict().template lookupOrDefault<bool>("remove", false)),
@@ -164,12 +255,14 @@ Foam::AshImpact<CloudType>::AshImpact(const AshImpact<CloudType>& model)
     slope_(model.slope_),
     restitution_(model.restitution_),
     table_(model.table_),
-    density_(model.density_),
+    leastDensity_(model.leastDensity_),
+    greatestDensity_(model.greatestDensity_),
     #ifdef ASHIMPACT_C_INTERFACE
     model_(model.model_),
-    dampingVelocity_(model.dampingVelocity_),
-    damping_(model.damping_),
-    referenceDiameter_(model.referenceDiameter_),
+    known_(model.known_),
+    names_(model.names_),
+    values_(model.values_),
+    curves_(model.curves_),
     exponent_(model.exponent_),
     #endif
     mu_(model.mu_),
@@ -239,21 +332,7 @@ Foam::scalar Foam::AshImpact<CloudType>::restitution(const scalar diameter, cons
 {
     double e = 0;
     #ifdef ASHIMPACT_C_INTERFACE
-    if (model_)
-    {
-        const double coefficient = damping(diameter, velocity);
-        const ashimpact_column columns[3] =
-        {
-            {"diameter", &diameter, 0}, {"velocity", &velocity, 0}, {"damping", &coefficient, 0}
-        };
-        const ashimpact_output outputs[1] = {{"restitution", &e}};
-        ashimpact_error error;
-        if (ashimpact_solve_impacts(model_.get(), 1, columns, 3, outputs, 1, &error) != ASHIMPACT_OK)
-        {
-            FatalErrorInFunction << error.message << exit(FatalError);
-        }
-        return e;
-    }
+    if (model_) return solved(diameter, velocity);
     #endif
     switch (ash_restitution(&table_, diameter, velocity, &e))
     {
@@ -287,10 +366,11 @@ bool Foam::AshImpact<CloudType>::takes(const polyPatch& pp) const
 template<class CloudType>
 void Foam::AshImpact<CloudType>::compareDensity(const scalar density)
 {
-    if (warned_ || mag(density - density_) <= 0.01*density_) return;
+    if (warned_ || (density >= 0.99*leastDensity_ && density <= 1.01*greatestDensity_)) return;
     warned_ = true;
     WarningInFunction
-        << "A parcel of " << density << " kg/m3 hit a wall; v_c and e are those of ash of " << density_ << " kg/m3."
+        << "A parcel of " << density << " kg/m3 hit a wall; v_c and e are those of ash of " << leastDensity_ << " to "
+        << greatestDensity_ << " kg/m3."
         << nl << "Give the cloud that density (rho0), or export for the density of the cloud." << endl;
 }
 
