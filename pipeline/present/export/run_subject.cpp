@@ -195,7 +195,12 @@ std::vector<DampingAt> along_fit(const RunSample& sample, double critical) {
     for (int i = 1; i <= curve_nodes; ++i) {
         const double e = greatest * i / curve_nodes;
         const double eta = sample.fit.along_rising_branch()(e);
-        points.push_back({velocity_of_restitution(sample.impact(eta, critical), e), eta});
+        if (!(e > 0 && eta >= 0)) continue;
+        try {
+            points.push_back({velocity_of_restitution(sample.impact(eta, critical), e), eta});
+        } catch (const InputError&) {  // no velocity has that restitution
+            continue;
+        }
     }
     return points;
 }
