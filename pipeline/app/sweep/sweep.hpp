@@ -17,7 +17,7 @@
 #include "pipeline/app/sweep/spec/impacts.hpp"
 #include "pipeline/app/sweep/workers.hpp"
 #include "pipeline/case/input_files.hpp"
-#include "pipeline/present/export/subject.hpp"
+#include "pipeline/present/export/impact_table.hpp"
 
 namespace ashimpact {
 
