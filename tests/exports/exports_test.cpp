@@ -394,7 +394,7 @@ TEST_CASE("LAMMPS gets the damping along its nodes, as a sum of ramps, and v_c b
     // The coefficient at the first node, and the change of slope at each.
     const std::string curve = formula("curve0");
     const std::regex ramp(
-        R"RE(\(([-+.0-9e]+)\)\*\(v_ash_place>([-+.0-9e]+)\)\*\(v_ash_place-([-+.0-9e]+)\))RE");
+        R"RE(\(([-+.0-9e]+)\)\*\(f_ash_place>([-+.0-9e]+)\)\*\(f_ash_place-([-+.0-9e]+)\))RE");
     for (const double t : {0.0, 0.2, 0.3, 0.5, 1.0, 1.4, 3.0}) {
         CAPTURE(t);
         double sum = std::stod(curve);

@@ -156,7 +156,7 @@ Powers powers_of(const ExportSubject& subject, const DemCheck& check) {
                                                         : force_powers(subject);
 }
 
-/// Damping at the place v_ash_place, a sum of ramps through the nodes, cut into lines.
+/// Damping at the place f_ash_place, a sum of ramps through the nodes, cut into lines.
 std::string velocity_curve(const std::vector<DampingNode>& nodes) {
     constexpr std::size_t ramps_a_line = 6;
     std::string lines;
@@ -167,7 +167,7 @@ std::string velocity_curve(const std::vector<DampingNode>& nodes) {
         const bool last = i + 1 == nodes.size();
         const double slope =
             last ? 0 : (nodes[i + 1].coefficient - nodes[i].coefficient) / (nodes[i + 1].t - nodes[i].t);
-        sum += fmt::format(" + ({0})*(v_ash_place>{1})*(v_ash_place-{1})", exact(slope - slope_before),
+        sum += fmt::format(" + ({0})*(f_ash_place>{1})*(f_ash_place-{1})", exact(slope - slope_before),
                            exact(nodes[i].t));
         slope_before = slope;
         if ((i + 1) % ramps_a_line == 0 || last) {
@@ -177,14 +177,6 @@ std::string velocity_curve(const std::vector<DampingNode>& nodes) {
     }
     return lines + fmt::format("variable         ash_curve atom \"{}\"\n", sum);
 }
-
-/// Keeps the velocity of approach of each particle during its contact, as f_ash_memory. A variable would be
-/// parsed again at each use.
-constexpr const char* impact_memory =
-    "variable         ash_impact atom \"-vz\"\n"
-    "run              0\n"
-    "fix              ash_memory all store/state 1 v_ash_impact\n"
-    "variable         ash_impact atom \"(v_ash_overlap<=0)*(-vz) + (v_ash_overlap>0)*f_ash_memory\"\n";
 
 /// ln v_c as a polynomial of x = (ln d - middle)/half.
 struct ThresholdFit {
@@ -232,25 +224,32 @@ ThresholdFit threshold_fit(const ExportSubject& subject) {
         .at("--from-diameter, --to-diameter");
 }
 
-/// v_c of a particle, and the place of its velocity of approach above it.
+/// Keeps the place of the velocity of approach of each particle during its contact, as f_ash_place. What a
+/// variable refers to is parsed again at each use, so that fixes hold the values.
 std::string place_lines(const ExportSubject& subject) {
     const ThresholdFit fit = threshold_fit(subject);
-    std::string formula = exact(fit.powers[fit.powers.size() - 1]);
-    for (Eigen::Index k = fit.powers.size() - 2; k >= 0; --k)
-        formula = fmt::format("({} + v_ash_size*{})", exact(fit.powers[k]), formula);
-    std::string lines = "# The damping follows v_in/v_c, with ash_place = asinh(sqrt(v_in/v_c - 1)).\n";
-    if (subject.one_size()) {
-        lines += fmt::format("variable         ash_critical atom {}\n", exact(std::exp(fit.powers[0])));
-    } else {
+    std::string lines =
+        "# The damping follows v_in/v_c, by f_ash_place = asinh(sqrt(v_in/v_c - 1)).\nrun              0\n";
+    std::string critical = exact(std::exp(fit.powers[0]));
+    if (!subject.one_size()) {
+        std::string formula = exact(fit.powers[fit.powers.size() - 1]);
+        for (Eigen::Index k = fit.powers.size() - 2; k >= 0; --k)
+            formula = fmt::format("({} + v_ash_size*{})", exact(fit.powers[k]), formula);
         lines += fmt::format(
             "variable         ash_size atom \"(ln(2*c_ash_radius) - ({}))/{}\"\n"
-            "variable         ash_critical atom \"exp({})\"\n",
+            "variable         ash_critical atom \"exp({})\"\n"
+            "fix              ash_critical all store/state 1 v_ash_critical\n",
             exact(fit.middle), exact(fit.half), formula);
+        critical = "f_ash_critical";
     }
+    constexpr std::string_view place = "ln(sqrt(v_ash_excess) + sqrt(v_ash_excess + 1))";
     return lines +
-           "variable         ash_excess atom "
-           "\"(f_ash_memory>v_ash_critical)*(f_ash_memory/v_ash_critical - 1)\"\n"
-           "variable         ash_place atom \"ln(sqrt(v_ash_excess) + sqrt(v_ash_excess + 1))\"\n";
+           fmt::format(
+               "variable         ash_excess atom \"(-vz>{0})*(-vz/{0} - 1)\"\n"
+               "variable         ash_place atom \"{1}\"\n"
+               "fix              ash_place all store/state 1 v_ash_place\n"
+               "variable         ash_place atom \"(v_ash_overlap<=0)*{1} + (v_ash_overlap>0)*f_ash_place\"\n",
+               critical, place);
 }
 
 std::string damping_variable(const ExportSubject& subject) {
@@ -258,8 +257,9 @@ std::string damping_variable(const ExportSubject& subject) {
     std::string lines;
     std::string formula = exact(ash.damping.critical());
     if (subject.depends_on_velocity()) {
-        lines = impact_memory + place_lines(subject) + velocity_curve(ash.damping.nodes);
-        formula = "v_ash_curve";
+        lines = place_lines(subject) + velocity_curve(ash.damping.nodes) +
+                "fix              ash_curve all store/state 1 v_ash_curve\n";
+        formula = "f_ash_curve";
     }
     if (subject.exponent != 0)
         formula += fmt::format("*(2*c_ash_radius/{})^({})", exact(ash.diameter), exact(subject.exponent));
