@@ -128,9 +128,8 @@ def cases():
     yield "yade", "followed", follow + SIZES + ["1.5"]
     for code in ("lammps", "liggghts", "table"):
         yield code, "softened-followed", follow + SOFT
-    for code in ("lammps", "liggghts", "yade"):    # the last velocities are e = 0.005 and less
-        yield code, "slow-sjkr", SJKR + ["--damping", "0.05 kg/s"]
-        yield code, "slow-tsuji", (HERTZ if code == "yade" else DMT) + ["--damping-law", "tsuji", "--damping", "1.5"]
+    for law, options, damping in (("sjkr", SJKR, "0.5"), ("dmt", DMT, "1.5")):    # e = 0.024 and 0.005 at 1.01 v_c
+        yield "lammps", law + "-slow-tsuji", options + ["--damping-law", "tsuji", "--damping", damping]
     for law, options in (("hertz", HERTZ), ("brach-dunn", BRACH_DUNN), ("sjkr", SJKR)):
         yield "yade", law, options + CONSTANT
     yield "yade", "tsuji", HERTZ + ["--damping-law", "tsuji", "--damping", "0.5"]

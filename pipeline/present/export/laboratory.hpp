@@ -10,9 +10,10 @@
 
 namespace ashimpact {
 
-/// How far the exported restitution is from the impacts of one sample. All rebounds and captures count.
+/// How far the exported restitution is from the impacts of one sample, rebounds and captures.
 struct LaboratoryDifference {
     const Laboratory* laboratory;
+    std::size_t compared = 0;        ///< impacts; of very many some, evenly chosen
     double fastest = 0;              ///< v_in of the fastest impact [m/s]
     double largest = 0;              ///< |e exported - e measured| [1]
     double at_velocity = 0;          ///< where it is the largest [m/s]
