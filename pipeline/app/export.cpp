@@ -19,6 +19,7 @@
 #include "pipeline/present/export/laboratory.hpp"
 #include "pipeline/present/export/run_subject.hpp"
 #include "pipeline/present/export/subject.hpp"
+#include "pipeline/present/text/layout.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
 #include "solver/contact/pair.hpp"
@@ -218,7 +219,8 @@ void run_export_command(const CommandOptions& options, const TableImage& image, 
     for (const FileContent& each : contents) out << each.path.string() << '\n';
     std::string script = (folder / code.script).string();
     if (script.starts_with('-')) script.insert(0, "./");
-    out << laboratory_lines(subject) << "README.md says how to use it. To run and compare:\n  "
+    out << wrapped(laboratory_lines(subject), output_width(), 2)
+        << "README.md says how to use it. To run and compare:\n  "
         << (code.script.ends_with(".py") ? "python3 " : "sh ") << shell_word(script) << '\n';
 }
 

@@ -60,7 +60,6 @@ def cases():
     follow = [run, "--sample", "88 um", "--law", "dmt"]
     measured_sizes = [run, "--law", "brach-dunn"]
     yield "lammps", "followed", follow
-    yield "lammps", "followed-sizes", follow + SIZES + ["1.5"]
     yield "openfoam solver", "jkr", JKR + CONSTANT + SIZES + ["1.5"]
     yield "table", "sjkr", SJKR + CONSTANT + SIZES + ["2"]
     for law, options in (("hertz", HERTZ), ("jkr", JKR)):
@@ -121,7 +120,8 @@ def cases():
         yield code, "undamped", HERTZ
         yield code, "sjkr", SJKR + CONSTANT + SIZES + ["2"]
     yield "liggghts", "followed", follow
-    yield "liggghts", "followed-sizes", follow + SIZES + ["1.5"]
+    for code in ("lammps", "liggghts"):
+        yield code, "followed-sizes", follow + SIZES + ["1.5"]
     yield "openfoam solver", "followed", follow
     yield "openfoam solver", "followed-sizes", follow + SIZES + ["1.5"]
     yield "openfoam solver", "measured-sizes", measured_sizes
