@@ -156,7 +156,11 @@ Powers powers_of(const ExportSubject& subject, const DemCheck& check) {
                                                         : force_powers(subject);
 }
 
-/// Damping at the place f_ash_place, a sum of ramps through the nodes, cut into lines.
+double square(double x) {
+    return x * x;
+}
+
+/// Damping at the place f_ash_place, which is t^2, a sum of ramps through the nodes, cut into lines.
 std::string velocity_curve(const std::vector<DampingNode>& nodes) {
     constexpr std::size_t ramps_a_line = 6;
     std::string lines;
@@ -165,10 +169,11 @@ std::string velocity_curve(const std::vector<DampingNode>& nodes) {
     std::size_t part = 0;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const bool last = i + 1 == nodes.size();
-        const double slope =
-            last ? 0 : (nodes[i + 1].coefficient - nodes[i].coefficient) / (nodes[i + 1].t - nodes[i].t);
+        const double slope = last ? 0
+                                  : (nodes[i + 1].coefficient - nodes[i].coefficient) /
+                                        (square(nodes[i + 1].t) - square(nodes[i].t));
         sum += fmt::format(" + ({0})*(f_ash_place>{1})*(f_ash_place-{1})", exact(slope - slope_before),
-                           exact(nodes[i].t));
+                           exact(square(nodes[i].t)));
         slope_before = slope;
         if ((i + 1) % ramps_a_line == 0 || last) {
             lines += fmt::format("variable         ash_curve{} atom \"{}\"\n", part, sum);
@@ -229,7 +234,7 @@ ThresholdFit threshold_fit(const ExportSubject& subject) {
 std::string place_lines(const ExportSubject& subject) {
     const ThresholdFit fit = threshold_fit(subject);
     std::string lines =
-        "# The damping follows v_in/v_c, by f_ash_place = asinh(sqrt(v_in/v_c - 1)).\nrun              0\n";
+        "# The damping follows v_in/v_c, by f_ash_place = asinh(sqrt(v_in/v_c - 1))^2.\nrun              0\n";
     std::string critical = exact(std::exp(fit.powers[0]));
     if (!subject.one_size()) {
         std::string formula = exact(fit.powers[fit.powers.size() - 1]);
@@ -242,7 +247,7 @@ std::string place_lines(const ExportSubject& subject) {
             exact(fit.middle), exact(fit.half), formula);
         critical = "f_ash_critical";
     }
-    constexpr std::string_view place = "ln(sqrt(v_ash_excess) + sqrt(v_ash_excess + 1))";
+    constexpr std::string_view place = "ln(sqrt(v_ash_excess) + sqrt(v_ash_excess + 1))^2";
     return lines +
            fmt::format(
                "variable         ash_excess atom \"(-vz>{0})*(-vz/{0} - 1)\"\n"
@@ -300,11 +305,12 @@ bool takes_betan(const ExportSubject& subject) {
     return false;
 }
 
-/// Nodes of the damping for impacts.py, (t, coefficient).
+/// Nodes of the damping for impacts.py, (t^2, coefficient).
 std::string yade_nodes(const ExportSubject& subject) {
     std::string list;
     for (const DampingNode& node : subject.reference().damping.nodes)
-        list += fmt::format("{}({}, {})", list.empty() ? "" : ", ", exact(node.t), exact(node.coefficient));
+        list += fmt::format("{}({}, {})", list.empty() ? "" : ", ", exact(square(node.t)),
+                            exact(node.coefficient));
     return "[" + list + "]";
 }
 

@@ -248,7 +248,8 @@ FollowedDamping followed(const RunSample& sample, double critical) {
 /// From the critical damping on; a point at which spheres would be captured is left out.
 DampingCurve curve_of(const RunSample& sample, const CriticalDamping& critical,
                       const std::vector<DampingAt>& points) {
-    constexpr double least_step = 1e-3;  // of v; an adhesive fit may fold back by less just above v_c
+    // Of v: v_c is hardly known better, and a fit may fold back by less just above it.
+    constexpr double least_step = 0.02;
     DampingCurve curve{{{0, critical.coefficient}}};
     double before = *critical.velocity;
     for (const DampingAt& point : points) {

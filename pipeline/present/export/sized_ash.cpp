@@ -29,7 +29,8 @@ double DampingCurve::operator()(double t) const {
     if (above == nodes.begin()) return nodes.front().coefficient;
     if (above == nodes.end()) return nodes.back().coefficient;
     const DampingNode& below = *std::prev(above);
-    const double share = (t - below.t) / (above->t - below.t);
+    const double from = below.t * below.t;
+    const double share = (t * t - from) / (above->t * above->t - from);
     return below.coefficient + share * (above->coefficient - below.coefficient);
 }
 

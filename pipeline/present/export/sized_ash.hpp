@@ -21,8 +21,9 @@ struct DampingNode {
     double coefficient;  ///< [unit of the damping law]
 };
 
-/// Damping of one size: linear in t between its nodes, constant beyond the last one. One node: it does not
-/// depend on the velocity.
+/// Damping of one size: linear in t^2 between its nodes, constant beyond the last one. So it leaves the
+/// critical damping as v - v_c, and e rises from v_c as t does; linear in t, it would rise as the root of t.
+/// One node: it does not depend on the velocity.
 struct DampingCurve {
     std::vector<DampingNode> nodes{{0, 0}};  ///< at least one, the first at t = 0: the critical damping
 

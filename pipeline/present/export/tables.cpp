@@ -121,13 +121,13 @@ std::string foam_solver(const ExportSubject& subject) {
         if (subject.reference().contact.parameters.has(parameter))
             list(parameter.name, [&](const AshSize& size) { return size.contact.parameters[parameter]; });
     text +=
-        "}\n// damping(t) of each diameter, t = asinh(sqrt(v/v_c - 1)): linear between nodes, constant "
+        "}\n// damping(t) of each diameter, t = asinh(sqrt(v/v_c - 1))^2: linear between nodes, constant "
         "beyond\n";
     for (std::size_t i = 0; i < subject.sizes.size(); ++i) {
         std::vector<double> places;
         std::vector<double> coefficients;
         for (const DampingNode& node : subject.sizes[i].damping.nodes) {
-            places.push_back(node.t);
+            places.push_back(node.t * node.t);
             coefficients.push_back(node.coefficient);
         }
         text += fmt::format("curve{}\n{{\n{}{}}}\n", i, foam_entry("t", places),

@@ -9,7 +9,7 @@ import math
 LAW, DAMPING_LAW = "@law@", "@damping_law@"
 COHESION_ENERGY_DENSITY = @cohesion_energy_density@    # of law sjkr
 REFERENCE_DIAMETER, EXPONENT = @diameter@, @exponent@
-NODES = @nodes@    # (t, damping) with t = asinh(sqrt(v/v_c - 1)) of the velocity of approach; linear between
+NODES = @nodes@    # (t, damping) with t = asinh(sqrt(v/v_c - 1))^2 of the velocity of approach; linear between
 THRESHOLD = @threshold@    # ln v_c = sum c_k x^k, x = (ln d - middle)/half width; None: one damping for every velocity
 MEMORY = {}    # velocity of approach of each sphere, or of each pair by the number of its ash
 ADHESION_DAMPING_RATIO = @adhesion_damping_ratio@    # zeta_A/zeta_H of brach-dunn-damping
@@ -45,7 +45,7 @@ def coefficient(diameter, velocity):
     middle, half, powers = THRESHOLD
     x = (math.log(diameter) - middle) / half
     critical = math.exp(sum(c * x ** k for k, c in enumerate(powers)))
-    t = math.asinh(math.sqrt(max(0.0, velocity / critical - 1)))
+    t = math.asinh(math.sqrt(max(0.0, velocity / critical - 1))) ** 2
     for (t0, c0), (t1, c1) in zip(NODES, NODES[1:]):
         if t <= t1:
             return c0 + (t - t0) / (t1 - t0) * (c1 - c0)

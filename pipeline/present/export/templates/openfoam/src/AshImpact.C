@@ -185,7 +185,8 @@ Foam::scalar Foam::AshImpact<CloudType>::solved(const scalar diameter, const sca
         );
         if (velocity > critical && critical > 0)
         {
-            coefficient = damping(diameter, lower, share, std::asinh(std::sqrt(velocity/critical - 1)));
+            const scalar place = std::asinh(std::sqrt(velocity/critical - 1));
+            coefficient = damping(diameter, lower, share, place*place);
         }
     }
     double e = 0;
