@@ -369,7 +369,7 @@ def check_contradiction():
     with open(path, "w") as file:
         json.dump(artifact, file)
     folder, refused = exported("contradicted", "table", run, "--sample", "88 um", "--law", "dmt")
-    if refused.returncode != 2 or "was measured to rebound" not in refused.stderr or os.path.exists(folder):
+    if refused.returncode != 2 or "reconstructed impact of 2.032 m/s rebounds" not in refused.stderr or os.path.exists(folder):
         fail("a critical velocity above measured rebounds is not refused: " + refused.stderr)
 
 

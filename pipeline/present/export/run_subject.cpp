@@ -171,10 +171,11 @@ void require_agreement(const RunSample& sample, const CriticalDamping& critical)
                            point.rebound > clear_deviations * rebound;
         if (!clear || point.velocity + clear_deviations * incident >= bound) continue;
         throw InputError(
-            fmt::format("{}: the run's critical velocity by {} is {}, but an impact of {} was measured to "
-                        "rebound with e = {}",
-                        in_quotes(sample.name), sample.law.law.name(), readable(*critical.velocity, "m/s"),
-                        readable(point.velocity, "m/s"), readable_number(point.restitution(), 2)),
+            fmt::format(
+                "{}: the run's critical velocity by {} is {}, but a {} impact of {} rebounds with e = {}",
+                in_quotes(sample.name), sample.law.law.name(), readable(*critical.velocity, "m/s"),
+                sample.measured->origin == Origin::measured ? "measured" : "reconstructed",
+                readable(point.velocity, "m/s"), readable_number(point.restitution(), 2)),
             "a law or a sample whose critical velocity the impacts do not contradict");
     }
 }
