@@ -208,8 +208,8 @@ void run_export_command(const CommandOptions& options, const TableImage& image, 
         subject = softened(std::move(subject), options.number("--soften", Dimension::fraction));
         require_small_overlaps(subject);
     }
-    require_inside_model(subject);
     const ExportFolder files = code.folder(subject, image);
+    require_inside_model(subject);
     const std::filesystem::path folder(options["--output"]);
     require_free(folder, files, code.name);
     std::vector<FileContent> contents;
