@@ -55,6 +55,7 @@ void fields(Io& io, Is<ReportedVelocity> auto& reported) {
         io("critical_velocity", reported.velocity, WithoutInterval{});
     io("interval", reported.interval, Dimension::velocity);
     io("reason", reported.reason);
+    io.lenient("basis", reported.basis);
     if constexpr (Io::reads)
         if (reported.velocity) reported.velocity->interval = reported.interval;
 }
@@ -190,8 +191,39 @@ void fields(auto& io, Is<RatioRange> auto& range) {
     io("greatest", range.greatest);
 }
 
-void fields(auto& io, Is<ComparisonResult> auto& result) {
+/// A sample in the list of the run's own answer; all of it follows from the sample's `reported`.
+struct ReportedSample {
+    const SampleComparison& sample;
+};
+
+void fields(auto& io, Is<ReportedSample> auto& of) {
+    const ReportedVelocity& reported = *of.sample.reported;
+    io.derived("name", of.sample.name);
+    io.derived("critical_velocity", reported.velocity, WithoutInterval{});
+    io.derived("interval", reported.interval, Dimension::velocity);
+    io.derived("basis", reported.basis);
+}
+
+void fields(auto& io, Is<ReportedLaw> auto& reported) {
+    io("law", reported.law);
+    io.lenient("reason", reported.reason);
+    io.lenient("admissible", reported.admissible);
+}
+
+template <class Io>
+void fields(Io& io, Is<ComparisonResult> auto& result) {
     io.lenient("case", result.name);
+    if constexpr (Io::reads) {
+        io.unless_empty("reported", result.reported);
+    } else if (result.reported) {
+        io.object("reported", [&](auto& inner) {
+            fields(inner, *result.reported);
+            std::vector<ReportedSample> samples;
+            for (const SampleComparison& sample : result.samples)
+                if (sample.reported) samples.push_back({sample});
+            inner.derived("samples", samples);
+        });
+    }
     io("samples", result.samples);
     io.unless_empty("equal_velocities", result.equal_velocities);
     io.unless_empty("dynamic_over_analytic", result.dynamic_over_analytic);

@@ -7,8 +7,10 @@
 
 #include "core/quantities/quantity.hpp"
 #include "pipeline/run/comparison/glass.hpp"
+#include "pipeline/run/comparison/reported_velocity.hpp"
 #include "pipeline/run/comparison/temperature.hpp"
 #include "pipeline/run/comparison/velocities.hpp"
+#include "pipeline/run/reported_law.hpp"
 #include "pipeline/run/stage.hpp"
 
 namespace ashimpact {
@@ -24,6 +26,7 @@ struct ComparedSample {
     const LawMap<LawFit>& fits;
     const SampleCriticalVelocity& velocities;
     const SampleHistories& histories;
+    const RestitutionSeries* series;  ///< null: none was given
 };
 
 /// Range of the ratio of dynamic to analytic velocities, over all samples and laws.
@@ -220,11 +223,39 @@ std::map<std::string_view, std::string> no_damping_reasons(const Run& run) {
     return reasons;
 }
 
-SampleComparison comparison_of(const ComparedSample& of, const Case& data, const std::string& no_damping) {
+/// The velocity that the outcomes of a sample's impacts show, also where the case states a measured one.
+std::optional<MeasuredCriticalVelocity> outcomes_of(const ComparedSample& of) {
+    if (!of.sample.measured_critical_velocity) return of.velocities.measured;
+    if (of.series == nullptr || of.series->origin != Origin::measured) return std::nullopt;
+    try {
+        return measured_critical_velocity(of.series->impacts);
+    } catch (const InputError&) {  // as without a stated velocity, for which the stage has a note
+        return std::nullopt;
+    }
+}
+
+/// How the run reports: the law of all samples and the order of the others.
+struct Reporting {
+    ReportedLaw law;
+    std::vector<Law> preference;
+};
+
+ReportedVelocity reported_of(const ComparedSample& of, const Reporting& reporting,
+                             const std::string& no_damping) {
+    const auto outcomes = outcomes_of(of);
+    return reported_velocity({.law = reporting.law,
+                              .preference = reporting.preference,
+                              .velocities = of.velocities.laws,
+                              .outcomes = outcomes,
+                              .basis = of.series == nullptr                    ? ReportedBasis::nothing
+                                       : of.series->origin == Origin::measured ? ReportedBasis::impacts
+                                                                               : ReportedBasis::reproduction,
+                              .no_damping = no_damping});
+}
+
+SampleComparison comparison_of(const ComparedSample& of, const Case& data) {
     const SampleContact& contact = of.contact;
     SampleComparison entry{.name = of.sample.name,
-                           .reported = reported_velocity({data.laws, of.velocities.laws, contact.pair,
-                                                          of.velocities.measured, no_damping}),
                            .diameter = 2 * contact.radius.value,
                            .density = contact.density.quantity,
                            .work_of_adhesion = contact.work_of_adhesion.quantity,
@@ -250,15 +281,24 @@ ComparisonResult comparison_stage(const Run& run, StageRecord& record) {
     ComparisonResult result{.name = data.name};
     Gap gap;
     const auto no_damping = no_damping_reasons(run);
+    result.reported = reported_law(data, run.contact);
+    std::optional<Reporting> reporting;
+    if (result.reported) reporting = {*result.reported, laws_by_preference(data, run.contact)};
     for (std::size_t i = 0; i < data.samples.size(); ++i) {
-        const ComparedSample of{data.samples[i],         run.modulus.samples[i],
-                                run.contact.samples[i],  run.analytic.samples[i],
-                                run.fit.samples[i].laws, run.critical_velocity.samples[i],
-                                run.histories.samples[i]};
+        const ComparedSample of{
+            data.samples[i],
+            run.modulus.samples[i],
+            run.contact.samples[i],
+            run.analytic.samples[i],
+            run.fit.samples[i].laws,
+            run.critical_velocity.samples[i],
+            run.histories.samples[i],
+            run.restitution.samples[i].series.empty() ? nullptr : &run.restitution.samples[i].series.front()};
         for (const auto& [law, velocity] : of.velocities.laws)
             gap.take(velocity, of.analytic.critical_velocity);
-        result.samples.push_back(comparison_of(of, data, no_damping.at(of.sample.name)));
+        result.samples.push_back(comparison_of(of, data));
         SampleComparison& sample = result.samples.back();
+        if (reporting) sample.reported = reported_of(of, *reporting, no_damping.at(of.sample.name));
         sample.temperature = temperature_limits(
             {data.temperature, of.modulus, of.contact, of.velocities.laws, sample.reported});
         if (sample.temperature)

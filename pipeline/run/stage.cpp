@@ -57,8 +57,8 @@ const std::vector<Stage>& stages() {
          }},
         {"comparison",
          comparison_artifact,
-         {case_artifact, modulus_artifact, contact_artifact, analytic_artifact, damping_artifact,
-          fit_artifact, critical_velocity_artifact, histories_artifact},
+         {case_artifact, modulus_artifact, contact_artifact, analytic_artifact, restitution_artifact,
+          damping_artifact, fit_artifact, critical_velocity_artifact, histories_artifact},
          [](Run& run, ContactModels&, StageRecord& record) {
              run.comparison = comparison_stage(run, record);
          }},

@@ -29,22 +29,4 @@ struct SeriesRange {
 [[nodiscard]] std::vector<EqualVelocity> equal_velocities(const Case& data, const ContactResult& contacts,
                                                           const DampingStageResult& dampings);
 
-/// What the choice of a law depends on.
-struct LawEvidence {
-    const std::vector<LawChoice>& laws;
-    const LawMap<LawCriticalVelocity>& velocities;
-    const ContactPair& contact;
-    const std::optional<MeasuredCriticalVelocity>& measured;
-    const std::string& no_damping;  ///< why a law has no damping: "no impacts were given"
-};
-
-/// The critical velocity of a sample that a reader is to report: the law, the velocity with its interval, and
-/// the reason in words. Where no law gives a velocity, the bounds that the impacts alone give.
-///
-/// Of the laws that have adhesion those come first that the measured critical velocity does not contradict.
-/// Among them the physics of the contact decides: thornton-ning if the contact yields, else maugis-dugdale,
-/// which holds for every Tabor parameter, else JKR or DMT, whichever limit is nearer (Johnson & Greenwood
-/// 1997), else brach-dunn and sjkr, whose adhesion is empirical. hertz is reported if there is nothing else.
-[[nodiscard]] ReportedVelocity reported_velocity(const LawEvidence& evidence);
-
 }  // namespace ashimpact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,12 +40,39 @@ struct LawComparison {
     std::optional<CriticalVelocityCheck> check{};    ///< against the measured one
 };
 
+/// The law by which a run reports its critical velocities.
+struct ReportedLaw {
+    Law law{};
+    std::string reason{};  ///< in words
+    /// The laws of the case that the contacts allow, the reported one among them, in the order of the case.
+    /// How far their velocities lie apart is the uncertainty of the choice.
+    std::vector<Law> admissible{};
+};
+
+/// What a reported velocity rests on.
+enum class ReportedBasis {
+    nothing,
+    impacts,       ///< measured impacts
+    reproduction,  ///< restitution reconstructed from published fits of damping
+    outcomes,      ///< captures and rebounds alone: no law gives a velocity
+};
+
+template <>
+struct Names<ReportedBasis> {
+    static constexpr std::string_view kind = "basis";
+    static constexpr std::array<std::string_view, 4> all{
+        "nothing", "measured impacts", "published fits of damping", "outcomes of the impacts"};
+};
+
 /// The critical velocity of a sample to report.
 struct ReportedVelocity {
     std::optional<Law> law{};                    ///< none: the impacts alone
     std::optional<VelocityEstimate> velocity{};  ///< none: only bounds are known, or nothing
-    std::optional<Bounds> interval{};            ///< of the velocity, or those bounds [m/s]
-    std::string reason{};                        ///< in words
+    /// Of the velocity, the choice among the admissible laws included, or those bounds [m/s]. A reproduction
+    /// has none: what dominates its error has no known distribution, see Reproduction.
+    std::optional<Bounds> interval{};
+    std::string reason{};  ///< in words
+    ReportedBasis basis = ReportedBasis::nothing;
 };
 
 /// A property of the contact that was not measured.
@@ -119,7 +147,8 @@ struct RatioRange {
 
 /// Result of the comparison stage, comparison.json.
 struct ComparisonResult {
-    std::string name{};  ///< of the case
+    std::string name{};                     ///< of the case
+    std::optional<ReportedLaw> reported{};  ///< one law for all samples
     std::vector<SampleComparison> samples{};
     std::vector<EqualVelocity> equal_velocities{};  ///< from slow to fast
     std::optional<RatioRange> dynamic_over_analytic{};
