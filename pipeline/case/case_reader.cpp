@@ -21,8 +21,10 @@
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/schema.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/maugis_dugdale.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/motion/impact.hpp"
+#include "solver/motion/regime.hpp"
 
 namespace ashimpact {
 
@@ -121,13 +123,36 @@ std::map<std::string, PublishedSample> read_published_set(const View& document, 
     return samples;
 }
 
-std::vector<LawChoice> read_case_laws(const View& document) {
-    std::vector<Law> laws = default_laws();
+/// Adds the usual range of cohesion to a sample that states none, so that maugis-dugdale can be computed.
+void assume_cohesion(Sample& sample) {
+    const auto is_stated = [&](const LawParameter& parameter) {
+        return std::ranges::any_of(sample.parameters,
+                                   [&](const auto& given) { return given.first.name == parameter.name; });
+    };
+    if (is_stated(stated_tabor) || is_stated(cohesive_stress) || is_stated(cohesion_range)) return;
+    sample.parameters.emplace_back(
+        cohesion_range, Stated{make_quantity(usual_separation, Dimension::length), Origin::assumed,
+                               "equilibrium separation of oxide surfaces, of the order of interatomic "
+                               "distances"});
+    const auto place = [](const auto& given) {  // in the order in which a case is read
+        return std::ranges::find(law_parameters(), given.first.name, &LawParameter::name);
+    };
+    std::ranges::sort(sample.parameters, {}, place);
+}
+
+/// The laws of a case; those of one that names none, with what they need.
+std::vector<LawChoice> read_case_laws(const View& document, std::vector<Sample>& samples) {
+    std::vector<Law> laws;
     if (const auto names = document.find("laws")) {
-        laws.clear();
         for (const View& name : names->elements()) laws.push_back(Law::named(name.text()));
-        std::ranges::sort(laws, {}, &Law::index);  // so that no choice depends on their order
+    } else {
+        laws = default_laws();
+        const bool yields = std::ranges::any_of(
+            samples, [](const Sample& sample) { return sample.yield_pressure.has_value(); });
+        if (yields) laws.push_back(Law::named("thornton-ning"));
+        for (Sample& sample : samples) assume_cohesion(sample);
     }
+    std::ranges::sort(laws, {}, &Law::index);  // so that no choice depends on their order
     std::vector<LawChoice> choices;
     choices.reserve(laws.size());
     for (const Law law : laws) choices.push_back({law, law.default_detachment()});
@@ -298,7 +323,7 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
         defaults.published = of_sample == published.end() ? std::nullopt : std::optional(of_sample->second);
         data.samples.push_back(read_sample(node, defaults, files, findings));
     }
-    data.laws = read_case_laws(document);
+    data.laws = read_case_laws(document, data.samples);
     if (const auto law = document.find("damping_law")) data.damping_law = named<DampingLaw>(law->text());
     data.histories = read_histories(document);
     data.fit = read_fit_options(document.find("fit"));
@@ -414,7 +439,8 @@ void refuse_table(std::string_view bytes, const std::string& name) {
 }  // namespace
 
 std::vector<Law> default_laws() {
-    return {Law::named("hertz"), Law::named("dmt"), Law::named("brach-dunn"), Law::named("jkr")};
+    return {Law::named("hertz"), Law::named("dmt"), Law::named("brach-dunn"), Law::named("jkr"),
+            Law::named("maugis-dugdale")};
 }
 
 PhaseCatalogue built_in_phases() {

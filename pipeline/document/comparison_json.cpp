@@ -210,6 +210,32 @@ void fields(auto& io, Is<ReportedLaw> auto& reported) {
     io.lenient("admissible", reported.admissible);
 }
 
+void fields(auto& io, Is<VelocitySpan> auto& span) {
+    io("least", span.least, Dimension::velocity);
+    io("greatest", span.greatest, Dimension::velocity);
+}
+
+void fields(auto& io, Is<ReproducedSample> auto& sample) {
+    io("name", sample.name);
+    io("laws", sample.laws);
+    io("ranges_and_orders", sample.fits);
+    io("diameter", sample.diameter);
+}
+
+void fields(auto& io, Is<JointTest> auto& test) {
+    io("sum_of_squares", test.sum_of_squares);
+    io("samples", test.samples);
+}
+
+void fields(auto& io, Is<Reproduction> auto& reproduction) {
+    io("diameter_change", reproduction.diameter_change, Dimension::length);
+    io("restitution_from", reproduction.from, Dimension::fraction);
+    io("restitution_to", reproduction.to, Dimension::fraction);
+    io("orders", reproduction.orders, Dimension::fraction);
+    io("samples", reproduction.samples);
+    io("joint_tests", reproduction.joint_tests);
+}
+
 template <class Io>
 void fields(Io& io, Is<ComparisonResult> auto& result) {
     io.lenient("case", result.name);
@@ -225,6 +251,7 @@ void fields(Io& io, Is<ComparisonResult> auto& result) {
         });
     }
     io("samples", result.samples);
+    io.unless_empty("reproduction", result.reproduction);
     io.unless_empty("equal_velocities", result.equal_velocities);
     io.unless_empty("dynamic_over_analytic", result.dynamic_over_analytic);
     io.lenient("conclusion", result.conclusion);

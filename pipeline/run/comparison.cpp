@@ -8,6 +8,7 @@
 #include "core/quantities/quantity.hpp"
 #include "pipeline/run/comparison/glass.hpp"
 #include "pipeline/run/comparison/reported_velocity.hpp"
+#include "pipeline/run/comparison/reproduction.hpp"
 #include "pipeline/run/comparison/temperature.hpp"
 #include "pipeline/run/comparison/velocities.hpp"
 #include "pipeline/run/reported_law.hpp"
@@ -267,7 +268,7 @@ SampleComparison comparison_of(const ComparedSample& of, const Case& data) {
                            .analytic_velocity = of.analytic.critical_velocity,
                            .laws = compare_laws(of, data.laws),
                            .measured = measured_of(of.sample, of.velocities.measured)};
-    if (of.velocities.measured)
+    if (of.velocities.measured && (of.velocities.measured->lower || of.velocities.measured->upper))
         entry.measured_interval = Bounds{of.velocities.measured->lower, of.velocities.measured->upper};
     if (of.sample.published) entry.published = published_beside(*of.sample.published, of);
     return entry;
@@ -310,6 +311,7 @@ ComparisonResult comparison_stage(const Run& run, StageRecord& record) {
         record.citations.insert(record.citations.end(), {"giordano2008, Table 1", "urbain1981"});
     const auto effects = glass_effects(run, result.samples);
     for (std::size_t i = 0; i < effects.size(); ++i) result.samples[i].glass = effects[i];
+    result.reproduction = reproduction_of(run, result.samples);
     result.equal_velocities = equal_velocities(data, run.contact, run.damping);
     if (gap.known()) result.dynamic_over_analytic = RatioRange{gap.least_ratio, gap.greatest_ratio};
     result.conclusion = gap.sentence();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
 
 #include "core/plausibility.hpp"
 #include "pipeline/run/stage.hpp"
@@ -12,15 +11,6 @@ namespace ashimpact {
 
 namespace {
 
-/// Standard uncertainty by the rounding of a number as it is written, at its last digit other than zero.
-double rounding_of(double value) {
-    double unit = std::pow(10.0, std::floor(std::log10(value)));
-    for (int digits = 1; digits < 15 && std::abs(std::round(value / unit) * unit - value) > 1e-12 * value;
-         ++digits)
-        unit *= 0.1;
-    return unit / std::sqrt(12.0);
-}
-
 /// The critical velocity a case reports, or else the one that the outcomes of its impacts show.
 std::optional<MeasuredCriticalVelocity> measured_velocity(const Sample& sample,
                                                           const RestitutionSeries* series) {
@@ -28,12 +18,11 @@ std::optional<MeasuredCriticalVelocity> measured_velocity(const Sample& sample,
         const Quantity& reported = sample.measured_critical_velocity->quantity;
         MeasuredCriticalVelocity measured;
         measured.value = reported.value;
-        const bool stated = reported.standard_uncertainty.value_or(0) > 0;
-        measured.note = stated ? "as reported in the case"
-                               : "as reported in the case, with the uncertainty of its last digit";
-        const double u = stated ? *reported.standard_uncertainty : rounding_of(reported.value);
-        measured.standard_uncertainty = u;
+        const double u = reported.standard_uncertainty.value_or(0);
+        measured.note = u > 0 ? "as reported in the case" : "as reported in the case, without an uncertainty";
+        if (!(u > 0)) return measured;
         const double half = u * confidence_quantile();
+        measured.standard_uncertainty = u;
         measured.lower = std::max(0.0, reported.value - half);
         measured.upper = reported.value + half;
         return measured;

@@ -10,6 +10,7 @@
 #include "solver/damping/damping.hpp"
 #include "solver/inference/calibration/published_damping.hpp"
 #include "solver/inference/measured_damping.hpp"
+#include "solver/motion/damping_inversion.hpp"
 
 namespace ashimpact {
 
@@ -127,11 +128,86 @@ Fitted fit_through_model(const FitTask& task) {
     return fitted;
 }
 
+/// Most velocities of a curve whose dampings are solved one by one.
+constexpr std::size_t most_solved_dampings = 13;
+
+/// The damping of a law at which an impact of the task has a restitution; for 0 the least that captures.
+double damping_at(const FitTask& task, double velocity, double restitution) {
+    return damping_from_restitution({.law = task.choice.law,
+                                     .detachment = task.choice.detachment,
+                                     .damping_law = DampingLaw::constant,
+                                     .contact = task.contact,
+                                     .velocity = velocity,
+                                     .restitution = restitution})
+        .damping.coefficient;
+}
+
+/// Critical dampings at a critical velocity and the ends of its interval.
+Interval capturing_dampings(const FitTask& task, const Interval& velocity) {
+    const auto at = [&](const std::optional<double>& end) {
+        return end && *end > 0 ? std::optional(damping_at(task, *end, 0)) : std::nullopt;
+    };
+    constexpr double up = 1 + 1e-4;
+    const double slope =
+        (damping_at(task, velocity.value * up, 0) - damping_at(task, velocity.value / up, 0)) /
+        (velocity.value * (up - 1 / up));
+    return {.value = damping_at(task, velocity.value, 0),
+            .standard_uncertainty = slope * velocity.standard_uncertainty,
+            .lower = at(velocity.lower),
+            .upper = at(velocity.upper)};
+}
+
+/// The dampings by which the law of the task has the rebounds of a curve of another law, at some of its
+/// velocities; none where one of them has no damping.
+std::optional<EstimatedDamping> translated(const FitTask& task, const ContactModel& model,
+                                           const EstimatedDamping& curve, double critical_damping) {
+    if (curve.velocity.size() < 2) return std::nullopt;
+    EstimatedDamping own{{curve.velocity.front()}, {critical_damping}};
+    const std::size_t stride = 1 + (curve.velocity.size() - 2) / most_solved_dampings;
+    for (std::size_t i = curve.velocity.size() - 1; i > 0; i -= std::min(i, stride)) {
+        const double restitution = model.restitution(curve.velocity[i], curve.damping[i]);
+        if (!(restitution > 0)) break;
+        try {
+            own.damping.insert(own.damping.begin() + 1, damping_at(task, curve.velocity[i], restitution));
+        } catch (const InputError&) {
+            return std::nullopt;
+        }
+        own.velocity.insert(own.velocity.begin() + 1, curve.velocity[i]);
+    }
+    return own;
+}
+
+/// The estimate of a law that has no map of its own, from that of its similar law. What was measured is the
+/// curve v_r(v_in). It ends at v_c whatever the law is, and the critical damping is the one that captures
+/// there. None without such a law or estimate.
+std::optional<Fitted> fit_by_similar_law(const FitTask& task) {
+    const LawChoice similar{task.choice.law.similar(), task.choice.detachment};
+    if (similar.law == task.choice.law || !has_contact_model(similar, task.data.damping_law, task.contact))
+        return std::nullopt;
+    MeasuredDampingOptions options = task.data.fit;
+    options.rising_to = task.rising_to;
+    const ContactModel model = task.models.model_for(similar, task.contact, task.measured.impacts);
+    const MeasuredDamping found = analyse_impacts(model, task.measured.impacts, options);
+    if (!found.estimate) return std::nullopt;
+    DampingEstimate estimate = summary_of(*found.estimate);
+    estimate.critical_damping = capturing_dampings(task, estimate.critical_velocity);
+    if (estimate.curve)
+        estimate.curve = translated(task, model, *estimate.curve, estimate.critical_damping.value);
+    LawFit fit{.method = FitMethod::estimate, .origin = task.inverted.origin};
+    set_constant_part(estimate.critical_damping, fit);
+    fit.estimate = std::move(estimate);
+    return Fitted{std::move(fit),
+                  {{"estimate-of-similar-law", Severity::background,
+                    fmt::format("v_c is the estimate by {}, whose impacts are nearly the same; c is the "
+                                "damping of {} that captures there, a and b are 0",
+                                similar.law.name(), task.choice.law.name())}}};
+}
+
 Fitted fit_law(const FitTask& task) {
-    const bool measured = task.inverted.origin == Origin::measured;
-    return measured && has_contact_model(task.choice, task.data.damping_law, task.contact)
-               ? fit_through_model(task)
-               : fit_by_least_squares(task);
+    if (task.inverted.origin != Origin::measured) return fit_by_least_squares(task);
+    if (has_contact_model(task.choice, task.data.damping_law, task.contact)) return fit_through_model(task);
+    if (auto fitted = fit_by_similar_law(task)) return *std::move(fitted);
+    return fit_by_least_squares(task);
 }
 
 }  // namespace

@@ -145,14 +145,18 @@ Json example_case() {
     return parse_json(embedded_file("cases/example/case.json").value());
 }
 
-Json example_under(const char* law) {
-    Json document = example_case();
-    document["laws"] = {law};
+Json under_laws(Json document, const std::vector<std::string>& laws) {
+    document["laws"] = laws;
+    if (std::ranges::count(laws, "maugis-dugdale") == 0) document.erase("particle");
     return document;
 }
 
+Json example_under(const char* law) {
+    return under_laws(example_case(), {law});
+}
+
 Json with_one_sample(Json document, const std::vector<std::string>& laws) {
-    document["laws"] = laws;
+    document = under_laws(std::move(document), laws);
     while (document["samples"].size() > 1) document["samples"].erase(1);
     return document;
 }

@@ -85,6 +85,9 @@ struct Containing {
 /// The example case of `init`, which runs as it is.
 [[nodiscard]] Json example_case();
 
+/// The example's case under other laws, without the range of cohesion if none takes it.
+[[nodiscard]] Json under_laws(Json document, const std::vector<std::string>& laws);
+
 /// The same under one law: fits to measured impacts take their time.
 [[nodiscard]] Json example_under(const char* law);
 

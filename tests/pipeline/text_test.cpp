@@ -179,9 +179,10 @@ TEST_CASE("the summary shows what a verdict compares, and marks a velocity that 
         comparison_text(ComparisonResult{.samples = {sample}, .conclusion = "Done."}, 80);
     CHECK_MESSAGE(text.find("0.832 m/s (0.558 to 1.10)") != std::string::npos, text);
     CHECK_MESSAGE(
-        text.starts_with("fine: particles stick below 0.700 m/s (0.652 to 0.725), by jkr.\nIn brackets: "),
+        text.starts_with("fine: particles stick below 0.700 m/s (0.652 to 0.725), by jkr.\nfine, by jkr: "),
         text);
-    CHECK_MESSAGE(text.find("fine by jkr: why. Measured: ") != std::string::npos, text);
+    CHECK_MESSAGE(text.find("fine, by jkr: why.\n") != std::string::npos, text);
+    CHECK_MESSAGE(text.find("Measured, for comparison only: fine 0.832 m/s") != std::string::npos, text);
     CHECK_MESSAGE(text.find("* 0.684") != std::string::npos, text);
     CHECK_MESSAGE(text.find("* 0.700") == std::string::npos, text);
     CHECK_MESSAGE(text.find("*: extrapolated from the rebounds") != std::string::npos, text);

@@ -10,13 +10,15 @@ const isObject = (value) => typeof value === 'object' && value !== null && !Arra
 // The laws of a case that names none.
 const lawsByDefault = () => Object.keys(embedded.laws).filter((law) => embedded.laws[law].by_default);
 
-// A case to begin with: a wall of stainless steel and a work of adhesion, both told as assumed, and nothing of the ash.
+// A case to begin with: a wall of stainless steel, a work of adhesion and the range of the cohesion, all stated as assumed,
+// and nothing of the ash.
 const assumedSteel = () => ({ young_modulus: { value: 193, unit: 'GPa', origin: 'assumed' }, poisson_ratio: { value: 0.29, unit: '1', origin: 'assumed' } });
 function emptyCase() {
     return {
         name: 'Fly ash on a wall',
         wall: assumedSteel(),
         work_of_adhesion: { value: 0.3, unit: 'J/m2', origin: 'assumed' },
+        particle: { cohesion_range: { value: 0.4, unit: 'nm', origin: 'assumed' } },
         laws: lawsByDefault(),
         samples: [emptySample('sample 1')],
     };

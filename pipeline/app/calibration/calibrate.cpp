@@ -122,6 +122,18 @@ std::string identification_text(const Case& data, const CalibrationSummary& summ
     return text;
 }
 
+/// Under which assumptions the uncertainties of a calibration hold.
+std::string conditions_text(const CalibrationSummary& summary) {
+    const bool step = std::ranges::any_of(summary.constants, [](const CalibratedConstant& constant) {
+        return constant.quantity == CalibrationQuantity::time_step;
+    });
+    return fmt::format(
+        "The uncertainties hold if the published numbers come from {}, the wall is as stated and each "
+        "contact "
+        "time is of the law beside it; --compare shows what other assumptions change.",
+        step ? "Eq. 31 at a finite step" : "exact impacts");
+}
+
 std::string calibration_text(const Case& data, const CalibrationSummary& summary,
                              const std::vector<ConstantProfile>& profiles, const std::vector<Row>& velocities,
                              const std::vector<Row>& times) {
@@ -148,7 +160,8 @@ std::string calibration_text(const Case& data, const CalibrationSummary& summary
     return constants.text() + "\n" + identification_text(data, summary, profiles) + "\n" + residuals.text() +
            fmt::format("\nchi^2 {} with {} degrees of freedom, probability {}; AIC {}\n",
                        readable_number(summary.chi_squared), summary.degrees_of_freedom,
-                       readable_number(summary.probability, 2), readable_number(summary.akaike));
+                       readable_number(summary.probability, 2), readable_number(summary.akaike)) +
+           wrapped(conditions_text(summary), output_width(), 2) + "\n";
 }
 
 // Hypotheses beside one another.
@@ -176,6 +189,8 @@ struct FalseCapture {
 struct CalibrationHypothesis {
     std::string name;
     std::vector<FreeConstant> free;
+    /// Makes the problem that of the hypothesis, where more than the free constants differ.
+    std::function<void(CalibrationProblem& problem)> change{};
     std::optional<CalibrationSummary> summary{};
     bool velocities_only = false;  ///< the summary is that of the critical velocities alone
     std::string failure{};         ///< why there is none, or none of all observations
@@ -185,6 +200,48 @@ struct CalibrationHypothesis {
     /// Whether chi^2 lacks the contact times or counts one that the model has not.
     [[nodiscard]] bool lacks_times() const { return velocities_only || !captures.empty(); }
 };
+
+/// Takes the contact times as published for another law, whose fits then give their damping.
+void set_law_of_times(const Case& data, Law law, CalibrationProblem& problem) {
+    for (ContactTimeObservation& time : problem.contact_times) {
+        time.law = law;
+        time.damping_fit = *data.samples[time.sample].published->damping_fits.find(law);
+    }
+}
+
+/// Whether a law has a published fit for every contact time, and is not the one they were published for.
+bool may_have_times(const Case& data, Law law, const CalibrationProblem& problem) {
+    return std::ranges::all_of(problem.contact_times, [&](const ContactTimeObservation& time) {
+        const auto& published = data.samples[time.sample].published;
+        return time.law != law && published && published->damping_fits.find(law) != nullptr;
+    });
+}
+
+void set_rigid_wall(CalibrationProblem& problem) {
+    for (CalibrationSample& sample : problem.samples)
+        sample.contact_modulus = contact_modulus(sample.particle, RigidWall{});
+}
+
+/// Hypotheses on how the published numbers were computed, with moduli from XRD and a density for each sample.
+std::vector<CalibrationHypothesis> hypotheses_on_method(const Case& data, bool elastic_wall,
+                                                        const CalibrationProblem& problem) {
+    const std::vector<FreeConstant> free{{CalibrationQuantity::work_of_adhesion, false},
+                                         {CalibrationQuantity::density, problem.samples.size() > 1}};
+    std::vector<FreeConstant> with_step = free;
+    with_step.push_back({CalibrationQuantity::time_step, false});
+    std::vector<CalibrationHypothesis> hypotheses{
+        {.name = "moduli from XRD, Eq. 31 at a finite step", .free = with_step}};
+    for (std::size_t i = 0; i < Law::count() && !problem.contact_times.empty(); ++i)
+        if (const Law law = Law::at(i); may_have_times(data, law, problem))
+            hypotheses.push_back(
+                {.name = fmt::format("moduli from XRD, contact times by {}", law.name()),
+                 .free = free,
+                 .change = [&data, law](CalibrationProblem& own) { set_law_of_times(data, law, own); }});
+    if (elastic_wall)
+        hypotheses.push_back(
+            {.name = "moduli from XRD, a rigid wall", .free = free, .change = set_rigid_wall});
+    return hypotheses;
+}
 
 std::vector<CalibrationHypothesis> hypotheses_of(bool elastic_wall, std::size_t samples) {
     struct Modulus {
@@ -257,6 +314,57 @@ auto preferred(const std::vector<CalibrationHypothesis>& hypotheses) {
     return best;
 }
 
+/// A constant averaged over hypotheses.
+struct AveragedConstant {
+    CalibrationQuantity quantity;
+    std::string sample;  ///< empty: of all samples
+    double mean = 0;
+    double standard_uncertainty = 0;  ///< within and between hypotheses
+};
+
+/// Density of each sample and work of adhesion, averaged over the hypotheses with all contact times, weighted
+/// by exp(-AIC/2) (Burnham & Anderson 2002). Hypotheses without a constant of a sample take the shared one.
+std::vector<AveragedConstant> averages_of(const Case& data,
+                                          const std::vector<CalibrationHypothesis>& hypotheses) {
+    const auto best = preferred(hypotheses);
+    if (best == hypotheses.end()) return {};
+    const auto average = [&](CalibrationQuantity quantity, std::size_t sample, const std::string& name) {
+        double weights = 0;
+        double first = 0;
+        double second = 0;
+        for (const CalibrationHypothesis& each : hypotheses) {
+            if (!each.summary || each.lacks_times()) continue;
+            const double weight = std::exp(0.5 * (best->summary->akaike - each.summary->akaike));
+            for (const CalibratedConstant& constant : each.summary->constants) {
+                if (constant.quantity != quantity || constant.sample.value_or(sample) != sample) continue;
+                weights += weight;
+                first += weight * constant.value;
+                second += weight * (constant.value * constant.value +
+                                    constant.standard_uncertainty * constant.standard_uncertainty);
+            }
+        }
+        const double mean = first / weights;
+        return AveragedConstant{quantity, name, mean,
+                                std::sqrt(std::max(0.0, second / weights - mean * mean))};
+    };
+    std::vector<AveragedConstant> averages{average(CalibrationQuantity::work_of_adhesion, 0, "")};
+    for (std::size_t i = 0; i < data.samples.size(); ++i)
+        averages.push_back(average(CalibrationQuantity::density, i, data.samples[i].name));
+    return averages;
+}
+
+std::string averages_text(const std::vector<AveragedConstant>& averages) {
+    std::string text;
+    for (const AveragedConstant& each : averages)
+        text += fmt::format(
+            "{}{}{} {}", text.empty() ? "" : "; ", name_of(each.quantity),
+            each.sample.empty() ? "" : " of " + each.sample,
+            readable(make_quantity(each.mean, dimension_of(each.quantity), each.standard_uncertainty)));
+    if (text.empty()) return text;
+    text.insert(0, "Averaged over the hypotheses with all contact times, weighted by exp(-AIC/2): ");
+    return wrapped(text + ".", output_width(), 2) + "\n";
+}
+
 /// What a hypothesis lacks to be compared, and why.
 std::string remark_on(const CalibrationHypothesis& hypothesis) {
     if (!hypothesis.summary) return fmt::format("{}: {}\n", hypothesis.name, hypothesis.failure);
@@ -284,12 +392,14 @@ std::string remark_on(const CalibrationHypothesis& hypothesis) {
 std::vector<CalibrationHypothesis> compare_hypotheses(const Case& data, const CalibrationProblem& problem) {
     const bool elastic_wall = data.wall && std::holds_alternative<ElasticWall>(*data.wall);
     std::vector<CalibrationHypothesis> hypotheses = hypotheses_of(elastic_wall, problem.samples.size());
+    std::ranges::move(hypotheses_on_method(data, elastic_wall, problem), std::back_inserter(hypotheses));
     Progress progress(hypotheses.size(), 0, on_terminal(), "hypotheses");
     std::uint64_t begun = 0;
     for (CalibrationHypothesis& hypothesis : hypotheses) {
         progress.update(begun++);
         CalibrationProblem own = problem;
         own.free = hypothesis.free;
+        if (hypothesis.change) hypothesis.change(own);
         const auto calibrated_by = [&](CalibrationSummary (*method)(const CalibrationProblem&)) {
             std::string failure;
             try {
@@ -307,13 +417,13 @@ std::vector<CalibrationHypothesis> compare_hypotheses(const Case& data, const Ca
             hypothesis.velocities_only = hypothesis.summary.has_value();
         }
         if (!hypothesis.summary) continue;
-        hypothesis.captures = false_captures(data, problem, *hypothesis.summary);
-        hypothesis.largest = largest_residual(data, problem, hypothesis);
+        hypothesis.captures = false_captures(data, own, *hypothesis.summary);
+        hypothesis.largest = largest_residual(data, own, hypothesis);
     }
     return hypotheses;
 }
 
-std::string hypotheses_text(const std::vector<CalibrationHypothesis>& hypotheses) {
+std::string hypotheses_text(const Case& data, const std::vector<CalibrationHypothesis>& hypotheses) {
     TextTable table({"hypothesis", "constants", "chi^2", "degrees of freedom", "probability", "AIC",
                      "worst v_c", "worst contact time", "largest residual [u]"});
     const auto percent = [](double share) { return fmt::format("{:.2f} %", 100 * share); };
@@ -337,10 +447,20 @@ std::string hypotheses_text(const std::vector<CalibrationHypothesis>& hypotheses
         best == hypotheses.end()
             ? "No hypothesis could be calibrated.\n"
             : fmt::format("Least AIC: {}. A difference below about 2 decides nothing.\n", best->name);
-    return table.text() + remarks + verdict;
+    return table.text() + remarks + verdict + averages_text(averages_of(data, hypotheses));
 }
 
-Json hypotheses_json(const std::vector<CalibrationHypothesis>& hypotheses) {
+Json averages_json(const std::vector<AveragedConstant>& averages) {
+    Json list = Json::array();
+    for (const AveragedConstant& each : averages)
+        list.push_back(
+            {{"quantity", name_of(each.quantity)},
+             {"sample", each.sample.empty() ? Json(nullptr) : Json(each.sample)},
+             {"value", make_quantity(each.mean, dimension_of(each.quantity), each.standard_uncertainty)}});
+    return list;
+}
+
+Json hypotheses_json(const Case& data, const std::vector<CalibrationHypothesis>& hypotheses) {
     Json list = Json::array();
     const auto best = preferred(hypotheses);
     for (auto each = hypotheses.begin(); each != hypotheses.end(); ++each) {
@@ -370,7 +490,7 @@ Json hypotheses_json(const std::vector<CalibrationHypothesis>& hypotheses) {
         if (!each->failure.empty()) json["failure"] = each->failure;
         list.push_back(std::move(json));
     }
-    return {{"hypotheses", list}};
+    return {{"hypotheses", list}, {"averages", averages_json(averages_of(data, hypotheses))}};
 }
 
 void run_calibrate_command(const CommandOptions& options, std::ostream& out) {
@@ -402,8 +522,8 @@ void run_calibrate_command(const CommandOptions& options, std::ostream& out) {
                                  "critical velocities with their damping, contact times")
                     .at("/samples");
             const auto hypotheses = compare_hypotheses(data, problem);
-            out << (options.has("--json") ? write_json(hypotheses_json(hypotheses), Digits::seventeen)
-                                          : hypotheses_text(hypotheses));
+            out << (options.has("--json") ? write_json(hypotheses_json(data, hypotheses), Digits::seventeen)
+                                          : hypotheses_text(data, hypotheses));
             return;
         }
         if (data.calibration.empty())
@@ -443,13 +563,14 @@ void add_calibrate(const CommandLine& line) {
     command.add_case_argument();
     command
         .add_list("--free", "NAME[:each]",
-                  "a constant to find: density, work_of_adhesion, contact_modulus, wall_young_modulus; with "
+                  "a constant to find: density, work_of_adhesion, contact_modulus, wall_young_modulus, "
+                  "time_step; with "
                   ":each one value a sample; default: what the case says")
         ->allow_extra_args(false);
     command
         .add_flag("--compare",
                   "hypotheses beside one another: one modulus or those from XRD, one density or one a size, "
-                  "wall known or free")
+                  "wall known, free or rigid, Eq. 31 exact or at a finite step, contact times by each law")
         ->excludes("--free");
     command.add_allow_outside_flag();
     command.add_json_flag();

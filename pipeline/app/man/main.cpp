@@ -81,7 +81,7 @@ const std::map<std::string, Words>& names() {
         {"--from", stage_names()},
         {"--only", stage_names()},
         {"--phase-set", {"literature", "dong2013"}},
-        {"--free", {"density", "work_of_adhesion", "contact_modulus", "wall_young_modulus"}}};
+        {"--free", {"density", "work_of_adhesion", "contact_modulus", "wall_young_modulus", "time_step"}}};
     return all;
 }
 

@@ -46,6 +46,15 @@ struct Answer {
 };
 [[nodiscard]] Answer answer_of(const ReportedVelocity& reported);
 
+/// Whether the restitutions of all samples were reconstructed from published fits of damping.
+[[nodiscard]] bool is_reproduction(const ComparisonResult& result);
+
+/// The first part of the summary of a run: which particles stick below which velocity, by which law and why,
+/// what the intervals are, and what a reproduction leaves open. Empty for older artifacts, which do not have
+/// it. @param scope from scope_sentence(); empty: not shown
+[[nodiscard]] std::string reported_text(const ComparisonResult& result, const std::string& scope,
+                                        std::size_t width);
+
 /// The summary that ends a run, in lines of at most @p width characters: the critical velocity to report of
 /// each sample and why; assumptions; velocities of all laws; moduli; the conclusion.
 /// @param scope from scope_sentence(); empty: not shown

@@ -145,11 +145,42 @@ struct RatioRange {
     double least = 0, greatest = 0;
 };
 
+/// Least and greatest of velocities without a probability [m/s].
+struct VelocitySpan {
+    double least = 0, greatest = 0;
+};
+
+/// What the reported velocity of a reproduced sample leaves open: each source alone, the others held. None of
+/// them has a known distribution.
+struct ReproducedSample {
+    std::string name{};
+    VelocitySpan laws{};                 ///< over the laws of the case that have adhesion
+    std::optional<VelocitySpan> fits{};  ///< over the ranges of restitution and orders of polynomial
+    VelocitySpan diameter{};             ///< for a diameter smaller and larger by diameter_change
+};
+
+/// How far a law is from the measured critical velocities of all samples together.
+struct JointTest {
+    double sum_of_squares = 0;  ///< of deviations over standard uncertainties, of model and measurement [1]
+    std::size_t samples = 0;    ///< with a velocity by the law and a measured one
+};
+
+/// Samples whose restitutions follow from published fits of damping: their velocities reproduce a
+/// publication, and are no measurement.
+struct Reproduction {
+    double diameter_change = 0;        ///< [m]
+    std::vector<double> from{}, to{};  ///< ends of the ranges of restitution that are fitted [1]
+    std::vector<double> orders{};      ///< of the polynomials
+    std::vector<ReproducedSample> samples{};
+    LawMap<JointTest> joint_tests{};  ///< empty without measured velocities
+};
+
 /// Result of the comparison stage, comparison.json.
 struct ComparisonResult {
     std::string name{};                     ///< of the case
     std::optional<ReportedLaw> reported{};  ///< one law for all samples
     std::vector<SampleComparison> samples{};
+    std::optional<Reproduction> reproduction{};     ///< where restitutions were reconstructed
     std::vector<EqualVelocity> equal_velocities{};  ///< from slow to fast
     std::optional<RatioRange> dynamic_over_analytic{};
     std::string conclusion{};  ///< in words

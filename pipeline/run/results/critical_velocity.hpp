@@ -67,12 +67,13 @@ struct Names<DampingUnderChange> {
     static constexpr std::array<std::string_view, 2> all{"reread", "held"};
 };
 
-/// The check of a modelled v_c; not comparable if neither it nor the measured one has an uncertainty.
+/// The check of a modelled v_c. A measured velocity without any uncertainty is not comparable: how far it may
+/// be from the modelled one is not known.
 [[nodiscard]] inline CriticalVelocityCheck checked(const Interval& model,
                                                    const MeasuredCriticalVelocity& measured,
                                                    bool same_impacts) {
     const bool comparable =
-        !measured.value || model.standard_uncertainty > 0 || measured.standard_uncertainty.value_or(0) > 0;
+        !measured.value || measured.standard_uncertainty.value_or(0) > 0 || measured.lower || measured.upper;
     return comparable ? check(model, measured, same_impacts)
                       : CriticalVelocityCheck{CriticalVelocityVerdict::not_comparable, std::nullopt};
 }
@@ -126,8 +127,8 @@ struct SampleCriticalVelocity {
 
 /// The measured velocity as an estimate. @param measured with a value
 [[nodiscard]] inline VelocityEstimate estimate_of(const MeasuredCriticalVelocity& measured) {
-    VelocityEstimate estimate{.value = measured.value.value(),
-                              .interval = Bounds{measured.lower, measured.upper}};
+    VelocityEstimate estimate{.value = measured.value.value()};
+    if (measured.lower || measured.upper) estimate.interval = Bounds{measured.lower, measured.upper};
     if (measured.standard_uncertainty.value_or(0) > 0)
         estimate.standard_uncertainty = measured.standard_uncertainty;
     return estimate;

@@ -28,6 +28,9 @@ double& constant_of(CalibrationSample& sample, CalibrationQuantity quantity) {
             return sample.work_of_adhesion;
         case CalibrationQuantity::wall_young_modulus:
             return sample.wall.young_modulus;
+        case CalibrationQuantity::time_step:
+            if (sample.step.time_step == 0.0) sample.step.time_step = first_time_step;
+            return sample.step.time_step;
         case CalibrationQuantity::contact_modulus:
             break;
     }
@@ -36,19 +39,23 @@ double& constant_of(CalibrationSample& sample, CalibrationQuantity quantity) {
 }
 
 double predicted_velocity(const CalibrationSample& sample, Law law, double damping) {
-    const CriticalVelocity critical =
-        critical_velocity({law, law.default_detachment(), {DampingLaw::constant, damping}, sample.contact()});
+    const ContactPair contact = sample.contact();
+    const CriticalVelocity critical = critical_velocity({law,
+                                                         law.default_detachment(),
+                                                         {DampingLaw::constant, damping},
+                                                         sample.step.contact(damping, contact)});
     if (!critical.value)
         throw InputError("law '" + std::string(law.name()) + "' has no finite critical velocity here",
                          "damping > 0 kg/s");
-    return *critical.value;
+    return *critical.value / (1.0 + sample.step.lag(damping, contact));
 }
 
 PublishedDamping published_damping(const CalibrationSample& sample, const ContactTimeObservation& at) {
     return {.law = at.law,
             .detachment = at.law.default_detachment(),
             .contact = sample.contact(),
-            .damping = at.damping_fit};
+            .damping = at.damping_fit,
+            .step = sample.step};
 }
 
 double contact_time(const PublishedDamping& published, double e, double velocity) {
@@ -373,6 +380,8 @@ Dimension dimension_of(CalibrationQuantity quantity) {
         case CalibrationQuantity::contact_modulus:
         case CalibrationQuantity::wall_young_modulus:
             return Dimension::pressure;
+        case CalibrationQuantity::time_step:
+            return Dimension::time;
     }
     throw std::logic_error("calibration quantity without a dimension");
 }

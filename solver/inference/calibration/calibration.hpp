@@ -26,17 +26,22 @@ struct CalibrationSample {
     ElasticBody particle;     ///< E from the mixture rule
     ElasticBody wall;
     std::optional<double> contact_modulus;  ///< E* taken directly instead of Eq. 7 [Pa]
+    /// Of the scheme by which the published numbers were computed.
+    FiniteStep step{};
 
     [[nodiscard]] ContactPair contact() const;
 };
 
-enum class CalibrationQuantity { density, work_of_adhesion, contact_modulus, wall_young_modulus };
+enum class CalibrationQuantity { density, work_of_adhesion, contact_modulus, wall_young_modulus, time_step };
+
+/// Where the search for a time step begins that the samples do not state [s].
+inline constexpr double first_time_step = 1e-9;
 
 template <>
 struct Names<CalibrationQuantity> {
     static constexpr std::string_view kind = "constant of a calibration";
-    static constexpr std::array<std::string_view, 4> all{"density", "work_of_adhesion", "contact_modulus",
-                                                         "wall_young_modulus"};
+    static constexpr std::array<std::string_view, 5> all{"density", "work_of_adhesion", "contact_modulus",
+                                                         "wall_young_modulus", "time_step"};
 };
 
 /// What a calibrated constant measures.

@@ -135,11 +135,13 @@ double velocity_of_restitution(const Impact& impact, double restitution) {
 }
 
 double reconstructed_velocity(const PublishedDamping& published, double e) {
-    return velocity_of_restitution(published.impact(e, 1.0), e);
+    const double quickening = published.quickening(e);
+    return velocity_of_restitution(published.impact(e, 1.0), e / quickening) / quickening;
 }
 
 CurvePoint least_rebound(const PublishedDamping& published) {
-    const CurvePoint onset{finite_critical_velocity(published.impact(0.0, 1.0), 0.0), 0.0};
+    const CurvePoint onset{
+        finite_critical_velocity(published.impact(0.0, 1.0), 0.0) / published.quickening(0.0), 0.0};
     CurvePoint least = onset;
     double lower = 0.0;
     double upper = branch_step;
@@ -157,7 +159,9 @@ CurvePoint least_rebound(const PublishedDamping& published) {
 }
 
 double reconstructed_restitution(const PublishedDamping& published, double velocity) {
-    const auto excess = [&](double e) { return restitution_of(published.impact(e, velocity)) - e; };
+    const auto excess = [&](double e) {
+        return restitution_of(published.impact(e, velocity)) * published.quickening(e) - e;
+    };
     double from = 0.0;
     if (excess(0.0) <= 0.0) {
         const CurvePoint least = least_rebound(published);

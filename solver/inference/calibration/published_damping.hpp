@@ -57,17 +57,41 @@ struct DampingFit {
 /// @throws InputError for fewer than three distinct restitutions or values that are not finite
 [[nodiscard]] DampingFit fit_damping(std::span<const DampingPoint> points);
 
+/// What the paper's scheme at a finite step makes of an exact impact, to first order in the step. Eq. 31
+/// takes the damping force half a step late, eta (v - a Dt/2), which is an impact of mass m (1 - lag) with
+/// lag = eta Dt/(2 m). It starts from delta_1 = v Dt, so that the velocity is v half a step after first
+/// touch: the impact begins with v (1 + lag). solve_impact_explicit() is the scheme itself.
+struct FiniteStep {
+    double time_step = 0.0;  ///< Dt; 0: exact impacts [s]
+
+    [[nodiscard]] double lag(double damping, const ContactPair& contact) const {
+        return damping * time_step / (2.0 * contact.mass);
+    }
+    /// The contact of the exact impact that takes the place of one of the scheme.
+    [[nodiscard]] ContactPair contact(double damping, ContactPair contact) const {
+        contact.mass *= 1.0 - lag(damping, contact);
+        return contact;
+    }
+};
+
 /// A particle and law whose measured restitution is known only through a published fit eta(e_n).
 struct PublishedDamping {
     Law law;
     Detachment detachment;
     ContactPair contact;
     DampingPolynomial damping;  ///< eta(e_n), constant during an impact [kg/s]
+    FiniteStep step{};          ///< with which it was computed
 
     /// The impact of damping eta(@p e) at a velocity [m/s].
     [[nodiscard]] Impact impact(double e, double velocity) const {
-        return {law, detachment, {DampingLaw::constant, damping(e)}, contact, velocity};
+        return {law,
+                detachment,
+                {DampingLaw::constant, damping(e)},
+                step.contact(damping(e), contact),
+                velocity * quickening(e)};
     }
+    /// By how much impact() begins faster than the velocity it was given [1].
+    [[nodiscard]] double quickening(double e) const { return 1.0 + step.lag(damping(e), contact); }
 };
 
 /// The incident velocity at which an impact with this damping rebounds with restitution @p restitution [m/s].

@@ -330,10 +330,13 @@ TEST_CASE("laws lists every law of the registries, a line each") {
 TEST_CASE("run with nothing given: the paper's samples, a table, the artifacts") {
     const Sandbox sandbox;
     const auto& first = test::put_built_in_run(sandbox);
-    CHECK(lines_of(first.out)[2] == "Particles of 88 um stick below 1.93 m/s (1.89 to 1.96), by brach-dunn.");
+    CHECK(lines_of(first.out)[2] == "Particles of 88 um stick below 1.86 m/s.");
+    CHECK(lines_of(first.out)[5].starts_with("By maugis-dugdale, one law for all sizes: "));
+    CHECK(first.out == containing("\nA reproduction: "));
+    CHECK(first.out != containing("95 %"));  // none of the intervals has a known probability
     CHECK(first.out == containing("148.13 (148.13)"));
     for (const char* heading : {"E [GPa]", "E* [GPa]", "W_s [fJ]", "v_c, adhesion only", "dynamic v_c",
-                                "95 % interval", "published", "measured"})
+                                "by inputs", "published", "measured"})
         CHECK(first.out == containing(heading));
     CHECK(first.out != containing("extrapolated"));  // nothing was measured: an empty column
     int intervals = 0;

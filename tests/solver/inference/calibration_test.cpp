@@ -11,6 +11,7 @@
 
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/calibration/published_damping.hpp"
+#include "solver/motion/explicit_scheme.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
 #include "tests/support/checks.hpp"
 #include "tests/support/published.hpp"
@@ -401,4 +402,55 @@ TEST_CASE("calibrated constants follow the contact modulus: the linear response 
         CHECK(std::sqrt(full[i] / draws) < 0.0065);
         CHECK(std::sqrt(apart[i] / draws) < 0.02 * std::sqrt(full[i] / draws) + 2e-5);
     }
+}
+
+namespace {
+
+/// v_c of Eq. 31 at a finite step, by halving: the greatest velocity that its scheme captures [m/s].
+double critical_velocity_of_scheme(const ContactPair& contact, Law law, double damping, double time_step) {
+    double captured = 0.5;
+    double rebounds = 4;
+    for (int i = 0; i < 40; ++i) {
+        const double velocity = 0.5 * (captured + rebounds);
+        const ImpactResult impact = solve_impact_explicit(
+            {law, Detachment::zero_overlap, {DampingLaw::constant, damping}, contact, velocity},
+            {.time_step = time_step});
+        (impact.outcome == Outcome::rebound ? rebounds : captured) = velocity;
+    }
+    return rebounds;
+}
+
+}  // namespace
+
+TEST_CASE("a finite step shifts critical velocities as the paper's scheme does") {
+    CalibrationProblem problem = paper_problem();
+    constexpr double time_step = 3e-9;
+    const auto predicted = [&](std::size_t i) {
+        return calibration_residuals(problem, problem.samples).critical_velocities.at(i).predicted;
+    };
+    for (const std::size_t i : {0, 1, 2}) {  // the laws of the first sample
+        const CriticalVelocityObservation& of = problem.critical_velocities[i];
+        CAPTURE(of.law.name());
+        problem.samples[0].step = {};
+        const double exact = predicted(i);
+        CHECK(exact == critical_velocity_of(problem.samples[0], of.law, of.critical_damping));
+        problem.samples[0].step = {time_step};
+        const double scheme =
+            critical_velocity_of_scheme(problem.samples[0].contact(), of.law, of.critical_damping, time_step);
+        CHECK(std::abs(scheme / exact - 1) > 0.03);
+        CHECK(relative_difference(predicted(i), scheme) < 0.1 * std::abs(scheme / exact - 1));
+    }
+}
+
+TEST_CASE("the paper's tables with the step of Eq. 31 free: a shorter chi^2, other densities") {
+    std::vector<FreeConstant> free = paper_constants;
+    free.push_back({CalibrationQuantity::time_step, false});
+    const CalibrationSummary summary = calibrate(paper_problem(free));
+    const CalibratedConstant& step = summary.constants.back();
+    CHECK(step.quantity == CalibrationQuantity::time_step);
+    CHECK(step.value == doctest::Approx(3.2e-9).epsilon(0.3));
+    CHECK(summary.chi_squared < paper_calibration().chi_squared - 2);
+    CHECK(summary.degrees_of_freedom == paper_calibration().degrees_of_freedom - 1);
+    for (std::size_t i = 0; i < 3; ++i)
+        CHECK(summary.samples[i].density > 1.01 * paper_calibration().samples[i].density);
 }

@@ -10,6 +10,7 @@
 #include "core/plausibility.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
+#include "pipeline/present/text/result_text.hpp"
 #include "pipeline/run/stage.hpp"
 
 namespace ashimpact::report {
@@ -127,7 +128,7 @@ RowItem velocity_interval(double value, const Bounds& bounds, const Look& look, 
     const double from = bounds.lower && *bounds.lower > 0 ? *bounds.lower : value / 1.5;
     const double to = bounds.upper.value_or(value * 1.5);
     return {RowItem::Kind::interval, from, to, look,
-            fmt::format("{}: 95 % from {:.3g} to {:.3g} m/s", name, from, to)};
+            fmt::format("{}: from {:.3g} to {:.3g} m/s", name, from, to)};
 }
 
 /// A velocity with its interval where there is one, in the row and in the table.
@@ -331,8 +332,8 @@ Figure composition_figure(const RunData& run) {
 }
 
 Figure critical_velocity_figure(const RunData& run) {
-    NumberTable table{.columns = {"sample", "what", "critical velocity [m/s]", "lower end of 95 % [m/s]",
-                                  "upper end of 95 % [m/s]"}};
+    NumberTable table{
+        .columns = {"sample", "what", "critical velocity [m/s]", "lower end [m/s]", "upper end [m/s]"}};
     RowPanel panel{.title = "",
                    .x = {.label = "critical velocity", .unit = "m/s", .spacing = Spacing::logarithmic}};
     const double slowest = least_velocity(run);
@@ -363,8 +364,11 @@ Figure critical_velocity_figure(const RunData& run) {
                   .counterpart = "Table 4",
                   .caption =
                       "A particle slower than its critical velocity sticks. Analytic: the energy to separate "
-                      "the surfaces alone (Eq. 30). Dynamic: by each contact law with its damping, with the "
-                      "interval that holds it with 95 %.",
+                      "the surfaces alone (Eq. 30). Dynamic: by each contact law with its damping, with " +
+                      std::string(is_reproduction(run.run().comparison)
+                                      ? "what the rounding of published numbers and the stated uncertainties "
+                                        "of the inputs leave open."
+                                      : "the interval that holds it with 95 %."),
                   .numbers = std::move(table),
                   .columns = 1};
     if (far) figure.caption += " The analytic velocities lie far to the left of this axis.";

@@ -44,6 +44,7 @@ std::string measured_sentence(const SampleData& sample) {
                 laws.push_back(law.name);
         if (!laws.empty()) text += fmt::format("; {} {}", listed(laws), laws.size() == 1 ? one : many);
     };
+    if (bounds.empty()) text += ", without an uncertainty, so no law is judged by it";
     add(CriticalVelocityVerdict::agrees, "agrees with it", "agree with it");
     add(CriticalVelocityVerdict::model_too_low, "is too low", "are too low");
     add(CriticalVelocityVerdict::model_too_high, "is too high", "are too high");
@@ -70,6 +71,23 @@ std::string reported_sentence(const ReportedVelocity& reported, std::optional<Co
            escaped((bounds.empty() ? "" : " (95 %: " + bounds + " m/s)") +
                    (reported.law ? ", by " + display_name(reported.law->name()) : "") + ": " +
                    reported.reason + ".");
+}
+
+/// What the velocity of a reproduced sample leaves open; empty for measured impacts.
+std::string reproduction_sentence(const SampleData& sample, const ComparisonResult& result) {
+    if (!result.reproduction) return {};
+    const Reproduction& reproduction = *result.reproduction;
+    const auto open = std::ranges::find(reproduction.samples, sample.name(), &ReproducedSample::name);
+    if (open == reproduction.samples.end()) return {};
+    const auto span = [](const VelocitySpan& ends) {
+        return velocity_text(ends.least) + " to " + velocity_text(ends.greatest);
+    };
+    std::string text =
+        "A reproduction of published fits of damping, so without an interval. It leaves open: " +
+        span(open->laws) + " m/s by the other laws with adhesion";
+    if (open->fits) text += ", " + span(*open->fits) + " by other ranges and orders of the fit";
+    return text + fmt::format(", {} for a diameter {} smaller or larger.", span(open->diameter),
+                              readable(reproduction.diameter_change, "m"));
 }
 
 /// What the glass does during the contact of the reported law; none: not known.
@@ -103,8 +121,12 @@ std::string temperature_sentence(const SampleComparison& sample) {
 /// "By each law: Hertz 1.10 m/s, JKR ...", where the laws were computed at all.
 std::string by_each_law(const SampleData& sample) {
     std::vector<std::string> laws;
-    for (const LawData& law : sample.laws)
-        if (law.velocity != nullptr) laws.push_back(law.name + " " + estimate_text(law.headline()));
+    for (const LawData& law : sample.laws) {
+        if (law.velocity == nullptr) continue;
+        auto head = law.headline();
+        if (head && law.is_reconstructed()) head->interval = std::nullopt;
+        laws.push_back(law.name + " " + estimate_text(head));
+    }
     return laws.empty() ? "" : "By each law: " + listed(laws) + ".";
 }
 
@@ -125,13 +147,13 @@ std::string inputs_sentence(const SampleComparison& sample) {
 }
 
 /// The summary of a sample: the velocity to report, or why there is none; all laws; the inputs.
-std::string answer(const SampleData& sample) {
+std::string answer(const SampleData& sample, const ComparisonResult& result) {
     std::string html = fmt::format("<li><strong>{}</strong>: {}", html_name(sample.name()),
                                    reported_sentence(sample.comparison->reported.value_or(ReportedVelocity{}),
                                                      regime_of(*sample.comparison)));
     for (const std::string& rest :
-         {by_each_law(sample), measured_sentence(sample), temperature_sentence(*sample.comparison),
-          inputs_sentence(*sample.comparison)})
+         {reproduction_sentence(sample, result), by_each_law(sample), measured_sentence(sample),
+          temperature_sentence(*sample.comparison), inputs_sentence(*sample.comparison)})
         if (!rest.empty()) html += fmt::format("<span class=\"rest\">{}</span>", escaped(rest));
     return html + "</li>\n";
 }
@@ -179,6 +201,7 @@ constexpr std::array<Column, 11> page_columns{
      {.head = "published", .always = false},
      {.head = "measured (95&nbsp;%)", .of_sample = true, .always = false},
      {.head = "verdict", .text = true, .always = false}}};
+constexpr std::size_t interval_column = 6;  ///< of page_columns
 using Cells = std::array<std::string, page_columns.size()>;
 
 /// The cells of a law, in the order of the page_columns; empty where there is no value.
@@ -304,7 +327,7 @@ std::string sentence(const std::string& text) {
 
 std::string answers_html(const RunData& run) {
     std::string html = "<ul class=\"answers\">\n";
-    for (const SampleData& sample : run.samples()) html += answer(sample);
+    for (const SampleData& sample : run.samples()) html += answer(sample, run.run().comparison);
     return html + "</ul>\n";
 }
 
@@ -317,10 +340,12 @@ std::string comparison_html(const RunData& run) {
     std::vector<std::size_t> shown;
     for (std::size_t i = 0; i < page_columns.size(); ++i)
         if (is_shown(i, samples)) shown.push_back(i);
+    const bool reproduced = is_reproduction(run.run().comparison);
     std::string html = "<table><thead><tr><th scope=\"col\">sample</th>";
     const auto text_class = [](const Column& column) { return column.text ? " class=\"text\"" : ""; };
     for (const std::size_t i : shown)
-        html += fmt::format("<th scope=\"col\"{}>{}</th>", text_class(page_columns[i]), page_columns[i].head);
+        html += fmt::format("<th scope=\"col\"{}>{}</th>", text_class(page_columns[i]),
+                            i == interval_column && reproduced ? "by inputs" : page_columns[i].head);
     html += "</tr></thead><tbody>\n";
     for (std::size_t s = 0; s < samples.size(); ++s)
         for (const Cells& row : samples[s]) {
@@ -339,6 +364,10 @@ std::string comparison_html(const RunData& run) {
     html = html_scroll(region_label("Critical velocities", run), html + "</tbody></table>", "scroll wide") +
            "\n";
     html += extrapolation_notes(run);
+    if (reproduced)
+        html +=
+            "<p class=\"where\">By inputs: what the rounding of published numbers and the stated "
+            "uncertainties of the inputs leave open.</p>\n";
     for (const SampleData& sample : run.samples())
         for (const LawData& law : sample.laws)
             if (law.velocity != nullptr && !law.velocity->interval_note.empty())
