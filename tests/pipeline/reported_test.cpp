@@ -338,10 +338,10 @@ TEST_CASE("the paper's case is a reproduction: one law, no interval, and what it
     }
     // Squared deviations from 1.92, 1.25 and 0.69 m/s, which state no uncertainty.
     for (const auto& [law, sum] : std::vector<std::pair<const char*, double>>{
-             {"brach-dunn", 17.6}, {"jkr", 14.7}, {"maugis-dugdale", 14.1}}) {
+             {"brach-dunn", 19.8}, {"jkr", 15.2}, {"maugis-dugdale", 14.6}}) {
         const JointTest* test = result.reproduction->joint_tests.find(Law::named(law));
         REQUIRE(test != nullptr);
         CHECK(test->samples == 3);
-        CHECK(test->sum_of_squares == doctest::Approx(sum).epsilon(0.1));
+        CHECK(test->sum_of_squares == doctest::Approx(sum).epsilon(0.01));
     }
 }

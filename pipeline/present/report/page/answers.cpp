@@ -51,8 +51,18 @@ std::string measured_sentence(const SampleData& sample) {
     return text + ".";
 }
 
+/// ", over DMT, JKR and Maugis-Dugdale": the laws over which an interval extends; empty for one.
+std::string laws_in_interval(const std::optional<ReportedLaw>& run) {
+    if (!run || run->admissible.size() < 2) return {};
+    std::vector<std::string> names;
+    for (const Law law : run->admissible) names.push_back(display_name(law.name()));
+    return ", over " + listed(names);
+}
+
 /// "a particle sticks when it is slower than 1.86 m/s (95 %: 1.60 to 2.16 m/s), by Maugis-Dugdale: ..."
-std::string reported_sentence(const ReportedVelocity& reported, std::optional<ContactRegime> regime) {
+/// @param run whose law and admissible laws are named
+std::string reported_sentence(const ReportedVelocity& reported, std::optional<ContactRegime> regime,
+                              const std::optional<ReportedLaw>& run) {
     const Answer answer = answer_of(reported);
     if (answer.kind == Answer::Kind::none) return "no critical velocity: " + escaped(reported.reason) + ".";
     const std::string velocity = fmt::format("<span class=\"value\">{}</span>", value_words(answer.velocity));
@@ -68,7 +78,7 @@ std::string reported_sentence(const ReportedVelocity& reported, std::optional<Co
     const std::string bounds = bounds_text(reported.interval);
     const bool outside = answer.velocity > fastest_in_model;
     return (outside ? "the critical velocity is " : "a particle sticks when it is slower than ") + velocity +
-           escaped((bounds.empty() ? "" : " (95 %: " + bounds + " m/s)") +
+           escaped((bounds.empty() ? "" : " (95 %: " + bounds + " m/s" + laws_in_interval(run) + ")") +
                    (reported.law ? ", by " + display_name(reported.law->name()) : "") + ": " +
                    reported.reason + ".");
 }
@@ -150,7 +160,7 @@ std::string inputs_sentence(const SampleComparison& sample) {
 std::string answer(const SampleData& sample, const ComparisonResult& result) {
     std::string html = fmt::format("<li><strong>{}</strong>: {}", html_name(sample.name()),
                                    reported_sentence(sample.comparison->reported.value_or(ReportedVelocity{}),
-                                                     regime_of(*sample.comparison)));
+                                                     regime_of(*sample.comparison), result.reported));
     for (const std::string& rest :
          {reproduction_sentence(sample, result), by_each_law(sample), measured_sentence(sample),
           temperature_sentence(*sample.comparison), inputs_sentence(*sample.comparison)})
