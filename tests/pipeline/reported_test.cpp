@@ -233,8 +233,9 @@ TEST_CASE("a law that cannot be fitted to a sample is replaced there, a capture 
     LawMap<LawCriticalVelocity> velocities;
     velocities.set(Law::named("dmt"),
                    {.velocity = VelocityEstimate{.value = 0.5, .interval = Bounds{0.4, 0.6}}});
-    MeasuredCriticalVelocity outcomes{.lower = 0.3, .note = "captures only"};
-    const std::optional known(outcomes);
+    std::optional<MeasuredCriticalVelocity> known(std::in_place);
+    known->lower = 0.3;
+    known->note = "captures only";
     const std::string none = "no impacts were given";
     const auto reported = [&] {
         return reported_velocity({law, preference, velocities, known, ReportedBasis::impacts, none});

@@ -154,8 +154,8 @@ std::string joint_sentence(const LawMap<JointTest>& tests) {
     double least = tests.begin()->second.sum_of_squares;
     std::size_t samples = 0;
     for (const auto& [law, test] : tests) {
-        sums.push_back(fmt::format(test.sum_of_squares < 100 ? "{} {:.1f}" : "{} {:.0f}", law.name(),
-                                   test.sum_of_squares));
+        const bool digits = test.sum_of_squares < 100;
+        sums.push_back(fmt::format("{} {:.{}f}", law.name(), test.sum_of_squares, digits ? 1 : 0));
         least = std::min(least, test.sum_of_squares);
         samples = std::max(samples, test.samples);
     }
