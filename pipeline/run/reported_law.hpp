@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "pipeline/case/case.hpp"
-#include "pipeline/run/results/comparison.hpp"
 #include "pipeline/run/results/contact.hpp"
+#include "pipeline/run/results/reported.hpp"
 
 namespace ashimpact {
 

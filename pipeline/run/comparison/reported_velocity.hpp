@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/run/results/comparison.hpp"
+#include "pipeline/run/results/critical_velocity.hpp"
+#include "pipeline/run/results/reported.hpp"
 
 namespace ashimpact {
 

@@ -7,15 +7,10 @@
 #include <memory>
 #include <optional>
 
-#include <fmt/format.h>
-
-#include "core/quantities/quantity.hpp"
-#include "core/text/text.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/inference/impacts/inverted_impacts.hpp"
 #include "solver/motion/impact.hpp"
-#include "solver/motion/regime.hpp"
 #include "solver/numeric/gsl/interpolation.hpp"
 
 namespace ashimpact {

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "pipeline/case/case.hpp"
+#include "pipeline/run/results/comparison.hpp"
 #include "pipeline/run/results/contact.hpp"
-#include "pipeline/run/results/critical_velocity.hpp"
 #include "pipeline/run/results/damping.hpp"
-#include "pipeline/run/results/run.hpp"
 
 namespace ashimpact {
 

@@ -16,6 +16,7 @@
 #include "pipeline/run/results/damping.hpp"
 #include "pipeline/run/results/histories.hpp"
 #include "pipeline/run/results/note.hpp"
+#include "pipeline/run/results/reported.hpp"
 #include "pipeline/run/results/temperature.hpp"
 #include "solver/inference/critical_velocity_uncertainty.hpp"
 
@@ -38,41 +39,6 @@ struct LawComparison {
     std::optional<VelocityEstimate> extrapolated{};  ///< by the paper's extrapolation of measured impacts
     std::string interval_note{};                     ///< why there is no interval
     std::optional<CriticalVelocityCheck> check{};    ///< against the measured one
-};
-
-/// The law by which a run reports its critical velocities.
-struct ReportedLaw {
-    Law law{};
-    std::string reason{};  ///< in words
-    /// The laws of the case that the contacts allow, the reported one among them, in the order of the case.
-    /// How far their velocities lie apart is the uncertainty of the choice.
-    std::vector<Law> admissible{};
-};
-
-/// What a reported velocity rests on.
-enum class ReportedBasis {
-    nothing,
-    impacts,       ///< measured impacts
-    reproduction,  ///< restitution reconstructed from published fits of damping
-    outcomes,      ///< captures and rebounds alone: no law gives a velocity
-};
-
-template <>
-struct Names<ReportedBasis> {
-    static constexpr std::string_view kind = "basis";
-    static constexpr std::array<std::string_view, 4> all{
-        "nothing", "measured impacts", "published fits of damping", "outcomes of the impacts"};
-};
-
-/// The critical velocity of a sample to report.
-struct ReportedVelocity {
-    std::optional<Law> law{};                    ///< none: the impacts alone
-    std::optional<VelocityEstimate> velocity{};  ///< none: only bounds are known, or nothing
-    /// Of the velocity, the choice among the admissible laws included, or those bounds [m/s]. A reproduction
-    /// has none: what dominates its error has no known distribution, see Reproduction.
-    std::optional<Bounds> interval{};
-    std::string reason{};  ///< in words
-    ReportedBasis basis = ReportedBasis::nothing;
 };
 
 /// A property of the contact that was not measured.
@@ -143,36 +109,6 @@ struct EqualVelocity {
 /// Range of the ratio of dynamic to analytic velocities [1].
 struct RatioRange {
     double least = 0, greatest = 0;
-};
-
-/// Least and greatest of velocities without a probability [m/s].
-struct VelocitySpan {
-    double least = 0, greatest = 0;
-};
-
-/// What the reported velocity of a reproduced sample leaves open: each source alone, the others held. None of
-/// them has a known distribution.
-struct ReproducedSample {
-    std::string name{};
-    VelocitySpan laws{};                 ///< over the laws of the case that have adhesion
-    std::optional<VelocitySpan> fits{};  ///< over the ranges of restitution and orders of polynomial
-    VelocitySpan diameter{};             ///< for a diameter smaller and larger by diameter_change
-};
-
-/// How far a law is from the measured critical velocities of all samples together.
-struct JointTest {
-    double sum_of_squares = 0;  ///< of deviations over standard uncertainties, of model and measurement [1]
-    std::size_t samples = 0;    ///< with a velocity by the law and a measured one
-};
-
-/// Samples whose restitutions follow from published fits of damping: their velocities reproduce a
-/// publication, and are no measurement.
-struct Reproduction {
-    double diameter_change = 0;        ///< [m]
-    std::vector<double> from{}, to{};  ///< ends of the ranges of restitution that are fitted [1]
-    std::vector<double> orders{};      ///< of the polynomials
-    std::vector<ReproducedSample> samples{};
-    LawMap<JointTest> joint_tests{};  ///< empty without measured velocities
 };
 
 /// Result of the comparison stage, comparison.json.
