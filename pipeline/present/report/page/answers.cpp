@@ -212,6 +212,7 @@ constexpr std::array<Column, 11> page_columns{
      {.head = "measured (95&nbsp;%)", .of_sample = true, .always = false},
      {.head = "verdict", .text = true, .always = false}}};
 constexpr std::size_t interval_column = 6;  ///< of page_columns
+constexpr std::size_t measured_column = 9;
 using Cells = std::array<std::string, page_columns.size()>;
 
 /// The cells of a law, in the order of the page_columns; empty where there is no value.
@@ -232,6 +233,15 @@ Cells cells_of(const SampleData& sample, const LawData& law) {
             printed != nullptr ? number_cell(printed->value) : "",
             measured_html(*sample.comparison),
             std::string(law.compared != nullptr ? verdict_words(law.compared->check) : "")};
+}
+
+/// The head of a column: no 95 % where there is none.
+std::string_view head_of(std::size_t column, const ComparisonResult& result) {
+    const bool with_interval = std::ranges::any_of(
+        result.samples, [](const SampleComparison& sample) { return sample.measured_interval.has_value(); });
+    if (column == interval_column && is_reproduction(result)) return "by inputs";
+    if (column == measured_column && !with_interval) return "measured";
+    return page_columns[column].head;
 }
 
 /// Whether a column has a value in this run, or is always shown.
@@ -355,7 +365,7 @@ std::string comparison_html(const RunData& run) {
     const auto text_class = [](const Column& column) { return column.text ? " class=\"text\"" : ""; };
     for (const std::size_t i : shown)
         html += fmt::format("<th scope=\"col\"{}>{}</th>", text_class(page_columns[i]),
-                            i == interval_column && reproduced ? "by inputs" : page_columns[i].head);
+                            head_of(i, run.run().comparison));
     html += "</tr></thead><tbody>\n";
     for (std::size_t s = 0; s < samples.size(); ++s)
         for (const Cells& row : samples[s]) {
