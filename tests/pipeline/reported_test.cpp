@@ -64,7 +64,7 @@ Json built_in_document() {
     return parse_json(embedded_file("cases/dong2013/case.json").value());
 }
 
-const Run& built_in_run() {
+const Run& reproduced_run() {
     static const Run run = read_run(compute_artifacts(std::nullopt, "comparison"));
     return run;
 }
@@ -304,7 +304,7 @@ TEST_CASE("a case without laws has maugis-dugdale with an assumed range, and tho
 }
 
 TEST_CASE("the paper's case is a reproduction: one law, no interval, and what it leaves open") {
-    const ComparisonResult& result = built_in_run().comparison;
+    const ComparisonResult& result = reproduced_run().comparison;
     CHECK(result.reported->law.name() == "maugis-dugdale");
     REQUIRE(result.reproduction);
     REQUIRE(result.reproduction->samples.size() == 3);
@@ -323,12 +323,12 @@ TEST_CASE("the paper's case is a reproduction: one law, no interval, and what it
         }
         CHECK(open.laws.greatest == sample.laws.find(Law::named("brach-dunn"))->velocity->value);
         // The diameter alone: E*, density, w and damping held.
-        ContactPair smaller = built_in_run().contact.samples[i].pair;
+        ContactPair smaller = reproduced_run().contact.samples[i].pair;
         const double ratio = (smaller.effective_radius - 0.5e-6) / smaller.effective_radius;
         smaller.effective_radius *= ratio;
         smaller.mass *= ratio * ratio * ratio;
         const LawCriticalVelocity& dynamic =
-            *built_in_run().critical_velocity.samples[i].laws.find(result.reported->law);
+            *reproduced_run().critical_velocity.samples[i].laws.find(result.reported->law);
         CHECK(relative_difference(open.diameter.greatest,
                                   critical_velocity({result.reported->law,
                                                      dynamic.detachment,

@@ -264,6 +264,27 @@ CalibrationProblem velocities_of(CalibrationProblem problem) {
     return problem;
 }
 
+bool is_step(const FreeConstant& free) {
+    return free.quantity == CalibrationQuantity::time_step;
+}
+
+bool has_free_step(const CalibrationProblem& problem) {
+    return std::ranges::any_of(problem.free, is_step);
+}
+
+/// The problem with its constants fitted to the critical velocities, the step held: those alone cannot tell a
+/// step from a density.
+CalibrationProblem led_by_velocities(CalibrationProblem problem) {
+    for (CalibrationSample& sample : problem.samples) constant_of(sample, CalibrationQuantity::time_step);
+    CalibrationProblem leading = velocities_of(problem);
+    std::erase_if(leading.free, is_step);
+    if (leading.critical_velocities.size() < slots_of(leading).size() || leading.free.empty()) return problem;
+    const Eigen::VectorXd start = starting_logarithms(leading);
+    problem.samples =
+        samples_with(leading, slots_of(leading), CalibrationObjective(leading, start).fit(start).parameters);
+    return problem;
+}
+
 gsl::NonlinearFit fit_from(const CalibrationProblem& problem, Eigen::VectorXd logarithms) {
     gsl::NonlinearFit fit;
     for (int pass = 0; pass < 3; ++pass) {  // the weights depend, weakly, on the constants
@@ -411,7 +432,9 @@ CalibrationSummary calibrate_despite_captures(const CalibrationProblem& problem)
 
     // A contact time jumps where its impact is captured, so the critical velocities lead the fit near the
     // answer.
-    if (problem.critical_velocities.size() >= slots.size()) {
+    if (has_free_step(problem)) {
+        logarithms = starting_logarithms(led_by_velocities(problem));
+    } else if (problem.critical_velocities.size() >= slots.size()) {
         const CalibrationProblem velocities = velocities_of(problem);
         logarithms = CalibrationObjective(velocities, logarithms).fit(logarithms).parameters;
     }

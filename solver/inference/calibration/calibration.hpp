@@ -34,8 +34,9 @@ struct CalibrationSample {
 
 enum class CalibrationQuantity { density, work_of_adhesion, contact_modulus, wall_young_modulus, time_step };
 
-/// Where the search for a time step begins that the samples do not state [s].
-inline constexpr double first_time_step = 1e-9;
+/// Where the search for a time step begins that the samples do not state: about a hundredth of the paper's
+/// contacts [s].
+inline constexpr double first_time_step = 2e-9;
 
 template <>
 struct Names<CalibrationQuantity> {
