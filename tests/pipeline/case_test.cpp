@@ -228,7 +228,7 @@ TEST_CASE("a statement of a case that changes nothing is named with the reason; 
 
 TEST_CASE("what a sample does not state it takes from the case") {
     Json document = test::example_case();
-    document["particle"] = {{"density", "2000 kg/m3"}, {"poisson_ratio", 0.21}};
+    document["particle"].update({{"density", "2000 kg/m3"}, {"poisson_ratio", 0.21}});
     document["samples"][1].erase("density");
     document["samples"][1]["work_of_adhesion"] = 0.1;
     const Case data = loaded(document).data;
