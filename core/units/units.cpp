@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -280,8 +281,8 @@ bool is_rest_of_range(std::string_view rest, Dimension expected) {
         double value = 0;
         if ((!unit.empty() && !read_unit(unit)) || take_decimal(end, value) != std::errc{}) continue;
         const auto end_unit = read_unit(trimmed(end));
-        if (end_unit ? end_unit->powers == read_unit(si_unit(expected))->powers : unit.empty() && end.empty())
-            return true;
+        const auto si = read_unit(si_unit(expected));
+        if (end_unit ? si && end_unit->powers == si->powers : unit.empty() && end.empty()) return true;
     }
     return false;
 }
@@ -336,36 +337,59 @@ std::string_view dimension_name(Dimension dimension) {
 
 namespace {
 
-/// A unit of temperature: its size and zero in kelvin.
-struct TemperatureUnit {
-    double size, zero;
+/// A unit that one dimension alone has: its size and zero in SI.
+struct OwnUnit {
+    double size, zero = 0;
 };
 
-std::optional<TemperatureUnit> temperature_unit(std::string_view text) {
+std::optional<OwnUnit> temperature_unit(std::string_view text) {
     std::string name(trimmed(text));
     for (const std::string_view sign : {"\u00b0", "\u00ba"})
         if (name.starts_with(sign)) name.erase(0, sign.size());
     if (name == "\u2103") name = "C";
     const std::string lower = lower_case(name);
     constexpr double zero_celsius = 273.15;
-    if (name == "K" || contains_word("kelvin degk", lower)) return TemperatureUnit{1, 0};
-    if (name == "C" || contains_word("degc celsius degree_c grad", lower))
-        return TemperatureUnit{1, zero_celsius};
+    if (name == "K" || contains_word("kelvin degk", lower)) return OwnUnit{1};
+    if (name == "C" || contains_word("degc celsius degree_c grad", lower)) return OwnUnit{1, zero_celsius};
     constexpr double fahrenheit = 1 / 1.8;
     if (name == "F" || contains_word("degf fahrenheit degree_f", lower))
-        return TemperatureUnit{fahrenheit, zero_celsius - 32 * fahrenheit};
+        return OwnUnit{fahrenheit, zero_celsius - 32 * fahrenheit};
     return std::nullopt;
+}
+
+std::optional<OwnUnit> angle_unit(std::string_view text) {
+    const std::string name = lower_case(trimmed(text));
+    if (name == "\u00b0" || name == "\u00ba" || contains_word("deg degree degrees grad", name))
+        return OwnUnit{std::numbers::pi / 180};
+    return contains_word("rad radian radians", name) ? std::optional(OwnUnit{1}) : std::nullopt;
+}
+
+/// Revolutions are not radians: Hz has both readings and is none.
+std::optional<OwnUnit> angular_velocity_unit(std::string_view text) {
+    const std::string name = lower_case(ascii_unit(trimmed(text)));
+    if (contains_word("rpm u/min 1/min min-1", name)) return OwnUnit{std::numbers::pi / 30};
+    return contains_word("rad/s rad.s-1 rads-1", name) || name == "rad s-1" ? std::optional(OwnUnit{1})
+                                                                            : std::nullopt;
+}
+
+/// Reader of the units that a dimension alone has; null if it has none.
+std::optional<OwnUnit> (*own_units(Dimension dimension))(std::string_view) {
+    if (dimension == Dimension::temperature) return temperature_unit;
+    if (dimension == Dimension::angle) return angle_unit;
+    return dimension == Dimension::angular_velocity ? angular_velocity_unit : nullptr;
 }
 
 }  // namespace
 
 SiConversion::SiConversion(std::string_view unit, Dimension expected) : expected_(expected) {
-    if (expected == Dimension::temperature) {
-        const auto temperature = temperature_unit(unit);
-        if (!temperature)
-            throw InputError("the unit " + in_quotes(unit) + " is not one of temperature", allowed(expected));
-        factor_ = temperature->size;
-        zero_ = temperature->zero;
+    if (const auto own_unit = own_units(expected)) {
+        const auto own = own_unit(unit);
+        if (!own)
+            throw InputError(
+                "the unit " + in_quotes(unit) + " is not one of " + std::string(dimension_name(expected)),
+                allowed(expected));
+        factor_ = own->size;
+        zero_ = own->zero;
         return;
     }
     const std::optional<Unit> from = read_unit(ascii_unit(unit));

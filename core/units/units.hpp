@@ -25,6 +25,8 @@ enum class Dimension {
     inverse_velocity,
     impulse,
     temperature,  ///< absolute; units with an offset (C, F) are converted
+    angle,
+    angular_velocity,
 };
 
 /// Every dimension, with words for messages.
@@ -50,6 +52,8 @@ inline constexpr std::array dimension_rows{
     DimensionRow{Dimension::inverse_velocity, "inverse velocity", "s/m", "0.2 s/m, 0.2 ms/mm"},
     DimensionRow{Dimension::impulse, "impulse", "N s", "1.9 nN s, 1.9e-9 kg m/s"},
     DimensionRow{Dimension::temperature, "temperature", "K", "1173 K, 900 C"},
+    DimensionRow{Dimension::angle, "angle", "rad", "30 deg, 0.52 rad"},
+    DimensionRow{Dimension::angular_velocity, "angular velocity", "rad/s", "1000 rad/s, 9550 rpm"},
 };
 
 /// Name of the SI unit of a dimension as files and tables show it: "Pa", "kg/m3", "1".

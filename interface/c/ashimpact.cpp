@@ -383,7 +383,7 @@ ashimpact_status ashimpact_restitution(const ashimpact_model* model, double diam
             *restitution = *e;
             return;
         }
-        solve_impacts(call_of(model, 1, &diameter, &velocity), {.restitution = restitution});
+        solve_impacts(call_of(model, 1, &diameter, &velocity), {.normal = {.restitution = restitution}});
     });
 }
 
@@ -393,7 +393,7 @@ ashimpact_status ashimpact_restitutions(const ashimpact_model* model, size_t cou
         if (count == 0) return;
         require(velocity, "velocity");
         require(restitution, "restitution");
-        solve_impacts(call_of(model, count, diameter, velocity), {.restitution = restitution});
+        solve_impacts(call_of(model, count, diameter, velocity), {.normal = {.restitution = restitution}});
     });
 }
 
@@ -426,12 +426,18 @@ ashimpact_status ashimpact_solve_impacts(const ashimpact_model* model, size_t co
                                          ashimpact_error* error) {
     return guarded(error, [&] {
         const auto [call, notes] = call_of(model, count, columns, column_count, {Parameter::restitution});
-        BatchOutputs out;
+        ImpactOutputs out;
         take_outputs(outputs, output_count,
-                     {{"restitution", &out.restitution},
-                      {"contact_time", &out.contact_time},
-                      {"approach_time", &out.approach_time},
-                      {"maximum_overlap", &out.maximum_overlap}});
+                     {{"restitution", &out.normal.restitution},
+                      {"contact_time", &out.normal.contact_time},
+                      {"approach_time", &out.normal.approach_time},
+                      {"maximum_overlap", &out.normal.maximum_overlap},
+                      {"rebound_tangential_velocity", &out.tangential.velocity},
+                      {"rebound_spin", &out.tangential.spin},
+                      {"tangential_restitution", &out.tangential.restitution},
+                      {"rebound_angle", &out.tangential.rebound_angle},
+                      {"impulse_ratio", &out.tangential.impulse_ratio},
+                      {"regime", &out.tangential.regime}});
         solve_impacts(call, out);
         return notes;
     });

@@ -24,9 +24,21 @@ namespace {
 /// The names of all parameters, in their order.
 const std::vector<std::string>& parameter_names() {
     static const std::vector<std::string> names = [] {
-        std::vector<std::string> all{
-            "density",          "mass",           "diameter", "effective_radius", "contact_modulus",
-            "work_of_adhesion", "yield_pressure", "damping",  "velocity",         "restitution"};
+        std::vector<std::string> all{"density",
+                                     "mass",
+                                     "diameter",
+                                     "effective_radius",
+                                     "contact_modulus",
+                                     "work_of_adhesion",
+                                     "yield_pressure",
+                                     "damping",
+                                     "velocity",
+                                     "restitution",
+                                     "tangential_velocity",
+                                     "spin",
+                                     "friction",
+                                     "sphere_radius",
+                                     "sphere_mass"};
         for (const LawParameter& parameter : law_parameters()) all.emplace_back(parameter.name);
         if (all.size() > most_parameters)
             throw std::logic_error("more law parameters than the C interface has room for");
@@ -157,6 +169,15 @@ void in_chunks(const Call& call, std::initializer_list<Parameter> needed, const 
     }
 }
 
+constexpr std::array tangential_columns{&TangentialOutputs::velocity,      &TangentialOutputs::spin,
+                                        &TangentialOutputs::restitution,   &TangentialOutputs::rebound_angle,
+                                        &TangentialOutputs::impulse_ratio, &TangentialOutputs::regime};
+
+void require_oblique(const Parameters& parameters) {
+    parameters.require(Parameter::friction);
+    if (!parameters.has(Parameter::spin)) parameters.require(Parameter::tangential_velocity);
+}
+
 /// Copies results to the caller; a single one, of constants alone, to every place.
 void write(const Eigen::ArrayXd& column, std::size_t first, std::size_t size, double* output) {
     if (output == nullptr) return;
@@ -222,12 +243,16 @@ ModelChoice choice_named(const char* law, const char* detachment, const char* da
             .damping_law = damping_law == nullptr ? DampingLaw::constant : named<DampingLaw>(damping_law)};
 }
 
-void solve_impacts(const Call& call, const BatchOutputs& outputs) {
+void solve_impacts(const Call& call, const ImpactOutputs& outputs) {
     const auto& [law, detachment, damping_law] = call.choice;
-    const bool turning_point = outputs.approach_time != nullptr || outputs.maximum_overlap != nullptr;
+    const BatchOutputs& normal = outputs.normal;
+    const bool turning_point = normal.approach_time != nullptr || normal.maximum_overlap != nullptr;
+    const bool oblique = std::ranges::any_of(
+        tangential_columns, [&](auto column) { return outputs.tangential.*column != nullptr; });
+    if (oblique) require_oblique(call.parameters);
     const BatchOptions options{.threads = call.threads,
                                .turning_point = turning_point,
-                               .contact_time = outputs.contact_time != nullptr,
+                               .contact_time = normal.contact_time != nullptr,
                                .method = turning_point ? BatchMethod::integration : BatchMethod::table};
     in_chunks(call, {Parameter::velocity}, [&](ColumnReader& reader, std::size_t first, std::size_t size) {
         const ImpactBatch batch{law,
@@ -239,10 +264,27 @@ void solve_impacts(const Call& call, const BatchOutputs& outputs) {
         BatchOutputs part;
         for (const auto column : {&BatchOutputs::restitution, &BatchOutputs::contact_time,
                                   &BatchOutputs::approach_time, &BatchOutputs::maximum_overlap})
-            if (outputs.*column != nullptr) part.*column = outputs.*column + first;
-        if (solve_impacts(batch, part, options).count > 1) return;
-        for (double* column : {part.restitution, part.contact_time, part.approach_time, part.maximum_overlap})
-            if (column != nullptr) std::fill_n(column, size, *column);
+            if (normal.*column != nullptr) part.*column = normal.*column + first;
+        std::vector<double> own(oblique && part.restitution == nullptr ? size : 0);
+        if (!own.empty()) part.restitution = own.data();
+        if (solve_impacts(batch, part, options).count <= 1)
+            for (double* column :
+                 {part.restitution, part.contact_time, part.approach_time, part.maximum_overlap})
+                if (column != nullptr) std::fill_n(column, size, *column);
+        if (!oblique) return;
+        TangentialOutputs tangential;
+        for (const auto column : tangential_columns)
+            if (outputs.tangential.*column != nullptr)
+                tangential.*column = outputs.tangential.*column + first;
+        const auto of_sphere = [&](Parameter own_one, const Column& effective) {
+            return call.parameters.has(own_one) ? Column(reader.column(own_one)) : effective;
+        };
+        solve_tangential(batch, part.restitution, size,
+                         {of_sphere(Parameter::sphere_radius, batch.contact.effective_radius),
+                          of_sphere(Parameter::sphere_mass, batch.contact.mass),
+                          reader.column(Parameter::tangential_velocity), reader.column(Parameter::spin),
+                          reader.column(Parameter::friction)},
+                         tangential, call.threads);
     });
 }
 

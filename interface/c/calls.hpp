@@ -12,6 +12,7 @@
 #include "solver/batch/batch.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/damping/damping.hpp"
+#include "solver/oblique/oblique_batch.hpp"
 
 namespace ashimpact {
 
@@ -27,6 +28,11 @@ enum class Parameter : std::size_t {
     damping,
     velocity,
     restitution,
+    tangential_velocity,
+    spin,
+    friction,
+    sphere_radius,  ///< where effective_radius is that of two spheres
+    sphere_mass,    ///< likewise
 };
 /// Room for all parameters, those of laws included.
 inline constexpr std::size_t most_parameters = 24;
@@ -99,9 +105,16 @@ struct DampingOutputs {
     double* greatest_restitution = nullptr;  ///< restitution without damping [1]
 };
 
-/// Solves impacts: from tables, unless approach time or maximum overlap are needed.
+/// Arrays for the results of impacts, at an angle too.
+struct ImpactOutputs {
+    BatchOutputs normal{};
+    TangentialOutputs tangential{};
+};
+
+/// Solves impacts: from tables, unless approach time or maximum overlap are needed. Results at an angle need
+/// friction, and the tangential velocity or the spin.
 /// @throws InputError, ConvergenceError, like the next two, naming the first problem of several that fails
-void solve_impacts(const Call& call, const BatchOutputs& outputs);
+void solve_impacts(const Call& call, const ImpactOutputs& outputs);
 /// Solves critical velocities [m/s]: 0 if no impact is captured, infinity if every impact is.
 void solve_critical_velocities(const Call& call, double* critical_velocity);
 /// Solves for the damping that gives each restitution.

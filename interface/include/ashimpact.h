@@ -55,6 +55,7 @@ typedef struct {
  *   damping            coefficient of the damping law [unit of that law]; 0 unless given
  *   yield_pressure     p_y, for laws that yield (thornton-ning) [Pa]; never yields unless given
  *   ...                a law's own parameters; `ashimpact impact --help` lists them, with hyphens [SI]
+ *   friction, tangential_velocity, spin   of impacts at an angle, in ashimpact_solve_impacts()
  *   effective_radius, mass   R* [m] and m* [kg] instead of diameter and density, in functions that take
  *                      columns: for two spheres, or a particle that is no sphere */
 typedef struct {
@@ -125,7 +126,15 @@ ASHIMPACT_API ashimpact_status ashimpact_critical_velocities(const ashimpact_mod
  *   contact_time       first touch to detachment; NaN for a capture [s]
  *   approach_time      first touch to greatest overlap; NaN if that is never reached [s]
  *   maximum_overlap    greatest overlap, or its limit if that is never reached [m]
- * The last two take some ten times as long as the others. */
+ * The last two take some ten times as long as the others. With friction (mu, 1) and tangential_velocity [m/s],
+ * spin [rad/s], or both, as parameters or columns, also those of a rigid sphere that slides or rolls:
+ *   tangential_restitution      e_t = v_t'/v_t; 0 for a capture, NaN without v_t [1]
+ *   rebound_tangential_velocity, rebound_spin   v_t' [m/s] and spin [rad/s]; NaN for a capture
+ *   rebound_angle               from the normal, negative where v_t' has turned; NaN for a capture [rad]
+ *   impulse_ratio               friction over normal impulse; NaN for a capture [1]
+ *   regime                      0 sliding, 1 rolling, 2 none, 3 captured
+ * Spin is positive where it adds to the slip of v_t > 0. With effective_radius and mass of two spheres,
+ * sphere_radius and sphere_mass are those of the one that spins. */
 ASHIMPACT_API ashimpact_status ashimpact_solve_impacts(const ashimpact_model* model, size_t count,
                                                        const ashimpact_column* columns, size_t column_count,
                                                        const ashimpact_output* outputs, size_t output_count,

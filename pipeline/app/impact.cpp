@@ -17,6 +17,7 @@
 #include "materials/contact_properties.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/contact/damping_choice.hpp"
+#include "pipeline/app/contact/oblique_choice.hpp"
 #include "pipeline/app/contact/single_contact.hpp"
 #include "pipeline/app/contact/softened_contact.hpp"
 #include "pipeline/document/results_json.hpp"
@@ -77,7 +78,9 @@ Solution solve(const CommandOptions& options, const Impact& impact) {
 void run_impact_command(const CommandOptions& options, std::ostream& out) {
     const ContactChoice choice = read_contact(options);
     const DampingChoice damping = read_damping_choice(options, choice.contact);
-    const Impact impact = choice.impact(damping.damping, options.positive("--velocity", Dimension::velocity));
+    const double velocity = options.positive("--velocity", Dimension::velocity);
+    const auto oblique = read_oblique(options, velocity);
+    const Impact impact = choice.impact(damping.damping, oblique ? oblique->normal_velocity : velocity);
     const auto [result, time_step] = solve(options, impact);
     warn_of(regime_of(impact, result.maximum_overlap).warnings);
     if (options.has("--trajectory")) {
@@ -85,11 +88,19 @@ void run_impact_command(const CommandOptions& options, std::ostream& out) {
         write_file(options["--trajectory"], trajectory_csv(points));
         spdlog::info("{}: {} points", options["--trajectory"], points.size());
     }
+    std::optional<ObliqueImpact> at_angle;
+    std::optional<ObliqueResult> rebound;
+    if (oblique) {
+        at_angle = {impact, bodies_of(choice), oblique->tangential, oblique->friction};
+        rebound = oblique_result(*at_angle, result);
+    }
     if (!options.has("--json")) {
-        out << impact_text(impact, result) << requested_text(damping);
+        out << impact_text(impact, result) << (rebound ? oblique_text(*at_angle, *rebound) : std::string())
+            << requested_text(damping);
         return;
     }
     Json json = impact_json(impact, result);
+    if (rebound) add_oblique(json, *at_angle, *rebound);
     add_requested(json, damping);
     json["method"] = options["--method"];
     if (time_step > 0) json["time_step"] = quantity_json(time_step, Dimension::time);
@@ -132,6 +143,7 @@ void run_critical_velocity_command(const CommandOptions& options, std::ostream& 
     const CriticalVelocity result = at_place("--damping", [&] { return critical_velocity(problem); });
     std::string regime_at_capture;
     std::vector<Finding> doubts = options.doubts();
+    const auto angle = read_angle(options);
     if (result.value) {
         if (const auto doubt = outside_model(*result.value)) {
             warn_of({*doubt});
@@ -145,13 +157,14 @@ void run_critical_velocity_command(const CommandOptions& options, std::ostream& 
     if (options.has("--json")) {
         Json json{{"law", problem.law.name()}};
         json.update(critical_velocity_json(law_critical_velocity(problem), problem.damping.law));
-        add_further_damping(json, problem.damping, problem.contact);
+        if (angle) add_at_angle(json, *angle, result.value);
         add_requested(json, damping);
         add_notes(json, doubts);
         out << write_json(json, Digits::seventeen);
         return;
     }
-    out << result_text(problem, result) + regime_at_capture + requested_text(damping);
+    out << result_text(problem, result) + (angle ? at_angle_text(*angle, result.value) : std::string()) +
+               regime_at_capture + requested_text(damping);
 }
 
 /// One body of the pair. @p young and @p poisson name the options
@@ -302,14 +315,19 @@ void add_contact_commands(const CommandLine& line) {
                 "also the constants with E* divided by S > 1 and the same e and v_c, for DEM codes");
     contact.add_json_flag();
 
-    Command impact = line.add("impact", "One normal impact of a sphere on a flat wall",
+    Command impact = line.add("impact", "One impact of a sphere on a flat wall",
                               "ashimpact impact --law dmt --radius \"44 um\" --density \"2600 kg/m3\" "
                               "--contact-modulus \"90 GPa\" --work-of-adhesion \"0.3 J/m2\" "
                               "--damping \"0.0141 kg/s\" --velocity \"2 m/s\"",
                               run_impact_command);
     impact.add_contact_options(true);
     impact.add_damping_option();
-    impact.add("--velocity", "Q", "at first touch, \"2 m/s\"")->required();
+    impact.add("--velocity", "Q", "at first touch, \"2 m/s\"; normal to the wall unless --angle is given")
+        ->required();
+    impact.add("--angle", "Q", "from the normal, \"30 deg\"; --velocity is then that of the sphere");
+    impact.add("--tangential-velocity", "Q", "along the wall, instead of --angle");
+    impact.add("--friction", "MU", "coefficient of Coulomb friction, 0.1");
+    impact.add("--spin", "Q", "\"1000 rad/s\"; positive where it adds to the slip (backspin)");
     impact.add("--method", "NAME",
                "taylor (exact) or paper-explicit (the paper's scheme, first order in the time step)",
                "taylor");
@@ -328,6 +346,8 @@ void add_contact_commands(const CommandLine& line) {
                                          run_critical_velocity_command);
     critical_velocity.add_contact_options(true);
     critical_velocity.add_damping_option();
+    critical_velocity.add("--angle", "Q",
+                          "from the normal, \"30 deg\": the critical velocity is then that of the sphere");
     critical_velocity.add_json_flag();
 }
 

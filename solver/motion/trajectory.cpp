@@ -44,6 +44,12 @@ class Sampler {
                 .damping_force = newton(branch.damping(s.position) * s.velocity)};
     }
 
+    /// F_a on any branch, never positive, scaled.
+    template <class Branch>
+    [[nodiscard]] Extended attraction(const Branch& branch, Extended position) const {
+        return contact_at(branch, position).attraction;
+    }
+
   private:
     [[nodiscard]] Contact contact_at(const Motion<Extended>& motion, Extended q) const {
         const Extended u = motion.root_radius(q);
@@ -91,6 +97,20 @@ struct Impulses {
     Extended damping = 0;  ///< negative while the bodies part
 };
 
+/// Time integral over a step of a force of the state, scaled.
+template <class Branch, class Force>
+Extended over_time(const Branch& motion, const MotionExpansion<Extended>& x, Extended used,
+                   const Force& force) {
+    // 15 points are exact for the series of a step: their terms fall by 1/e^2 each.
+    using Rule = boost::math::quadrature::gauss<Extended, 15>;
+    return Rule::integrate(
+        [&](Extended h) {
+            const MotionState<Extended> state = x.at(h);
+            return force(state) * motion.slope(state.position);
+        },
+        Extended(0), used);
+}
+
 /// Adds up both stages, step by step.
 struct Integrator {
     Impulses approach;
@@ -98,20 +118,11 @@ struct Integrator {
 
     template <class Branch>
     void operator()(const Branch& motion, const MotionExpansion<Extended>& x, Extended used) {
-        // 15 points are exact for the series of a step: their terms fall by 1/e^2 each.
-        using Rule = boost::math::quadrature::gauss<Extended, 15>;
-        const auto over_time = [&](auto&& force) {
-            return Rule::integrate(
-                [&](Extended h) {
-                    const MotionState<Extended> state = x.at(h);
-                    return force(state) * motion.slope(state.position);
-                },
-                Extended(0), used);
-        };
         Impulses& stage = x.at(used / 2).velocity > 0 ? approach : rebound;
         stage.duration += value(x.time, used) - x.time[0];
-        stage.contact += over_time([&](const auto& s) { return motion.force(s.position); });
-        stage.damping += over_time([&](const auto& s) { return motion.damping(s.position) * s.velocity; });
+        stage.contact += over_time(motion, x, used, [&](const auto& s) { return motion.force(s.position); });
+        stage.damping += over_time(motion, x, used,
+                                   [&](const auto& s) { return motion.damping(s.position) * s.velocity; });
     }
 };
 
@@ -201,6 +212,21 @@ MomentumBalance momentum_balance(const Impact& impact) {
             .damping_impulse =
                 static_cast<double>(sum.approach.damping + std::abs(sum.rebound.damping)) * scale.momentum(),
             .momentum_lost = static_cast<double>(incident - left) * scale.momentum()};
+}
+
+double attraction_impulse(const Impact& impact) {
+    validate(impact);
+    const auto scaled = scaled_impact<Extended>(impact, Precision::extended);
+    const Sampler sampler(impact, scaled.scale);
+    Extended sum = 0;
+    const auto add = [&](const auto& branch, const MotionExpansion<Extended>& x, Extended used) {
+        sum -=
+            over_time(branch, x, used, [&](const auto& s) { return sampler.attraction(branch, s.position); });
+    };
+    if (follow(scaled, add).outcome == Outcome::capture)
+        throw InputError("a captured particle has no momentum balance of a rebound",
+                         "a velocity above the critical one");
+    return static_cast<double>(sum) * scaled.scale.momentum();
 }
 
 }  // namespace ashimpact

@@ -65,4 +65,9 @@ struct MomentumBalance {
 /// @throws InputError for inadmissible input or an impact that ends in capture
 [[nodiscard]] MomentumBalance momentum_balance(const Impact& impact);
 
+/// Time integral of |F_a| from first touch to detachment of an impact that rebounds [N s], F_a as in a
+/// trajectory: how much more the surfaces push than the momentum of the sphere changes.
+/// @throws as momentum_balance()
+[[nodiscard]] double attraction_impulse(const Impact& impact);
+
 }  // namespace ashimpact

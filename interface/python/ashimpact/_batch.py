@@ -40,6 +40,18 @@ class Impacts:
     """First touch to greatest overlap; NaN if that is never reached; None with method="table" [s]."""
     maximum_overlap: Optional[Numbers]
     """Greatest overlap, or its limit if that is never reached; None with method="table" [m]."""
+    tangential_restitution: Optional[Numbers] = None
+    """e_t = v_t'/v_t; 0 for a capture, NaN without v_t. This and what follows: None for normal impacts [1]."""
+    rebound_angle: Optional[Numbers] = None
+    """From the normal, negative where v_t has turned; NaN for a capture [rad]."""
+    tangential_velocity: Optional[Numbers] = None
+    """Along the wall after the impact; NaN for a capture [m/s]."""
+    spin: Optional[Numbers] = None
+    """After the impact; NaN for a capture [rad/s]."""
+    impulse_ratio: Optional[Numbers] = None
+    """Impulse of friction over that normal to the wall; NaN for a capture [1]."""
+    regime: Optional[npt.NDArray[np.str_]] = None
+    """sliding, rolling, none or captured."""
 
     def to_pandas(self) -> "pandas.DataFrame":
         """The impacts as a table, one a row, units in the headings. Needs pandas."""
@@ -236,18 +248,43 @@ def _call(arguments: dict[str, Any], *numbers: str) -> tuple[_core.Call, tuple[i
     arrays, shape = flat_arrays({name: arguments[name] for name in ("radius", *needed, *spheres, *own)})
     _warn_of_doubts(arrays)
     radius, mass = arrays["radius"], _mass(arrays)
+    spinning = {"sphere_radius": radius, "sphere_mass": mass} if "friction" in numbers else {}
     if "partner_radius" in arrays:
         mass = _joint("mass", mass, _mass(arrays, "partner_"))
         radius = _joint("radius", radius, arrays["partner_radius"])
     if arguments["damping_law"] != "constant" and "damping" in needed and not np.any(arrays["damping"]):
         warnings.warn("damping_law: there is no damping, so it changes nothing", UserWarning, stacklevel=4)
-    columns = {"mass": mass, "effective_radius": radius, **{name: arrays[name] for name in (*needed, *own)}}
+    columns = {"mass": mass, "effective_radius": radius, **spinning, **{name: arrays[name] for name in (*needed, *own)}}
     count = int(np.prod(shape, dtype=np.int64))
     detachment, threads = arguments["detachment"], arguments["threads"]
     if not isinstance(threads, Integral) or isinstance(threads, bool) or not 0 <= int(threads) < 2**16:
         raise _core.InputError(f"threads is {threads!r}; allowed: a whole number, 0 for one a core")
     choice = (_name(arguments["law"]), None if detachment is None else _name(detachment), _name(arguments["damping_law"]))
     return _core.Call(*choice, columns, count, int(threads)), shape
+
+
+def _take_tangential(arguments: dict[str, Any]) -> list[str]:
+    """Names of the numbers of impacts at an angle, none if they are normal; an angle becomes two velocities."""
+    given = [name for name in ("angle", "tangential_velocity", "spin") if arguments[name] is not None]
+    if not given:
+        if arguments["friction"] is not None:
+            warnings.warn("friction: the impacts are normal and without spin, so it changes nothing", UserWarning, stacklevel=4)
+        return []
+    if arguments["friction"] is None:
+        raise _core.InputError(f"friction is not given; allowed: a coefficient beside {given[0]}, 0 for none")
+    if "angle" in given:
+        if "tangential_velocity" in given:
+            raise _core.InputError("angle, tangential_velocity: both are given; allowed: one of the two")
+        angle = real_numbers("angle", arguments["angle"])
+        wrong = angle[~((angle >= 0.0) & (angle < np.pi / 2.0))]
+        if wrong.size:
+            raise _core.InputError(f"angle is {wrong.flat[0]} rad; allowed: 0 to below pi/2, from the normal")
+        total = real_numbers("velocity", arguments["velocity"])
+        arguments["velocity"], arguments["tangential_velocity"] = total * np.cos(angle), total * np.sin(angle)
+    for name in ("tangential_velocity", "spin"):
+        if arguments[name] is None:
+            arguments[name] = 0.0
+    return ["tangential_velocity", "spin", "friction"]
 
 
 @takes_law_parameters
@@ -266,17 +303,21 @@ def impacts(
     partner_mass: Optional[NumbersLike] = None,
     detachment: Optional[str] = None,
     damping_law: str = "constant",
+    angle: Optional[NumbersLike] = None,
+    tangential_velocity: Optional[NumbersLike] = None,
+    spin: Optional[NumbersLike] = None,
+    friction: Optional[NumbersLike] = None,
     method: str = "integration",
     threads: int = 0,
     **parameters: Optional[NumbersLike],
 ) -> Impacts:
-    """Normal impacts of spheres on a flat wall, or on a second sphere; every number may be an array.
+    """Impacts of spheres on a flat wall, or on a second sphere; every number may be an array.
 
     Args:
         law: contact law, {laws}.
         radius: of the sphere [m].
         contact_modulus: E* of both bodies, not a Young's modulus [Pa].
-        velocity: of approach, normal to the wall, > 0 [m/s].
+        velocity: of approach, normal to the wall, > 0; with an angle that of the sphere [m/s].
         density: of the sphere [kg/m3]; or
         mass: of the sphere [kg].
         work_of_adhesion: energy to separate unit area, not a surface energy [J/m2].
@@ -286,6 +327,10 @@ def impacts(
         partner_mass: of the second sphere [kg].
         detachment: where the contact ends; without it as the law does by default.
         damping_law: {damping laws}.
+        angle: from the normal, 0 to below pi/2 [rad]; or
+        tangential_velocity: along the wall [m/s].
+        spin: positive where it adds to the slip of a positive tangential velocity [rad/s].
+        friction: coefficient of Coulomb friction, needed with the three before [1].
         method: integration, or table, some ten times as fast from 100,000 impacts on; a table has neither
             approach times nor overlaps.
         threads: 0 for one a core; no bit of a result depends on it.
@@ -299,15 +344,17 @@ def impacts(
     """
     if str(method) not in ("integration", "table"):
         raise _core.InputError(f"unknown method '{method}'; allowed: integration, table")
-    call, shape = _call({**locals(), **parameters}, "velocity", "damping")
-    restitution, contact_time, approach_time, maximum_overlap = call.impacts(str(method) == "integration")
-    restitution = restitution.reshape(shape)
+    arguments = {**locals(), **parameters}
+    oblique = _take_tangential(arguments)
+    call, shape = _call(arguments, "velocity", "damping", *oblique)
+    columns = {
+        name: column.reshape(shape) for name, column in call.impacts(str(method) == "integration", bool(oblique)).items()
+    }
+    if oblique:
+        columns["regime"] = np.array(_core.sliding_regimes())[columns["regime"].astype(np.intp)]
     return Impacts(
-        restitution=restitution,
-        contact_time=contact_time.reshape(shape),
-        captured=restitution == 0.0,
-        approach_time=None if approach_time is None else approach_time.reshape(shape),
-        maximum_overlap=None if maximum_overlap is None else maximum_overlap.reshape(shape),
+        captured=columns["restitution"] == 0.0,
+        **{"approach_time": None, "maximum_overlap": None, **columns},
     )
 
 

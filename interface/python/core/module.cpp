@@ -87,24 +87,36 @@ class PythonCall {
     Call call_;
 };
 
-/// @return restitution, contact time, approach time, greatest overlap; the last two None if by tables
-py::tuple impacts(const PythonCall& call, bool turning_point) {
-    Array restitution = call.column();
-    Array contact_time = call.column();
-    BatchOutputs outputs{.restitution = restitution.mutable_data(),
-                         .contact_time = contact_time.mutable_data()};
-    py::object approach_time = py::none();
-    py::object maximum_overlap = py::none();
+/// Columns by name: restitution, contact_time; approach_time and maximum_overlap where the turning point is
+/// asked for; those along the wall where the impacts are oblique.
+py::dict impacts(const PythonCall& call, bool turning_point, bool oblique) {
+    py::dict columns;
+    const auto column = [&](const char* name) {
+        Array values = call.column();
+        columns[name] = values;
+        return values.mutable_data();
+    };
+    ImpactOutputs outputs;
+    outputs.normal.restitution = column("restitution");
+    outputs.normal.contact_time = column("contact_time");
     if (turning_point) {
-        Array time = call.column();
-        Array overlap = call.column();
-        outputs.approach_time = time.mutable_data();
-        outputs.maximum_overlap = overlap.mutable_data();
-        approach_time = time;
-        maximum_overlap = overlap;
+        outputs.normal.approach_time = column("approach_time");
+        outputs.normal.maximum_overlap = column("maximum_overlap");
     }
-    call.solve<const BatchOutputs&>(solve_impacts, outputs);
-    return py::make_tuple(restitution, contact_time, approach_time, maximum_overlap);
+    if (oblique)
+        outputs.tangential = {.velocity = column("tangential_velocity"),
+                              .spin = column("spin"),
+                              .restitution = column("tangential_restitution"),
+                              .rebound_angle = column("rebound_angle"),
+                              .impulse_ratio = column("impulse_ratio"),
+                              .regime = column("regime")};
+    call.solve<const ImpactOutputs&>(solve_impacts, outputs);
+    return columns;
+}
+
+/// Names of the regimes of sliding, in the order of their numbers.
+std::vector<std::string> sliding_regimes() {
+    return {Names<SlidingRegime>::all.begin(), Names<SlidingRegime>::all.end()};
 }
 
 Array velocities(const PythonCall& call) {
@@ -204,6 +216,7 @@ PYBIND11_MODULE(_core, module) {
     module.def("laws", &laws);
     module.def("law_parameters", &table_of_law_parameters);
     module.def("damping_laws", &damping_laws);
+    module.def("sliding_regimes", &sliding_regimes);
     module.def("doubt_about", &doubt_about);
     module.def("doubt_about_mass", &doubt_about_mass);
     module.def("doubt_about_velocity", &doubt_about_velocity);

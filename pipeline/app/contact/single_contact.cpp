@@ -34,7 +34,7 @@ double read_radius(const CommandOptions& options, const std::string& prefix) {
     return 0.5 * options.positive(prefix + "diameter", Dimension::length);
 }
 
-Sphere read_sphere(const CommandOptions& options, const std::string& prefix) {
+SphereBody read_sphere(const CommandOptions& options, const std::string& prefix) {
     const double radius = read_radius(options, prefix);
     const bool by_mass = options.has(prefix + "mass");
     if (options.has(prefix + "density") == by_mass)
@@ -49,11 +49,11 @@ Sphere read_sphere(const CommandOptions& options, const std::string& prefix) {
     return at_place(prefix + "radius, " + prefix + "density", [&] {
         const double mass = sphere_mass(radius, density);
         require_positive("mass of the sphere", mass, Dimension::mass);
-        return Sphere{radius, mass};
+        return SphereBody{radius, mass};
     });
 }
 
-std::optional<Sphere> read_partner(const CommandOptions& options) {
+std::optional<SphereBody> read_partner(const CommandOptions& options) {
     if (options.has("--partner-radius") || options.has("--partner-diameter"))
         return read_sphere(options, "--partner-");
     if (options.has("--partner-density") || options.has("--partner-mass"))
@@ -238,11 +238,11 @@ std::vector<Finding> CommandOptions::doubts() const {
 ContactChoice read_contact(const CommandOptions& options) {
     const Law law = at_place("--law", [&] { return Law::named(options["--law"]); });
     const Detachment detachment = read_detachment(options["--detachment"], law);
-    const Sphere sphere = read_sphere(options, "--");
-    const std::optional<Sphere> partner = read_partner(options);
+    const SphereBody sphere = read_sphere(options, "--");
+    const std::optional<SphereBody> partner = read_partner(options);
     // R* and m* (Eq. 6 and the text under Eq. 2)
     const auto [radius, mass] = !partner ? sphere
-                                         : Sphere{effective_radius(sphere.radius, partner->radius),
+                                         : SphereBody{effective_radius(sphere.radius, partner->radius),
                                                   effective_mass(sphere.mass, partner->mass)};
     const double smooth_adhesion = read_work_of_adhesion(options, law);
     const ContactPair contact{.mass = mass,

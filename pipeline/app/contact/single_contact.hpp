@@ -16,6 +16,7 @@
 #include "solver/contact/pair.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/motion/regime.hpp"
+#include "solver/oblique/oblique.hpp"
 
 namespace ashimpact {
 
@@ -53,19 +54,13 @@ class CommandOptions {
     std::map<std::string, std::vector<std::string>, std::less<>> lists_;
 };
 
-/// A sphere of the options.
-struct Sphere {
-    double radius;  ///< [m]
-    double mass;    ///< [kg]
-};
-
 /// A sphere on a flat wall, or on another sphere, with its contact law.
 struct ContactChoice {
     Law law;
     Detachment detachment;
     ContactPair contact;
-    Sphere sphere;
-    std::optional<Sphere> partner{};  ///< none: a flat wall
+    SphereBody sphere;
+    std::optional<SphereBody> partner{};  ///< none: a flat wall
 
     /// @param velocity [m/s]
     [[nodiscard]] Impact impact(const Damping& damping, double velocity) const {

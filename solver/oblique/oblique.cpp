@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/oblique/oblique.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/quantities/checks.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
+#include "solver/motion/trajectory.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// (5/2) P/(m R): spin that a tangential impulse at the surface of a solid sphere gives it [rad/s].
+double spin_by(double impulse, const SphereBody& body) {
+    return 2.5 * impulse / (body.mass * body.radius);
+}
+
+/// I omega^2/2 [J].
+double spin_energy(const SphereBody& sphere, double spin) {
+    const double rim = sphere.radius * spin;
+    return 0.2 * sphere.mass * rim * rim;
+}
+
+ObliqueEnergy energy_of(const ContactBodies& bodies, double mass, double normal,
+                        const TangentialMotion& motion, double partner_spin) {
+    return {.normal = 0.5 * mass * normal * normal,
+            .sliding = 0.5 * mass * motion.velocity * motion.velocity,
+            .spin = spin_energy(bodies.sphere, motion.spin) +
+                    (bodies.partner ? spin_energy(*bodies.partner, partner_spin) : 0)};
+}
+
+void check(const ObliqueImpact& impact) {
+    validate(impact.normal);
+    require_not_negative("friction", impact.friction, Dimension::fraction);
+    for (const double value : {impact.tangential.velocity, impact.tangential.spin})
+        if (!std::isfinite(value))
+            throw InputError("tangential velocity and spin are " + shortest(impact.tangential.velocity) +
+                                 " m/s and " + shortest(impact.tangential.spin) + " rad/s",
+                             "finite numbers");
+}
+
+}  // namespace
+
+double rolling_impulse(double effective_mass, double slip) {
+    return 2.0 / 7.0 * effective_mass * std::abs(slip);
+}
+
+TangentialRebound tangential_rebound(const ContactBodies& bodies, double effective_mass,
+                                     const TangentialMotion& before, double friction,
+                                     double repulsive_impulse) {
+    const double slip = before.velocity + bodies.sphere.radius * before.spin;
+    TangentialRebound rebound{.after = before};
+    if (slip == 0 || friction == 0) return rebound;
+    const double most = friction * repulsive_impulse;
+    const double needed = rolling_impulse(effective_mass, slip);
+    rebound.regime = most < needed ? SlidingRegime::sliding : SlidingRegime::rolling;
+    rebound.impulse = std::min(most, needed);
+    const double impulse = std::copysign(rebound.impulse, slip);
+    rebound.after.velocity -= impulse / effective_mass;
+    rebound.after.spin -= spin_by(impulse, bodies.sphere);
+    if (bodies.partner) rebound.partner_spin = -spin_by(impulse, *bodies.partner);
+    // The slip falls in proportion to the impulse: work is the impulse times its mean.
+    const double left = rebound.regime == SlidingRegime::rolling ? 0 : std::abs(slip) * (1 - most / needed);
+    rebound.friction_work = 0.5 * rebound.impulse * (std::abs(slip) + left);
+    return rebound;
+}
+
+double repulsive_impulse(const Impact& impact, double restitution) {
+    const double net = impact.contact.mass * (1 + restitution) * impact.velocity;
+    return impact.law.is_adhesive() ? net + attraction_impulse(impact) : net;
+}
+
+ObliqueResult solve_oblique_impact(const ObliqueImpact& impact) {
+    validate(impact.normal);
+    return oblique_result(impact, solve_impact(impact.normal));
+}
+
+ObliqueResult oblique_result(const ObliqueImpact& impact, const ImpactResult& solved) {
+    check(impact);
+    const Impact& normal = impact.normal;
+    const double mass = normal.contact.mass;
+    ObliqueResult result{.normal = solved, .tangential = {}};
+    result.before = energy_of(impact.bodies, mass, normal.velocity, impact.tangential, 0);
+    if (result.normal.outcome == Outcome::capture) {
+        result.tangential.regime = SlidingRegime::captured;
+        if (impact.tangential.velocity != 0) result.tangential_restitution = 0;
+        return result;
+    }
+    result.repulsive_impulse = repulsive_impulse(normal, result.normal.restitution);
+    result.tangential =
+        tangential_rebound(impact.bodies, mass, impact.tangential, impact.friction, result.repulsive_impulse);
+    const TangentialMotion& after = result.tangential.after;
+    if (impact.tangential.velocity != 0) {
+        result.tangential_restitution = after.velocity / impact.tangential.velocity;
+        result.rebound_angle = std::atan2(std::copysign(1.0, impact.tangential.velocity) * after.velocity,
+                                          result.normal.rebound_velocity);
+    } else {
+        result.rebound_angle = std::atan2(after.velocity, result.normal.rebound_velocity);
+    }
+    result.impulse_ratio =
+        result.tangential.impulse / (mass * (normal.velocity + result.normal.rebound_velocity));
+    result.after =
+        energy_of(impact.bodies, mass, result.normal.rebound_velocity, after, result.tangential.partner_spin);
+    return result;
+}
+
+}  // namespace ashimpact
