@@ -85,6 +85,35 @@ class Impacts(unittest.TestCase):
                 ashimpact.impacts(**base, **given)
             self.assertIn(expected, str(caught.exception))
 
+    def test_at_an_angle(self):
+        words = ["--law", "jkr", "--radius", "22 um", "--density", "2160", "--contact-modulus", "60 GPa"]
+        words += ["--work-of-adhesion", "0.3", "--damping", "2e-6", "--friction", "0.2"]
+        sphere = dict(ASH, radius=22e-6, friction=0.2)
+        angles = np.radians([5.0, 40.0, 80.0])
+        ours = ashimpact.impacts(velocity=4.0, angle=angles, spin=[0.0, 3000.0, -3000.0], **sphere)
+        for i, (angle, spin) in enumerate(((5, 0), (40, 3000), (80, -3000))):
+            at = ["--velocity", "4", "--angle", f"{angle} deg", "--spin", f"{spin} rad/s"]
+            shown = json.loads(program("impact", *words, *at, "--json"))
+            self.assertEqual(ours.regime[i], shown["regime"])
+            for name in ("tangential_restitution", "rebound_angle", "spin", "impulse_ratio"):
+                self.assertAlmostEqual(getattr(ours, name)[i] / (shown[name]["value"] or 1.0), 1.0, delta=1e-9)
+        split = ashimpact.impacts(velocity=4.0 * np.cos(angles), tangential_velocity=4.0 * np.sin(angles), spin=0.0, **sphere)
+        self.assertTrue(np.all(split.restitution == ours.restitution))
+        partner = dict(sphere, partner_radius=22e-6, partner_density=2160.0)
+        pair = ashimpact.impacts(velocity=1.0, tangential_velocity=0.01, **partner)
+        self.assertAlmostEqual(float(pair.spin), -5.0 / 7.0 * 0.01 / 22e-6 / 2.0, delta=1e-6)  # each sphere takes half
+        normal = ashimpact.impacts(velocity=1.0, **ASH, radius=22e-6)
+        self.assertIsNone(normal.regime)
+        for given, expected in (
+            (dict(angle=0.1), "friction is not given"),
+            (dict(angle=0.1, tangential_velocity=1.0, friction=0.1), "both are given"),
+            (dict(angle=45.0, friction=0.1), "angle is 45.0 rad"),
+            (dict(angle=0.1, friction=-0.1), "friction is -0.1"),
+        ):
+            with self.assertRaises(ashimpact.InputError) as caught:
+                ashimpact.impacts(velocity=1.0, radius=22e-6, **ASH, **given)
+            self.assertIn(expected, str(caught.exception))
+
     def test_two_spheres(self):
         contact = dict(ASH, radius=22e-6, partner_radius=100e-6, partner_density=7800.0)
         words = ["--law", "jkr", "--radius", "22 um", "--density", "2160", "--contact-modulus", "60 GPa"]
