@@ -23,7 +23,7 @@ from ashimpact._batch import (
 )
 from ashimpact._core import ConvergenceError, InputError
 from ashimpact._core import version as __version__
-from ashimpact._program import analyse_impacts, calibrate, columns, modulus, run, sweep, to_pandas
+from ashimpact._program import analyse_impacts, calibrate, columns, contact, export, figure, modulus, run, sweep, to_pandas
 
 __all__ = [
     "ConvergenceError",
@@ -35,8 +35,11 @@ __all__ = [
     "analyse_impacts",
     "calibrate",
     "columns",
+    "contact",
     "critical_velocities",
     "dampings",
+    "export",
+    "figure",
     "impacts",
     "laws",
     "modulus",

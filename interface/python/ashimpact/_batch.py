@@ -234,9 +234,24 @@ def _name(value: Any) -> str:
     return ascii(str.__str__(value) if isinstance(value, str) else str(value))[1:-1]
 
 
+def _take_diameter(arguments: dict[str, Any], whose: str) -> None:
+    """Replaces a diameter by its radius."""
+    diameter = arguments.pop(f"{whose}diameter", None)
+    if diameter is None:
+        return
+    if arguments[f"{whose}radius"] is not None:
+        raise _core.InputError(f"{whose}radius, {whose}diameter: both are given; allowed: one of the two")
+    table = hasattr(diameter, "index") and hasattr(diameter, "to_numpy")
+    arguments[f"{whose}radius"] = 0.5 * (diameter if table else real_numbers(f"{whose}diameter", diameter))
+
+
 def _call(arguments: dict[str, Any], *numbers: str) -> tuple[_core.Call, tuple[int, ...]]:
     """The call of a function's arguments, with these numbers beside the contact, and the shape of its results."""
+    for whose in ("", "partner_"):
+        _take_diameter(arguments, whose)
     given = {name: value for name, value in arguments.items() if value is not None}
+    if "radius" not in given:
+        raise _core.InputError("radius, diameter: neither is given; allowed: one of the two")
     _require_one(given, "density", "mass")
     if "partner_radius" in given:
         _require_one(given, "partner_density", "partner_mass")
@@ -291,14 +306,16 @@ def _take_tangential(arguments: dict[str, Any]) -> list[str]:
 def impacts(
     *,
     law: str,
-    radius: NumbersLike,
     contact_modulus: NumbersLike,
     velocity: NumbersLike,
+    radius: Optional[NumbersLike] = None,
+    diameter: Optional[NumbersLike] = None,
     density: Optional[NumbersLike] = None,
     mass: Optional[NumbersLike] = None,
     work_of_adhesion: NumbersLike = 0.0,
     damping: NumbersLike = 0.0,
     partner_radius: Optional[NumbersLike] = None,
+    partner_diameter: Optional[NumbersLike] = None,
     partner_density: Optional[NumbersLike] = None,
     partner_mass: Optional[NumbersLike] = None,
     detachment: Optional[str] = None,
@@ -315,14 +332,14 @@ def impacts(
 
     Args:
         law: contact law, {laws}.
-        radius: of the sphere [m].
+        radius: of the sphere; or its diameter [m].
         contact_modulus: E* of both bodies, not a Young's modulus [Pa].
         velocity: of approach, normal to the wall, > 0; with an angle that of the sphere [m/s].
         density: of the sphere [kg/m3]; or
         mass: of the sphere [kg].
         work_of_adhesion: energy to separate unit area, not a surface energy [J/m2].
         damping: coefficient of the damping law [{damping units}].
-        partner_radius: of a second sphere in place of the wall; velocities are relative ones then [m].
+        partner_radius: of a second sphere in place of the wall; or its partner_diameter. Velocities are then relative [m].
         partner_density: of the second sphere [kg/m3]; or
         partner_mass: of the second sphere [kg].
         detachment: where the contact ends; without it as the law does by default.
@@ -362,13 +379,15 @@ def impacts(
 def critical_velocities(
     *,
     law: str,
-    radius: NumbersLike,
     contact_modulus: NumbersLike,
+    radius: Optional[NumbersLike] = None,
+    diameter: Optional[NumbersLike] = None,
     density: Optional[NumbersLike] = None,
     mass: Optional[NumbersLike] = None,
     work_of_adhesion: NumbersLike = 0.0,
     damping: NumbersLike = 0.0,
     partner_radius: Optional[NumbersLike] = None,
+    partner_diameter: Optional[NumbersLike] = None,
     partner_density: Optional[NumbersLike] = None,
     partner_mass: Optional[NumbersLike] = None,
     detachment: Optional[str] = None,
@@ -393,14 +412,16 @@ def critical_velocities(
 def dampings(
     *,
     law: str,
-    radius: NumbersLike,
     contact_modulus: NumbersLike,
     velocity: NumbersLike,
     restitution: NumbersLike,
+    radius: Optional[NumbersLike] = None,
+    diameter: Optional[NumbersLike] = None,
     density: Optional[NumbersLike] = None,
     mass: Optional[NumbersLike] = None,
     work_of_adhesion: NumbersLike = 0.0,
     partner_radius: Optional[NumbersLike] = None,
+    partner_diameter: Optional[NumbersLike] = None,
     partner_density: Optional[NumbersLike] = None,
     partner_mass: Optional[NumbersLike] = None,
     detachment: Optional[str] = None,

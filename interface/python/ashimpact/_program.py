@@ -21,7 +21,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ashimpact import _core
-from ashimpact._batch import flat_arrays, is_real, real_numbers, takes_law_parameters
+from ashimpact._batch import _name, flat_arrays, is_real, real_numbers, takes_law_parameters
 
 if TYPE_CHECKING:
     import pandas
@@ -122,6 +122,11 @@ def modulus(
     crystalline_total: Union[float, str, None] = None,
     internal_standard: Optional[str] = None,
     added_fraction: Union[float, str, None] = None,
+    oxides: Optional[PathLike] = None,
+    oxides_sample: Optional[str] = None,
+    oxides_sheet: Optional[str] = None,
+    glass: Optional[str] = None,
+    glass_density: Union[float, str, None] = None,
     sample: Optional[str] = None,
     sheet: Optional[str] = None,
     decimal: Optional[str] = None,
@@ -138,6 +143,8 @@ def modulus(
     Args:
         file: BGMN/Profex or GSAS-II .lst, CSV, TSV or JSON.
         amorphous_fraction: weight fraction of the whole, such as 0.42, "42 +- 2 %", "none", "remainder".
+        oxides: chemical analysis of the sample, CSV, .xlsx or .ods: the glass from its chemistry.
+        glass: "from-chemistry" (with oxides) or "catalogue", the glass that counts.
         decimal: "point" or "comma", of all numbers of a table; without, the numbers decide.
 
     Returns:
@@ -149,10 +156,73 @@ def modulus(
     """
     options = {**locals()}
     del options["file"]
-    if phases is not None:
-        options["phases"] = _path(phases)
+    for name, other in (("phases", phases), ("oxides", oxides)):
+        if other is not None:
+            options[name] = _path(other)
     document: Document = json.loads(_call("modulus", _path(file), *_options(modulus, options), "--json"))
     return document
+
+
+def contact(
+    *,
+    radius: Union[float, str, None] = None,
+    diameter: Union[float, str, None] = None,
+    density: Union[float, str, None] = None,
+    mass: Union[float, str, None] = None,
+    partner_radius: Union[float, str, None] = None,
+    partner_diameter: Union[float, str, None] = None,
+    partner_density: Union[float, str, None] = None,
+    partner_mass: Union[float, str, None] = None,
+    contact_modulus: Union[float, str, None] = None,
+    young_modulus: Union[float, str, None] = None,
+    poisson_ratio: Optional[float] = None,
+    wall_young_modulus: Union[float, str, None] = None,
+    wall_poisson_ratio: Optional[float] = None,
+    rigid_wall: bool = False,
+    work_of_adhesion: Union[float, str, None] = None,
+    surface_energy: Union[float, str, None] = None,
+    wall_surface_energy: Union[float, str, None] = None,
+    interfacial_energy: Union[float, str, None] = None,
+    adhesion_rule: Optional[str] = None,
+    roughness: Union[float, str, None] = None,
+    soften: Optional[float] = None,
+) -> Document:
+    """E*, R*, m, w, W_s and v_s of a sphere on a wall; as `ashimpact contact --json`. Numbers are SI, or texts with a unit."""
+    return json.loads(_call("contact", *_options(contact, locals()), "--json"))  # type: ignore[no-any-return]
+
+
+def figure(name: str, artifacts: Union[PathLike, Sequence[PathLike]], file: PathLike, *, width: Optional[str] = None) -> Path:
+    """One figure of a run for a paper; as `ashimpact figure`.
+
+    Args:
+        name: of the figure, such as "restitution".
+        artifacts: folder of a run, or files of one.
+        file: .svg, .pdf or .png.
+        width: "single" (85 mm) or "double" (170 mm).
+
+    Returns:
+        The file.
+    """
+    several = [artifacts] if isinstance(artifacts, (str, os.PathLike)) else list(artifacts)
+    _call("figure", _name(name), *map(_path, several), "-o", _path(file), *_options(figure, {"width": width}))
+    return Path(os.fsdecode(file))
+
+
+def export(code: str, run_folder: Optional[PathLike] = None, *, folder: PathLike, **options: Any) -> Path:
+    """Runnable input for a DEM or CFD code; as `ashimpact export`.
+
+    Args:
+        code: "openfoam", "lammps", "liggghts", "yade", "fluent" or "table".
+        run_folder: folder of a run; without one the options describe a contact, as those of impacts().
+        folder: where the input is written.
+        options: those of the command, with _ for -, such as sample="88 um" or soften=100.
+
+    Returns:
+        The folder.
+    """
+    words = [] if run_folder is None else [_path(run_folder)]
+    _call("export", _name(code), *words, "-o", _path(folder), *_options(export, options))
+    return Path(os.fsdecode(folder))
 
 
 def run(

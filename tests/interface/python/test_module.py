@@ -85,6 +85,19 @@ class Impacts(unittest.TestCase):
                 ashimpact.impacts(**base, **given)
             self.assertIn(expected, str(caught.exception))
 
+    def test_a_diameter_is_twice_the_radius(self):
+        by_radius = ashimpact.impacts(velocity=[1.0, 2.0], radius=22e-6, **ASH)
+        by_diameter = ashimpact.impacts(velocity=[1.0, 2.0], diameter=44e-6, **ASH)
+        self.assertTrue(np.array_equal(by_radius.restitution, by_diameter.restitution))
+        self.assertEqual(
+            ashimpact.critical_velocities(diameter=44e-6, **ASH).critical_velocity,
+            ashimpact.critical_velocities(radius=22e-6, **ASH).critical_velocity,
+        )
+        for given, expected in ((dict(radius=1e-5, diameter=2e-5), "both are given"), ({}, "neither is given")):
+            with self.assertRaises(ashimpact.InputError) as caught:
+                ashimpact.critical_velocities(**ASH, **given)
+            self.assertIn(expected, str(caught.exception))
+
     def test_at_an_angle(self):
         words = ["--law", "jkr", "--radius", "22 um", "--density", "2160", "--contact-modulus", "60 GPa"]
         words += ["--work-of-adhesion", "0.3", "--damping", "2e-6", "--friction", "0.2"]
@@ -400,6 +413,25 @@ class Documents(unittest.TestCase):
             _messages(written),
             ["warning: one that is so long that it goes on in a second line and a third", "warning: another"],
         )
+
+    def test_contact_figure_and_export(self):
+        import pathlib
+        import tempfile
+
+        ash = dict(diameter=88e-6, density=2300.0, contact_modulus=90e9, work_of_adhesion="0.3 J/m2")
+        found = ashimpact.contact(**ash, soften=100.0)
+        words = ["--diameter", "88 um", "--density", "2300", "--contact-modulus", "90 GPa", "--work-of-adhesion", "0.3"]
+        self.assertEqual(found, json.loads(program("contact", *words, "--soften", "100", "--json")))
+        with self.assertRaisesRegex(ashimpact.InputError, "--adhesion-rule"):
+            ashimpact.contact(**{**ash, "work_of_adhesion": None, "surface_energy": 0.1})
+        with tempfile.TemporaryDirectory() as folder:
+            ashimpact.run(folder=folder + "/results")
+            drawn = ashimpact.figure("restitution", folder + "/results", folder + "/e.svg", width="single")
+            self.assertTrue(drawn.read_text(encoding="utf-8").startswith(("<?xml", "<svg")))
+            made = ashimpact.export("table", folder + "/results", folder=folder + "/table", sample="88 um")
+            self.assertTrue((pathlib.Path(made) / "expected.json").is_file())
+            with self.assertRaisesRegex(ashimpact.InputError, "allowed"):
+                ashimpact.export("ansys", folder + "/results", folder=folder + "/other")
 
     def test_modulus_of_a_file(self, ):
         import tempfile
