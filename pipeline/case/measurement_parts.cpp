@@ -188,6 +188,11 @@ MeasurementSet read_measurement_columns(const View& node) {
         set.points.push_back({.velocity = velocity, .rebound = 0.0});
     read_rebounds(node, set);
     read_noise(node, set);
+    if (node.has("tangential_velocity")) {
+        const std::vector<double> along =
+            read_column(node, "tangential_velocity", Dimension::velocity, set.points.size());
+        for (std::size_t i = 0; i < along.size(); ++i) set.points[i].tangential = along[i];
+    }
     if (node.has("impacts")) {
         const std::vector<double> counts =
             read_column(node, "impacts", Dimension::fraction, set.points.size());

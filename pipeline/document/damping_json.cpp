@@ -43,10 +43,24 @@ void inversion_fields(auto& io, Is<DampingSeries> auto& series) {
     io.lenient("unreachable", series.unreachable);
 }
 
+void fields(auto& io, Is<AngleClass> auto& each) {
+    io("from", each.from, Dimension::angle);
+    io("to", each.to, Dimension::angle);
+    io("rebounds", each.rebounds);
+    io("difference", each.difference, Dimension::fraction);
+    io("standard_uncertainty", each.standard_uncertainty, Dimension::fraction);
+}
+
+void fields(auto& io, Is<AngleComparison> auto& angles) {
+    io("classes", angles.classes);
+    io("probability", angles.probability, Dimension::fraction);
+}
+
 void part_fields(auto& io, Is<DampingSeries> auto& series) {
     io.lenient("parts", series.parts);
     io.lenient("outliers", series.outliers);
     io.unless_empty("parts_note", series.parts_note);
+    io.unless_empty("angles", series.angles);
 }
 
 template <class Io>

@@ -2,6 +2,7 @@
 #include "solver/damping/damping.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -65,7 +66,9 @@ DampingSeries read_by_solving(const RestitutionSeries& series, const LawChoice& 
     const auto impacts = solved_all(series.impacts, choice, data.damping_law, contact);
     DampingSeries damping = inverted_series(impacts);
     damping.rising = branch_to_greatest(series.impacts);
-    set_parts(find_parts(DampingSmoothing::of(impacts), data.fit.parts), impacts, damping);
+    const auto smoothing = DampingSmoothing::of(impacts);
+    set_parts(find_parts(smoothing, data.fit.parts), impacts, damping);
+    damping.angles = compare_angles(series.impacts, impacts, smoothing);
     return damping;
 }
 
@@ -77,6 +80,7 @@ DampingSeries read_through_model(const RestitutionSeries& series, const LawChoic
     damping.map_accuracy = model.map().accuracy();
     const auto smoothing = DampingSmoothing::of(impacts);
     set_parts(find_parts(smoothing, data.fit.parts), impacts, damping);
+    damping.angles = compare_angles(series.impacts, impacts, smoothing);
     try {
         const RisingBranch branch = rising_branch(model, series.impacts, smoothing);
         damping.rising = RisingRange{branch.upper, branch.falls_beyond};
@@ -104,6 +108,28 @@ std::string velocity_of(const DampingSeries& series, std::size_t number) {
     return {};
 }
 
+/// "at 0 to 20 degrees +3 +- 4 %".
+std::string class_words(const AngleClass& each) {
+    constexpr double degree = std::numbers::pi / 180;
+    return fmt::format("at {:.0f} to {:.0f} degrees {:+.1f} +- {:.1f} %", each.from / degree,
+                       each.to / degree, 100 * std::expm1(each.difference), 100 * each.standard_uncertainty);
+}
+
+/// Whether the velocity normal to the wall decides, in words.
+Finding finding_on(const AngleComparison& angles) {
+    std::vector<std::string> classes;
+    for (const AngleClass& each : angles.classes) classes.push_back(class_words(each));
+    const std::string differences = fmt::format(
+        "damping against that of all angles at the same normal velocity: {} (probability of such "
+        "differences by chance {:.2g})",
+        joined(classes), angles.probability);
+    return angles.normal_decides()
+               ? Finding{"angles", Severity::remark, "the normal velocity decides: " + differences}
+               : Finding{
+                     "angles", Severity::doubt,
+                     "the normal velocity alone does not decide, impacts at an angle differ: " + differences};
+}
+
 /// @param points impacts of the series
 std::vector<Finding> findings_on(const DampingSeries& series, std::size_t points) {
     std::vector<Finding> findings;
@@ -119,6 +145,7 @@ std::vector<Finding> findings_on(const DampingSeries& series, std::size_t points
                          velocity_of(series, series.outliers.front()))});
     if (!series.rising_note.empty())
         findings.push_back({"no-rising-branch", Severity::doubt, series.rising_note});
+    if (series.angles) findings.push_back(finding_on(*series.angles));
     if (series.velocity.empty())
         findings.push_back({"no-rebound", Severity::doubt, "no rebound, so no damping can be read"});
     return findings;

@@ -131,6 +131,7 @@ struct ListedImpacts {
     std::vector<double> velocity_uncertainty{};  ///< standard; empty: the noise is not known [m/s]
     std::vector<double> rebound_uncertainty{};   ///< standard, of v_r; empty as well [m/s]
     std::vector<double> correlation{};           ///< of these two errors; empty: none [1]
+    std::vector<double> tangential{};            ///< velocities along the wall; empty: not stated [m/s]
     std::vector<double> counts{};                ///< impacts of which a point is the mean; empty: one each
 };
 

@@ -14,6 +14,7 @@
 #include "solver/damping/damping_polynomial.hpp"
 #include "solver/inference/curve/headline.hpp"
 #include "solver/inference/extrapolation/damping_curve_fit.hpp"
+#include "solver/inference/impacts/angle_classes.hpp"
 #include "solver/inference/impacts/inverted_impacts.hpp"
 #include "solver/inference/measured_damping.hpp"
 
@@ -55,6 +56,7 @@ struct DampingSeries {
     std::vector<PartRange> parts{};       ///< from slow to fast
     std::string parts_note{};             ///< why there are none
     std::vector<std::size_t> outliers{};  ///< their numbers
+    std::optional<AngleComparison> angles{};  ///< of impacts at different angles
     std::optional<RisingRange> rising{};
     std::string rising_note{};  ///< why there is none
     double map_accuracy = 0;    ///< of restitutions read from a map; 0: solved [1]

@@ -45,6 +45,7 @@ ListedImpacts columns_of(const MeasurementSet& set) {
         columns.velocity.push_back(point.velocity);
         columns.restitution.push_back(point.restitution());
         columns.counts.push_back(static_cast<double>(point.count));
+        if (point.tangential) columns.tangential.push_back(*point.tangential);
         if (!point.noise) continue;
         columns.velocity_uncertainty.push_back(std::sqrt(point.noise->incident));
         columns.rebound_uncertainty.push_back(std::sqrt(point.noise->rebound));
@@ -56,6 +57,7 @@ ListedImpacts columns_of(const MeasurementSet& set) {
     };
     drop_if_all(columns.correlation, 0);
     drop_if_all(columns.counts, 1);
+    if (columns.tangential.size() != columns.velocity.size()) columns.tangential.clear();
     return columns;
 }
 
@@ -71,6 +73,7 @@ MeasurementSet impacts_of(const ListedImpacts& columns) {
             point.noise->covariance =
                 (columns.correlation.empty() ? 0.0 : columns.correlation[i]) * incident * rebound;
         }
+        if (!columns.tangential.empty()) point.tangential = columns.tangential[i];
         if (!columns.counts.empty()) point.count = static_cast<std::size_t>(columns.counts[i]);
         set.points.push_back(point);
     }

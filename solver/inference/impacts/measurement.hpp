@@ -43,14 +43,16 @@ enum class NotedOutcome {
 /// One measured impact. Kept in velocities, in which a camera's errors are independent and normal; e_n, their
 /// ratio, has errors in both axes of every plot against it.
 struct Measurement {
-    double velocity;                       ///< v_in [m/s]
-    double rebound;                        ///< v_r, magnitude; 0 if no rebound was seen [m/s]
+    double velocity;  ///< v_in, normal to the wall [m/s]
+    double rebound;   ///< v_r, normal to the wall, a magnitude; 0 if no rebound was seen [m/s]
     std::optional<VelocityNoise> noise{};  ///< none: not known
     std::size_t line = 0;                  ///< of the file; 0: it comes from no file
     std::size_t count = 1;                 ///< number of impacts of which this is the mean
     /// Rebound velocity from which on the camera always sees the particle move; 0: not known [m/s].
     double resolution = 0.0;
     NotedOutcome outcome = NotedOutcome::from_reading;
+    std::optional<double>
+        tangential{};  ///< velocity along the wall before the impact; none: not stated [m/s]
 
     [[nodiscard]] double restitution() const { return rebound / velocity; }
     /// Whether no rebound was seen: a capture or, unless it was noted as one, perhaps a rebound too slow to
@@ -60,7 +62,7 @@ struct Measurement {
     [[nodiscard]] auto key() const {
         const VelocityNoise known = noise.value_or(VelocityNoise{0.0, 0.0});
         return std::tuple(velocity, rebound, known.incident, known.rebound, known.covariance, count,
-                          resolution, outcome);
+                          resolution, outcome, tangential.value_or(0));
     }
 };
 
@@ -136,7 +138,8 @@ struct Binning {
 /// 0, or a word for it such as "captured", is a capture; an empty cell or "unknown" is not known, and such an
 /// impact is counted and left out. A reading below zero is taken for zero where noise explains it: within 6
 /// standard uncertainties, or without those within a tenth of v_in. A column "correlation" holds that of the
-/// errors of v_in and v_r.
+/// errors of v_in and v_r. Beside a column of angles from the normal v_in is the velocity of the sphere, of
+/// which the part normal to the wall counts; beside one of velocities along the wall v_in is normal to it.
 /// Uncertainties of one velocity only are taken for the other, too; those of v_in and e_n as independent.
 /// Other columns, rows such as "Mittel" and notes below the table are left out with a warning, lines that
 /// begin with # without one. The table may be a sheet of a spreadsheet (.xlsx, .ods): the one of that name,

@@ -89,6 +89,12 @@ struct NameAndUnit {
     std::string_view unit;
 };
 
+/// Whether a column holds an angle or a velocity along the wall.
+bool is_sideways(std::string_view name) {
+    const auto list = column_words().list_of(key_of(name));
+    return list == "angle" || list == "tangential";
+}
+
 /// Splits "v_r (mm/s)" into name and unit. Brackets that belong to the name, as in "u(v_r)", stay there.
 NameAndUnit split(std::string_view cell) {
     for (const std::string_view pair : {"[]", "()"}) {
@@ -97,8 +103,8 @@ NameAndUnit split(std::string_view cell) {
         if (open == std::string_view::npos) continue;
         const std::string_view name = trimmed(cell.substr(0, open));
         const std::string_view inside = trimmed(cell.substr(open + 1, cell.size() - open - 2));
-        if (pair == "[]" || ((meaning_of(name) || is_uncertainty_word(name)) && !meaning_of(inside)))
-            return {name, inside};
+        const bool is_named = meaning_of(name) || is_uncertainty_word(name) || is_sideways(name);
+        if (pair == "[]" || (is_named && !meaning_of(inside))) return {name, inside};
     }
     // "e_n/%" and "v_r/(m/s)": a quantity over its unit.
     if (const auto slash = cell.find('/');
@@ -113,9 +119,11 @@ NameAndUnit split(std::string_view cell) {
         const std::string_view unit = trimmed(cell.substr(at));
         if ((meaning_of(name) || is_uncertainty_word(name)) && is_velocity_unit(unit)) return {name, unit};
     }
-    if (const auto in = cell.rfind(" in "); in != std::string_view::npos && meaning_of(cell.substr(0, in)))
-        if (const std::string_view unit = trimmed(cell.substr(in + 4)); read_unit(ascii_unit(unit)))
-            return {trimmed(cell.substr(0, in)), unit};
+    if (const auto in = cell.rfind(" in "); in != std::string_view::npos) {
+        const std::string_view name = trimmed(cell.substr(0, in));
+        const std::string_view unit = trimmed(cell.substr(in + 4));
+        if (is_sideways(name) || (meaning_of(name) && read_unit(ascii_unit(unit)))) return {name, unit};
+    }
     return {cell, {}};
 }
 
@@ -186,6 +194,52 @@ bool take_other(MeasurementHeading& heading, std::string_view name, std::size_t 
     return false;
 }
 
+/// Enters the column of an angle or of the velocity along the wall. @return whether the column is one
+/// @throws InputError for a second one, and for an angle without a unit
+bool take_sideways(MeasurementHeading& heading, const std::string& cell, std::string_view name,
+                   std::string_view unit, std::size_t position) {
+    if (!is_sideways(name)) return false;
+    if (heading.sideways)
+        throw InputError("the columns " + in_quotes(heading.sideways->name) + " and " + in_quotes(cell) +
+                             " both state how oblique the impacts are",
+                         "one of them");
+    const bool is_angle = column_words().list_of(key_of(name)) == "angle";
+    if (is_angle && unit.empty())
+        throw InputError("column " + in_quotes(cell) + " states no unit",
+                         "degrees or radians: " + in_quotes(cell + " [deg]"));
+    const double to_si_unit = at_place("column " + in_quotes(cell), [&] {
+        return unit.empty() ? 1.0 : to_si(1.0, unit, is_angle ? Dimension::angle : Dimension::velocity);
+    });
+    heading.sideways = {{position, std::string(name)}, is_angle, to_si_unit};
+    return true;
+}
+
+/// Whether a column is named as a velocity or restitution normal to the wall.
+bool is_normal(const TextColumn& column) {
+    static const WordLists words("normal velocities");
+    return words.holds(column.name);
+}
+
+/// Decides what the velocities of impacts at an angle are. Beside an angle v_in is that of the sphere; the
+/// reading has to be named as normal to the wall. @throws InputError
+void settle_sideways(MeasurementHeading& heading) {
+    if (!heading.sideways) return;
+    const MeasuredColumn& velocity = *heading.of(MeasuredQuantity::velocity);
+    const MeasuredColumn& reading = heading.reading();
+    heading.normal_velocity = !heading.sideways->is_angle || is_normal(velocity);
+    if (heading.sideways->is_angle && !heading.normal_velocity && !is_normal(reading))
+        throw InputError("beside the angle, column " + in_quotes(reading.name) +
+                             " may be of the velocity of the sphere or of its part normal to the wall",
+                         heading.of(MeasuredQuantity::rebound) ? "v_rn, normal to the wall; or e_n" : "e_n");
+    heading.notes.push_back(
+        {impacts_code, Severity::remark,
+         heading.normal_velocity
+             ? in_quotes(velocity.name) + " is taken as the velocity normal to the wall, beside " +
+                   in_quotes(heading.sideways->name)
+             : "the velocity normal to the wall is " + in_quotes(velocity.name) + " times the cosine of " +
+                   in_quotes(heading.sideways->name) + ", which is taken from the normal"});
+}
+
 double factor_of(std::string_view unit, MeasuredQuantity quantity) {
     const bool is_ratio = quantity == MeasuredQuantity::restitution;
     return unit.empty() || (is_ratio && unit == "-")
@@ -220,7 +274,7 @@ void take_captured(MeasurementHeading& heading) {
 void take_column(MeasurementHeading& heading, const std::string& cell, std::size_t position) {
     const StatedCoverage coverage = read_coverage(cell);
     const auto [name, unit] = split(coverage.rest);
-    if (take_other(heading, name, position)) return;
+    if (take_sideways(heading, cell, name, unit, position) || take_other(heading, name, position)) return;
     const auto meaning = meaning_in(heading, name, coverage, position);
     if (!meaning) {
         if (announces_remarks(name))
@@ -304,6 +358,7 @@ MeasurementHeading read_measurement_heading(const std::vector<std::string>& cell
     for (std::size_t i = 0; i < cells.size(); ++i) take_column(heading, cells[i], i);
     take_captured(heading);
     require_columns(heading);
+    settle_sideways(heading);
     for (Finding& note : coverage_findings(impacts_code, heading.coverages))
         heading.notes.push_back(std::move(note));
     return heading;

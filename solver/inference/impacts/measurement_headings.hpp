@@ -60,6 +60,12 @@ struct MeasuredColumn : TextColumn {
     bool unit_in_cells = false;
 };
 
+/// The column of the angle of incidence, or of the velocity along the wall.
+struct SidewaysColumn : TextColumn {
+    bool is_angle;  ///< from the normal
+    double to_si;   ///< factor, to rad or m/s
+};
+
 /// The columns of a heading.
 struct MeasurementHeading {
     std::array<std::optional<MeasuredColumn>, 3> value;        ///< by MeasuredQuantity
@@ -67,8 +73,10 @@ struct MeasurementHeading {
     std::optional<std::size_t> outcome;                        ///< position of the column of outcomes
     bool outcome_is_capture = false;                           ///< that column holds yes for a capture, or no
     std::optional<std::size_t> correlation;  ///< of the column of the correlation of the two velocities
-    std::vector<TextColumn> remarks;         ///< columns of remarks, in which a word may state the outcome
-    std::vector<TextColumn> unused;          ///< those without a name have no heading
+    std::optional<SidewaysColumn> sideways;  ///< of impacts at an angle
+    bool normal_velocity = true;      ///< v_in is that normal to the wall, not that of the sphere at an angle
+    std::vector<TextColumn> remarks;  ///< columns of remarks, in which a word may state the outcome
+    std::vector<TextColumn> unused;   ///< those without a name have no heading
     std::vector<std::size_t> validity;  ///< positions of unused columns that mark impacts as valid or not
     std::vector<std::pair<std::string, StatedCoverage>> coverages;  ///< of the columns that hold quantities
     std::vector<Finding> notes;                                     ///< remarks on the columns

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <string>
 
@@ -78,6 +79,7 @@ class TableCells {
             for (const auto& column : *all)
                 if (column) holds_numbers[column->position] = true;
         if (heading.correlation) holds_numbers[*heading.correlation] = true;
+        if (heading.sideways) holds_numbers[heading.sideways->position] = true;
         constexpr double small_unit = 0.05;  // of cm/s, mm/s: a velocity may be thousands
         for (const auto& column : heading.value)
             if (column && !column->is_fraction && column->to_si < small_unit)
@@ -109,6 +111,25 @@ class TableCells {
         return entry;
     }
 
+    /// v_in, normal to the wall.
+    [[nodiscard]] Entry normal_velocity(const TableRow& row) const {
+        Entry velocity = entry(row, MeasuredQuantity::velocity);
+        if (heading_.normal_velocity) return velocity;
+        const double share = std::cos(angle(row));
+        velocity.value *= share;
+        if (velocity.standard_uncertainty) *velocity.standard_uncertainty *= share;
+        return velocity;
+    }
+
+    /// The velocity along the wall [m/s]; none where the table states none.
+    [[nodiscard]] std::optional<double> tangential(const TableRow& row) const {
+        if (!heading_.sideways) return std::nullopt;
+        const SidewaysColumn& column = *heading_.sideways;
+        if (!column.is_angle) return number(row, column.position, column.name) * column.to_si;
+        const double v = entry(row, MeasuredQuantity::velocity).value;
+        return heading_.normal_velocity ? v * std::tan(angle(row)) : v * std::sin(angle(row));
+    }
+
     [[nodiscard]] double number(const TableRow& row, std::size_t position, const std::string& name) const {
         const auto number = number_in(row, position);
         if (!number) fail({position, name}, row, "is not a number", "a finite number");
@@ -116,6 +137,15 @@ class TableCells {
     }
 
   private:
+    /// Of incidence, from the normal [rad].
+    [[nodiscard]] double angle(const TableRow& row) const {
+        const SidewaysColumn& column = *heading_.sideways;
+        const double angle = number(row, column.position, column.name) * column.to_si;
+        if (!(angle >= 0 && angle < 0.5 * std::numbers::pi))
+            fail(column, row, "is no angle from the normal", "0 to below 90 degrees");
+        return angle;
+    }
+
     [[noreturn]] static void fail(const TextColumn& column, const TableRow& row, const std::string& problem,
                                   const std::string& allowed) {
         throw InputError(
@@ -269,7 +299,7 @@ void read_rebound(Measurement& point, const MeasurementHeading& heading, const T
                   const TableRow& row, bool has_reading) {
     const bool as_velocity = heading.of(MeasuredQuantity::rebound).has_value();
     const auto quantity = as_velocity ? MeasuredQuantity::rebound : MeasuredQuantity::restitution;
-    const Entry velocity = cells.entry(row, MeasuredQuantity::velocity);
+    const Entry velocity = cells.normal_velocity(row);
     const Entry reading = has_reading ? cells.entry(row, quantity) : cells.uncertainty(row, quantity);
     point.rebound = as_velocity ? reading.value : reading.value * velocity.value;
     point.noise = as_velocity ? noise_of_rebound(velocity, reading) : noise_of_restitution(velocity, reading);
@@ -297,7 +327,7 @@ void require_agreeing_remarks(const MeasurementHeading& heading, const TableRow&
 /// One row; none where its outcome is not known. @param remark the outcome in its remarks
 std::optional<Measurement> measurement_of(const MeasurementHeading& heading, const TableCells& cells,
                                           const TableRow& row, OutcomeWord remark) {
-    const Entry velocity = cells.entry(row, MeasuredQuantity::velocity);
+    const Entry velocity = cells.normal_velocity(row);
     if (!(velocity.value > 0.0))
         throw InputError("v_in is " + shortest(velocity.value) + " m/s", "> 0 m/s, a magnitude");
     auto outcome = stated_outcome(heading, row);
@@ -312,7 +342,11 @@ std::optional<Measurement> measurement_of(const MeasurementHeading& heading, con
         throw InputError("a rebound without a reading", "a number, or the outcome unknown");
     if (word || (blank && remark == OutcomeWord::capture)) outcome = NotedOutcome::capture;
     if (blank && outcome != NotedOutcome::capture) return std::nullopt;
-    Measurement point{.velocity = velocity.value, .rebound = 0.0, .noise = {}, .line = row.line};
+    Measurement point{.velocity = velocity.value,
+                      .rebound = 0.0,
+                      .noise = {},
+                      .line = row.line,
+                      .tangential = cells.tangential(row)};
     read_rebound(point, heading, cells, row, !word && !blank);
     if (!word && !blank && remark != OutcomeWord::none) {
         if (remark != OutcomeWord::rebound) require_no_rebound("remark", point);

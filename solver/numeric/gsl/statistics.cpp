@@ -36,6 +36,10 @@ double chi_squared_exceedance(double chi_squared, int degrees_of_freedom) {
     return degrees_of_freedom > 0 ? gsl_cdf_chisq_Q(chi_squared, degrees_of_freedom) : 1.0;
 }
 
+double f_exceedance(double ratio, double degrees_above, double degrees_below) {
+    return gsl_cdf_fdist_Q(ratio, degrees_above, degrees_below);
+}
+
 double binomial_probability(unsigned most, double success, unsigned trials) {
     return gsl_cdf_binomial_P(most, success, trials);
 }

@@ -2,11 +2,14 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <random>
 #include <string>
+#include <utility>
 
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
+#include "solver/inference/impacts/angle_classes.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/surrogate/contact_model.hpp"
@@ -14,6 +17,8 @@
 #include "tests/support/checks.hpp"
 
 using namespace ashimpact;
+using test::contains;
+using test::input_error_of;
 
 namespace {
 
@@ -37,16 +42,83 @@ double noise_of_rebound(const std::string& table) {
 
 }  // namespace
 
-TEST_CASE("a coverage of uncertainties in a comment is refused") {
-    const auto refusal = [](const std::string& heading) {
-        return input_error_of([&] {
-            return read_measurements("# errors: 2 sigma\n" + heading + "\n1,0.5,0.1,0.1\n2,1,0.1,0.1\n",
-                                     "a.csv");
-        });
+TEST_CASE("impacts at an angle: the part of v_in normal to the wall counts") {
+    const auto read = [](const std::string& table) { return read_measurements(table, "t.csv"); };
+    for (const char* heading :
+         {"v_in [m/s];e_n;angle [deg]", "v_in [m/s];e_n;Winkel (\u00b0)",
+          "v_in [m/s];e_n;Einfallswinkel in deg", "v_in [m/s];e_n;angle of incidence [\u00b0]"}) {
+        CAPTURE(heading);
+        const MeasurementSet set = read(std::string(heading) + "\n2;0.5;60\n4;0.5;0\n");
+        CHECK(set.points[0].velocity == doctest::Approx(1).epsilon(1e-12));
+        CHECK(set.points[0].rebound == doctest::Approx(0.5).epsilon(1e-12));
+        CHECK(set.points[0].tangential.value() == doctest::Approx(std::sqrt(3.0)).epsilon(1e-12));
+        CHECK(set.points[1].velocity == 4);
+        CHECK(contains(warnings_of(set), "the velocity normal to the wall is \"v_in\" times the cosine of"));
+    }
+    const MeasurementSet radians = read(
+        "v_in [m/s],v_rn [m/s],angle [rad],u(v_in) [m/s],u(v_rn) "
+        "[m/s]\n2,0.5,1.0471975511965976,0.02,0.01\n");
+    CHECK(radians.points[0].velocity == doctest::Approx(1).epsilon(1e-12));
+    CHECK(radians.points[0].rebound == 0.5);
+    CHECK(std::sqrt(radians.points[0].noise->incident) == doctest::Approx(0.01).epsilon(1e-12));
+    const MeasurementSet normal = read("v_n [m/s],v_rn [m/s],angle [deg]\n1,0.5,60\n");
+    CHECK(normal.points[0].velocity == 1);
+    CHECK(normal.points[0].tangential.value() == doctest::Approx(std::sqrt(3.0)).epsilon(1e-12));
+    const MeasurementSet split = read("v_in [m/s],v_r [m/s],v_t [mm/s]\n1,0.5,300\n");
+    CHECK(split.points[0].velocity == 1);
+    CHECK(split.points[0].tangential.value() == doctest::Approx(0.3).epsilon(1e-12));
+    CHECK_FALSE(read("v_in [m/s],v_r [m/s]\n1,0.5\n").points[0].tangential);
+    for (const auto& [table, says] :
+         {std::pair{"v_in [m/s],v_r [m/s],angle [deg]\n2,0.5,60\n",
+                    "\"v_r\" may be of the velocity of the sphere or of its part normal"},
+          {"v_in [m/s],e,angle [deg]\n2,0.5,60\n", "\"e\" may be of the velocity of the sphere"},
+          {"v_in [m/s],e_n,angle\n2,0.5,60\n",
+           "column \"angle\" states no unit; allowed: degrees or radians"},
+          {"v_in [m/s],e_n,angle [deg]\n2,0.5,95\n",
+           "\"95\" in column \"angle\" is no angle from the normal; allowed: 0 to below 90 degrees"},
+          {"v_in [m/s],e_n,angle [deg],v_t [m/s]\n2,0.5,60,1\n", "both state how oblique the impacts are"},
+          {"v_in [m/s],e_n,angle [m]\n2,0.5,60\n", "is not one of angle"}})
+        CHECK_MESSAGE(contains(input_error_of([&, &text = table] { return read(text); }), says), says);
+}
+
+TEST_CASE("classes of angle are compared, and told apart where damping differs") {
+    std::mt19937_64 random(11);
+    std::normal_distribution<double> noise(0, 0.03);
+    std::uniform_real_distribution<double> unit(0, 1);
+    const auto comparison = [&](double more_at_an_angle) {
+        MeasurementSet set{.source = "made up", .points = {}};
+        std::vector<InvertedImpact> inverted;
+        for (std::size_t i = 0; i < 60; ++i) {
+            const double v = 1 + 3 * unit(random);
+            const double angle = (i % 3 == 0 ? 2 : i % 3 == 1 ? 30 : 55) * 0.0174533;
+            const double factor = i % 3 == 2 ? 1 + more_at_an_angle : 1;
+            set.points.push_back({.velocity = v, .rebound = 0.5 * v, .tangential = v * std::tan(angle)});
+            inverted.push_back({.index = i,
+                                .velocity = v,
+                                .restitution = 0.5,
+                                .damping = 1e-3 * factor * std::pow(v, -0.4) * std::exp(noise(random))});
+        }
+        return compare_angles(set, inverted, DampingSmoothing::of(inverted)).value();
     };
-    CHECK(contains(refusal("v_in [m/s],v_r [m/s],u(v_in) [m/s],u(v_r) [m/s]"),
-                   "line 1: the line states \"2 sigma\", and the column"));
-    CHECK(refusal("v_in [m/s],v_r [m/s],u(v_in) (2 sigma) [m/s],u(v_r) (2 sigma) [m/s]").empty());
+    const AngleComparison differs = comparison(0.2);
+    REQUIRE(differs.classes.size() == 3);
+    CHECK(differs.classes[2].from == doctest::Approx(55 * 0.0174533).epsilon(1e-6));
+    CHECK(differs.classes[1].rebounds == 20);
+    CHECK_FALSE(differs.normal_decides());
+    CHECK(differs.classes[2].difference - differs.classes[0].difference ==
+          doctest::Approx(std::log(1.2)).epsilon(0.2));
+    int agreeing = 0;
+    for (int i = 0; i < 40; ++i) agreeing += comparison(0).normal_decides() ? 1 : 0;
+    CHECK(agreeing >= 35);  // 38 on average: the level is 5 %
+    MeasurementSet same{.source = {}, .points = {}};
+    std::vector<InvertedImpact> inverted;
+    for (std::size_t i = 0; i < 20; ++i) {
+        const double v = 1 + 0.1 * static_cast<double>(i);
+        same.points.push_back({.velocity = v, .rebound = 0.5 * v, .tangential = 0.1 * v});
+        inverted.push_back(
+            {.index = i, .velocity = v, .restitution = 0.5, .damping = 1e-3 * std::exp(noise(random))});
+    }
+    CHECK_FALSE(compare_angles(same, inverted, DampingSmoothing::of(inverted)));
 }
 
 TEST_CASE("a word for a capture in a column of remarks counts beside an empty reading") {
