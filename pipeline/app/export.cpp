@@ -7,6 +7,7 @@
 #include <spdlog/spdlog.h>
 
 #include "core/json/document.hpp"
+#include "core/quantities/checks.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
@@ -200,6 +201,14 @@ void run_export_command(const CommandOptions& options, const TableImage& image, 
     const ExportCode& code = export_code(options["code"]);
     ExportSubject subject = subject_of(options, code);
     read_ranges(options, subject);
+    if (options.has("--friction")) {
+        if (code.no_contact.empty())
+            throw InputError("the folder for this code has no tangential force", "openfoam, fluent")
+                .at("--friction");
+        subject.friction = options.number("--friction", Dimension::fraction);
+        at_place("--friction",
+                 [&] { require_not_negative("friction", subject.friction, Dimension::fraction); });
+    }
     if (options.has("--soften")) {
         if (!code.no_contact.empty())
             throw InputError(fmt::format("{}: {}", code.name, code.no_contact),
@@ -246,6 +255,7 @@ void add_export(const CommandLine& line, const CommandBody& body) {
     command.add_contact_options(false);
     command.add_damping_option();
     command.add("--velocity", "Q", "one more impact to check");
+    command.add("--friction", "MU", "coefficient of Coulomb friction, for openfoam, fluent; default: none");
     command.add("--from-diameter", "Q", "smallest size; default: that of the sphere or samples");
     command.add("--to-diameter", "Q", "largest size; default: that of the sphere or samples");
     command.add("--to-velocity", "Q", "largest velocity; default: 10 v_c, at least 10 m/s");

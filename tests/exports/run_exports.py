@@ -66,6 +66,8 @@ def cases():
         yield "table", law, options + CONSTANT + SIZES + ["0"]
         yield "fluent", law, options + CONSTANT + SIZES + ["1"]
         yield "openfoam", law, options + CONSTANT + SIZES + ["0"]
+    for code in ("openfoam", "fluent"):
+        yield code, "oblique", DMT + CONSTANT + ["--friction", "0.2"]
     yield "openfoam", "followed", follow
     yield "openfoam", "measured-sizes", measured_sizes
     yield "fluent", "measured-sizes", measured_sizes
@@ -122,6 +124,8 @@ def cases():
     yield "liggghts", "followed", follow
     for code in ("lammps", "liggghts"):
         yield code, "followed-sizes", follow + SIZES + ["1.5"]
+    yield "openfoam solver", "oblique", JKR + CONSTANT + ["--friction", "0.15"]
+    yield "fluent", "oblique-sizes", JKR + CONSTANT + SIZES + ["1", "--friction", "0.3"]
     yield "openfoam solver", "followed", follow
     yield "openfoam solver", "followed-sizes", follow + SIZES + ["1.5"]
     yield "openfoam solver", "measured-sizes", measured_sizes
@@ -283,6 +287,8 @@ def check_refusals():
             ("openfoam", ["--law", "maugis-dugdale", "--tabor", "2"] + ASH + ADHESION + CONSTANT + SIZES + ["2"],
              "--cohesion-range"),
             ("liggghts", DMT + CONSTANT + ["--soften", "1000"], "--to-velocity"),
+            ("lammps", DMT + CONSTANT + ["--friction", "0.2"], "no tangential force"),
+            ("openfoam", DMT + CONSTANT + ["--friction", "-0.2"], "friction is -0.2"),
             ("openfoam", DMT + CONSTANT + SOFT, "--soften"), ("fluent", DMT + CONSTANT + SOFT, "--soften"),
             ("table", DMT + CONSTANT + ["--to-velocity", "1 mm/s"], "--to-velocity")):
         folder, refused = exported("refused", code, *options)
@@ -376,7 +382,7 @@ def check_contradiction():
 def found_restitutions(code, folder, impacts):
     """What the code made of each impact of expected.json."""
     if code == "fluent":
-        text = "".join("%.17g %.17g 2300\n" % impact for impact in impacts)
+        text = "".join("%.17g %.17g 0 2300\n" % impact for impact in impacts)
         answer = subprocess.run([os.path.join(folder, "stand_in/check")], input=text, stdout=subprocess.PIPE, check=True,
                                 universal_newlines=True)
         return [float(line.split()[2]) for line in answer.stdout.splitlines()]

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 
@@ -21,6 +22,7 @@
 #include "pipeline/present/export/laboratory.hpp"
 #include "solver/dem/softening.hpp"
 #include "solver/motion/regime.hpp"
+#include "solver/oblique/oblique.hpp"
 
 namespace ashimpact {
 
@@ -286,6 +288,31 @@ void require_inside_model(const ExportSubject& subject) {
                              "damping and sizes with critical velocities inside the model");
 }
 
+namespace {
+
+/// Adds a normal rebound of middle velocity at several angles, with friction on a wall.
+void add_oblique(const ExportSubject& subject, std::vector<ExpectedImpact>& impacts) {
+    if (!(subject.friction > 0) || subject.partner) return;
+    std::vector<ExpectedImpact> rebounds;
+    for (const ExpectedImpact& each : impacts)
+        if (each.outcome == Outcome::rebound && each.diameter == impacts.front().diameter)
+            rebounds.push_back(each);
+    if (rebounds.empty()) return;
+    ExpectedImpact each = rebounds[rebounds.size() / 2];
+    ObliqueImpact impact{
+        .normal = impact_at(subject, each.diameter, each.velocity),
+        .bodies = {.sphere = {each.diameter / 2, particle_mass(subject, each.diameter)}, .partner = {}},
+        .friction = subject.friction};
+    for (const double degrees : {10, 25, 40, 55, 70}) {
+        each.tangential_velocity = each.velocity * std::tan(degrees * std::numbers::pi / 180);
+        impact.tangential.velocity = each.tangential_velocity;
+        each.rebound_tangential_velocity = solve_oblique_impact(impact).tangential.after.velocity;
+        impacts.push_back(each);
+    }
+}
+
+}  // namespace
+
 std::vector<ExpectedImpact> expected_impacts(const ExportSubject& subject) {
     const ExportSubject stiff = stiffened(subject);
     const double stretch = stretch_of(subject);
@@ -304,6 +331,7 @@ std::vector<ExpectedImpact> expected_impacts(const ExportSubject& subject) {
                                .maximum_overlap = stretch * result.maximum_overlap});
             if (result.contact_time) *impacts.back().contact_time *= stretch;
         }
+    add_oblique(stiff, impacts);
     return impacts;
 }
 
@@ -352,6 +380,7 @@ ExportFile expected_json(const ExportSubject& subject, std::string_view code, co
     if (subject.partner)
         document["partner"] = {{"radius", quantity_json(subject.partner->radius, Dimension::length)},
                                {"mass", quantity_json(subject.partner->mass, Dimension::mass)}};
+    if (subject.friction > 0) document["friction"] = subject.friction;
     if (subject.stiff)
         document["softening"] = {{"factor", subject.stiff->factor}, {"stretch", stretch_of(subject)}};
     if (!subject.laboratory.empty()) document["laboratory"] = laboratory_json(subject);
@@ -364,6 +393,12 @@ ExportFile expected_json(const ExportSubject& subject, std::string_view code, co
              {"outcome", name_of(impact.outcome)},
              {"restitution", quantity_json(impact.restitution, Dimension::fraction)},
              {"contact_time", quantity_json(impact.contact_time, Dimension::time)}});
+        if (impact.rebound_tangential_velocity) {
+            document["impacts"].back()["tangential_velocity"] =
+                quantity_json(impact.tangential_velocity, Dimension::velocity);
+            document["impacts"].back()["rebound_tangential_velocity"] =
+                quantity_json(*impact.rebound_tangential_velocity, Dimension::velocity);
+        }
         if (!subject.laboratory.empty())
             document["impacts"].back()["measured_restitution"] =
                 quantity_json(impact.measured, Dimension::fraction);

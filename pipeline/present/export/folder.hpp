@@ -57,6 +57,8 @@ struct ExpectedImpact {
     std::optional<double> measured{};       ///< e of the laboratory there; none: not known [1]
     std::optional<double> contact_time;     ///< none for a capture [s]
     std::optional<double> maximum_overlap;  ///< [m]
+    double tangential_velocity = 0;         ///< along the wall before the impact; 0 of a normal one [m/s]
+    std::optional<double> rebound_tangential_velocity{};  ///< of an oblique one that rebounds [m/s]
 };
 
 /// Refuses a size of the expected impacts whose critical velocity is outside the model. @throws InputError

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "solver/batch/batch.hpp"
+#include "solver/batch/parallel.hpp"
+#include "solver/motion/trajectory.hpp"
 
 namespace ashimpact {
 
@@ -134,6 +137,22 @@ ImpactBatchResult solve(const std::vector<Impact>& impacts) {
     return solve_impacts(ImpactList(impacts).batch(), {.threads = 0, .turning_point = false});
 }
 
+/// The attraction at each node. @param impacts of the nodes, row by row
+Eigen::ArrayXXd attractions(const std::vector<Impact>& impacts, const ImpactTable& table) {
+    const auto columns = static_cast<std::size_t>(table.t.size());
+    std::vector<std::size_t> places(impacts.size());
+    std::iota(places.begin(), places.end(), 0);
+    const std::vector<double> values = in_parallel(places, [&](std::size_t i) {
+        const std::size_t place = i % columns == 0 && table.captures ? i + 1 : i;
+        const Impact& impact = impacts[place];
+        const double captured = table.restitution(static_cast<Eigen::Index>(place / columns),
+                                                  static_cast<Eigen::Index>(place % columns));
+        return captured > 0 ? attraction_impulse(impact) / (impact.contact.mass * impact.velocity) : 0;
+    });
+    using RowMajor = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    return Eigen::Map<const RowMajor>(values.data(), table.velocity.rows(), table.velocity.cols());
+}
+
 void fill_nodes(const ExportSubject& subject, ImpactTable& table) {
     const auto rows = static_cast<Eigen::Index>(table.diameter.size());
     const auto columns = static_cast<Eigen::Index>(table.t.size());
@@ -155,6 +174,7 @@ void fill_nodes(const ExportSubject& subject, ImpactTable& table) {
     using RowMajor = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     table.restitution = Eigen::Map<const RowMajor>(result.restitution.data(), rows, columns);
     table.contact_time = Eigen::Map<const RowMajor>(result.contact_time.data(), rows, columns);
+    if (subject.friction > 0 && subject.law.is_adhesive()) table.attraction = attractions(impacts, table);
     if (!table.captures) return;
     for (Eigen::Index i = 0; i < rows; ++i)  // damping that rises with the velocity may capture again
         if (!(table.restitution.row(i).tail(columns - 1) > 0).all())

@@ -30,9 +30,12 @@ struct ImpactTable {
     Eigen::ArrayXXd damping;             ///< coefficient [unit of the damping law]
     Eigen::ArrayXXd restitution;         ///< 0 at v_c [1]
     Eigen::ArrayXXd contact_time;        ///< not a number at v_c [s]
-    double from_velocity = 0;            ///< smallest velocity [m/s]; 0 where there are captures
-    double to_velocity = 0;              ///< largest velocity [m/s]
-    double largest_error = 0;            ///< |de| found between the nodes [1]
+    /// Time integral of the attraction over m v, on which friction acts too; at v_c that of the next node.
+    /// Empty without friction, and without adhesion [1].
+    Eigen::ArrayXXd attraction{};
+    double from_velocity = 0;  ///< smallest velocity [m/s]; 0 where there are captures
+    double to_velocity = 0;    ///< largest velocity [m/s]
+    double largest_error = 0;  ///< |de| found between the nodes [1]
 };
 
 /// |de| that a table keeps between its nodes [1].

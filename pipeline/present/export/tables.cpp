@@ -14,6 +14,8 @@ namespace ashimpact {
 
 namespace {
 
+/// |dv_t'| over the velocity that a table keeps between its nodes: that of e and of the attraction [1].
+constexpr double tangential_accuracy = 2e-3;
 constexpr double flight = 1e-3;  // duration of OpenFOAM's check; a parcel meets the wall in its middle [s]
 
 /// Numbers, a line each, with what ends a number.
@@ -29,6 +31,10 @@ Eigen::ArrayXd restitutions(const ImpactTable& table) {
     return table.restitution.reshaped<Eigen::RowMajor>();
 }
 
+Eigen::ArrayXd attractions_of(const ImpactTable& table) {
+    return table.attraction.reshaped<Eigen::RowMajor>();
+}
+
 /// The subject with the velocities that its table has.
 ExportSubject within(ExportSubject subject, const ImpactTable& table) {
     subject.to_velocity = table.to_velocity;
@@ -37,7 +43,9 @@ ExportSubject within(ExportSubject subject, const ImpactTable& table) {
 
 ExportFile table_expected(const ExportSubject& subject, std::string_view code, const ImpactTable& table) {
     return expected_json(within(subject, table), code,
-                         {{"tolerance", table_accuracy}, {"largest_error_found", table.largest_error}});
+                         {{"tolerance", table_accuracy},
+                          {"tangential_tolerance", tangential_accuracy},
+                          {"largest_error_found", table.largest_error}});
 }
 
 /// The least and the greatest density of the sizes [kg/m3].
@@ -59,11 +67,14 @@ std::string fluent_header(const ExportSubject& subject, const ImpactTable& table
                exact(densities.front()), exact(densities.back())) +
            array("ash_diameters", table.diameter) + array("ash_start_velocities", table.start_velocity) +
            array("ash_slopes", table.slope) + array("ash_restitutions", restitutions(table)) +
+           (table.attraction.size() > 0 ? array("ash_attractions", attractions_of(table)) : std::string()) +
+           fmt::format("static const double ash_friction_coefficient = {};\n", exact(subject.friction)) +
            fmt::format(
                "static const AshTable ash_table = {{{}, {}, ash_diameters, ash_start_velocities, ash_slopes, "
-               "ash_restitutions,\n    {}, {}, {}, {}}};\n",
-               table.diameter.size(), table.t.size(), exact(table.t[1]), exact(table.from_velocity),
-               exact(table.to_velocity), table.captures ? 1 : 0);
+               "ash_restitutions,\n    {}, {}, {}, {}, {}}};\n",
+               table.diameter.size(), table.t.size(), table.attraction.size() > 0 ? "ash_attractions" : "0",
+               exact(table.t[1]), exact(table.from_velocity), exact(table.to_velocity),
+               table.captures ? 1 : 0);
 }
 
 template <class Values>
@@ -82,7 +93,10 @@ std::string foam_table(const ExportSubject& subject, const ImpactTable& table) {
                table.t.size(), exact(table.t[1]), exact(table.from_velocity), exact(table.to_velocity),
                table.captures ? "yes" : "no") +
            foam_list("diameter", table.diameter) + foam_list("startVelocity", table.start_velocity) +
-           foam_list("slope", table.slope) + foam_list("restitution", restitutions(table));
+           foam_list("slope", table.slope) + foam_list("restitution", restitutions(table)) +
+           fmt::format("adhesive        {};\nfriction        {};\n", subject.law.is_adhesive() ? "yes" : "no",
+                       exact(subject.friction)) +
+           (table.attraction.size() > 0 ? foam_list("attraction", attractions_of(table)) : std::string());
 }
 
 /// A name with a list of numbers on one line.
@@ -101,9 +115,9 @@ std::string foam_solver(const ExportSubject& subject) {
         "them the\n// parameters are linear in ln d, and so is ln(damping) at equal t. Beyond them damping "
         "goes "
         "with (d/d_0)^exponent.\nlaw             {};\ndetachment      {};\ndampingLaw      {};\n"
-        "exponent        {};\n",
+        "exponent        {};\nfriction        {};\n",
         subject.law.name(), name_of(subject.detachment), name_of(subject.damping_law),
-        exact(subject.exponent));
+        exact(subject.exponent), exact(subject.friction));
     const auto list = [&](std::string_view name, const auto& value_of) {
         std::vector<double> values;
         for (const AshSize& size : subject.sizes) values.push_back(value_of(size));
@@ -145,10 +159,11 @@ std::string injections(const std::vector<ExpectedImpact>& impacts, ExportFolder&
             "            massTotal       0;\n            parcelBasisType fixed;\n            nParticle       "
             "1;\n"
             "            SOI             0;\n            positionsFile   \"impact{0}\";\n"
-            "            U0              (0 0 {1});\n"
+            "            U0              ({3} 0 {1});\n"
             "            sizeDistribution {{ type fixedValue; fixedValueDistribution {{ value {2}; }} }}\n"
             "        }}\n",
-            i, exact(-impacts[i].velocity), exact(impacts[i].diameter));
+            i, exact(-impacts[i].velocity), exact(impacts[i].diameter),
+            exact(impacts[i].tangential_velocity));
         folder.push_back(
             {fmt::format("check/constant/impact{}", i),
              fmt::format("FoamFile {{ version 2.0; format ascii; class vectorField; object impact{}; }}\n\n"
@@ -224,11 +239,11 @@ ExportFolder fluent_folder(const ExportSubject& subject, const TableImage& /*ima
         {"stand_in/check.c", unchanged("fluent/stand_in/check.c").content},
         unchanged("fluent/run.sh"),
         unchanged("fluent/compare.py"),
-        assumptions(
-            subject,
-            {"TP_DIAM is d, the velocity along the face normal is v, R* = d/2; the wall is at rest",
-             "TP_RHO must be the density above; ash_wall warns where it differs by more than 1 %",
-             "e and v_c from the table; the tangential velocity loses ASH_TANGENTIAL_LOSS, 0 by default"}),
+        assumptions(subject,
+                    {"TP_DIAM is d, the velocity along the face normal is v, R* = d/2; the wall is at rest",
+                     "TP_RHO must be the density above; ash_wall warns where it differs by more than 1 %",
+                     "e and v_c from the table; along the wall a rigid sphere with friction " +
+                         exact(subject.friction) + " and without spin before the impact slides or rolls"}),
         table_expected(subject, "fluent", table)};
 }
 
@@ -237,12 +252,17 @@ ExportFolder openfoam_folder(const ExportSubject& subject, const TableImage& /*i
     const ImpactTable table = make_impact_table(subject);
     const auto impacts = expected_impacts(within(subject, table));
     double fastest = 0;
-    for (const ExpectedImpact& each : impacts) fastest = std::max(fastest, each.velocity);
+    double furthest = 0;
+    for (const ExpectedImpact& each : impacts) {
+        fastest = std::max(fastest, each.velocity);
+        furthest = std::max(furthest, each.tangential_velocity);
+    }
 
     ExportFolder folder;
     TemplateValues values = common_values(subject);
     values["to_velocity"] = readable(table.to_velocity, "m/s");
     values["height"] = exact(flight * fastest);
+    values["width"] = exact(0.01 + 1.1 * flight * furthest);
     values["injections"] = injections(impacts, folder);
     const auto add = [&](const std::string& place, std::string_view path) {
         folder.push_back({place + unchanged(path).name, filled(path, values)});
@@ -272,7 +292,9 @@ ExportFolder openfoam_folder(const ExportSubject& subject, const TableImage& /*i
     folder.push_back(assumptions(
         subject,
         {"d is the parcel's diameter, v the velocity normal to the wall and relative to it, R* = d/2",
-         "e and v_c from the table `ashTable`; the tangential velocity loses the share mu, 0 by default",
+         "e and v_c from the table `ashTable`; along the wall a rigid sphere with friction " +
+             exact(subject.friction) +
+             " slides or rolls, without spin before the impact unless the cloud has it",
          "a parcel of nParticle particles sticks or rebounds as one; its mass counts nParticle times"}));
     folder.push_back(table_expected(subject, "openfoam", table));
     return folder;

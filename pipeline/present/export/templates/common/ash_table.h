@@ -15,6 +15,7 @@ typedef struct {
     const double* start_velocity; /* v_0 [m/s] */
     const double* slope;          /* d ln v_0 / d ln d */
     const double* restitution;    /* nodes of the first diameter, of the second, ... */
+    const double* attraction;     /* at the same nodes: time integral of the attraction over m v; null: there is none */
     double step;                  /* of t */
     double from_velocity;         /* [m/s] */
     double to_velocity;           /* [m/s] */
@@ -51,21 +52,22 @@ static double ash_start_velocity(const AshTable* table, double diameter)
                + s * (1 - s) * width * ((1 - s) * table->slope[i] - s * table->slope[j]));
 }
 
-static double ash_along_t(const AshTable* table, int size, double place)
+static double ash_along_t(const AshTable* table, const double* values, int size, double place)
 {
-    const double* row = table->restitution + (long)size * table->nodes;
+    const double* row = values + (long)size * table->nodes;
     int j = (int)place;
     if (j > table->nodes - 2) j = table->nodes - 2;
     return row[j] + (place - j) * (row[j + 1] - row[j]);
 }
 
-/* e of an impact, 0 for a capture. Diameters within 1e-9 of the ends count as within. */
-static AshStatus ash_restitution(const AshTable* table, double diameter, double velocity, double* restitution)
+/* e of an impact, 0 for a capture, and the impulse over the mass with which the surfaces push [m/s], on which friction
+ * acts: (1 + e) v, more with adhesion. Diameters within 1e-9 of the ends count as within. */
+static AshStatus ash_rebound(const AshTable* table, double diameter, double velocity, double* restitution, double* push)
 {
     const double smallest = table->diameter[0], largest = table->diameter[table->sizes - 1];
-    double start, place, s, width;
+    double start, place, s, width, attraction = 0.0;
     int i;
-    *restitution = 0.0;
+    *restitution = *push = 0.0;
     if (!(diameter >= smallest * (1 - 1e-9) && diameter <= largest * (1 + 1e-9))) return ash_diameter_outside;
     if (!(velocity >= table->from_velocity && velocity <= table->to_velocity)) return ash_velocity_outside;
     if (diameter < smallest) diameter = smallest;
@@ -74,9 +76,22 @@ static AshStatus ash_restitution(const AshTable* table, double diameter, double 
     if (table->captures && velocity < start) return ash_found;
     place = velocity > start ? asinh(sqrt(velocity / start - 1)) / table->step : 0.0;
     i = ash_interval(table, diameter, &s, &width);
-    *restitution = ash_along_t(table, i, place);
-    if (table->sizes > 1) *restitution += s * (ash_along_t(table, i + 1, place) - *restitution);
+    *restitution = ash_along_t(table, table->restitution, i, place);
+    if (table->sizes > 1) *restitution += s * (ash_along_t(table, table->restitution, i + 1, place) - *restitution);
+    if (table->attraction) {
+        attraction = ash_along_t(table, table->attraction, i, place);
+        if (table->sizes > 1) attraction += s * (ash_along_t(table, table->attraction, i + 1, place) - attraction);
+    }
+    *push = (1 + *restitution + attraction) * velocity;
     return ash_found;
+}
+
+/* Impulse of Coulomb friction over the mass of a rigid solid sphere [m/s]: the sphere slides throughout, or the slip of
+ * its surface ends and it rolls. Against the slip; the spin changes by 5/2 of it over the radius. */
+static double ash_friction(double friction, double push, double slip)
+{
+    const double rolls = 2.0 / 7.0 * slip;
+    return friction * push < rolls ? friction * push : rolls;
 }
 
 #endif

@@ -8,7 +8,8 @@
 #include "ash_table.h"
 #include "ash_table_data.h"
 
-#define ASH_TANGENTIAL_LOSS 0.0 /* share of the tangential velocity that a rebound takes, 0 to 1 */
+/* The coefficient of Coulomb friction is that of the export, ash_friction_coefficient in ash_table_data.h. The spin
+ * before an impact is taken as none, that after it is not kept. */
 
 /* The table holds for ash of these densities: a particle of another has another mass, and so another critical velocity. */
 static void ash_compare_density(double density)
@@ -23,14 +24,14 @@ static void ash_compare_density(double density)
 
 DEFINE_DPM_BC(ash_wall, tp, t, f, f_normal, dim)
 {
-    double normal_velocity = 0.0, restitution = 0.0;
+    double normal_velocity = 0.0, restitution = 0.0, push = 0.0, slip = 0.0, kept = 1.0;
     int i;
 
     for (i = 0; i < dim; ++i) normal_velocity += TP_VEL(tp)[i] * f_normal[i];
     if (normal_velocity <= 0.0) return PATH_ACTIVE; /* it flies away already */
     ash_compare_density(TP_RHO(tp));
 
-    switch (ash_restitution(&ash_table, TP_DIAM(tp), normal_velocity, &restitution)) {
+    switch (ash_rebound(&ash_table, TP_DIAM(tp), normal_velocity, &restitution, &push)) {
         case ash_found:
             break;
         case ash_diameter_outside:
@@ -45,9 +46,15 @@ DEFINE_DPM_BC(ash_wall, tp, t, f, f_normal, dim)
     if (restitution <= 0.0) return PATH_END; /* stays on the wall */
 
     for (i = 0; i < dim; ++i) {
+        const double tangential = TP_VEL(tp)[i] - normal_velocity * f_normal[i];
+        slip += tangential * tangential;
+    }
+    slip = sqrt(slip);
+    if (slip > 0.0) kept = 1.0 - ash_friction(ash_friction_coefficient, push, slip) / slip;
+    for (i = 0; i < dim; ++i) {
         const double normal = normal_velocity * f_normal[i];
         const double tangential = TP_VEL(tp)[i] - normal;
-        TP_VEL(tp)[i] = (1.0 - ASH_TANGENTIAL_LOSS) * tangential - restitution * normal;
+        TP_VEL(tp)[i] = kept * tangential - restitution * normal;
         TP_VEL0(tp)[i] = TP_VEL(tp)[i];
     }
     return PATH_ACTIVE;

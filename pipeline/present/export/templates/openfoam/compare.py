@@ -29,19 +29,24 @@ def main():
         with open(path) as file:
             records += list(csv.DictReader(file))
     place = os.path.join(FOLDER, "check/0.001/lagrangian/kinematicCloud")
-    left = dict(zip([int(x[0]) for x in field(place + "/origId")],
-                    [abs(u[2]) for u in field(place + "/U")])) if os.path.isdir(place) else {}
+    left = dict(zip([int(x[0]) for x in field(place + "/origId")], field(place + "/U"))) if os.path.isdir(place) else {}
+    nowhere = [float("nan")] * 3
     tolerance = float(sys.argv[1]) if len(sys.argv) > 1 else expected["tolerance"]
     failures = 0
     print("   d [um]     v [m/s]   outcome      e expected       e at wall   difference   e of flight")
     for impact in expected["impacts"]:
         d, v, e = (impact[key]["value"] for key in ("diameter", "velocity", "restitution"))
+        v_t, after = (impact.get(key, {"value": 0.0})["value"] or 0.0
+                      for key in ("tangential_velocity", "rebound_tangential_velocity"))
         mine = [row for row in records if abs(float(row["diameter [m]"]) / d - 1) < 1e-9
-                and abs(float(row["velocity [m/s]"]) / v - 1) < 1e-6]
+                and abs(float(row["velocity [m/s]"]) / v - 1) < 1e-6
+                and abs(float(row["tangential_velocity [m/s]"]) - v_t) < 1e-6 * (v + v_t)]
         found = float(mine[0]["restitution [1]"]) if mine else float("nan")
-        flight = left.get(int(mine[0]["origId"]), float("nan")) / v if mine else float("nan")
+        away = left.get(int(mine[0]["origId"]), nowhere) if mine else nowhere
+        flight = abs(away[2]) / v
         agrees = (len(mine) == 1 and (found > 0) == (impact["outcome"] == "rebound") and abs(found - e) <= tolerance
-                  and abs(flight - found) <= 1e-9)
+                  and abs(flight - found) <= 1e-9
+                  and (found == 0 or abs(away[0] - after) <= expected["tangential_tolerance"] * (v + v_t)))
         failures += not agrees
         print("%9.4g %11.6g   %-8s %13.9f %15.9f   %10.1e %13.9f%s"
               % (1e6 * d, v, impact["outcome"], e, found, found - e, flight, "" if agrees else "   differs"))

@@ -3,6 +3,31 @@
 #include "OSspecific.H"
 #include "wallPolyPatch.H"
 
+namespace Foam
+{
+    // The spin of a parcel [rad/s], none where its cloud has none.
+    template<class Parcel>
+    auto ashSpin(const Parcel& p, int) -> decltype(vector(p.omega()))
+    {
+        return p.omega();
+    }
+    template<class Parcel>
+    vector ashSpin(const Parcel&, long)
+    {
+        return Zero;
+    }
+
+    template<class Parcel>
+    auto ashChangeSpin(Parcel& p, const vector& change, int) -> decltype(p.angularMomentum() += change, void())
+    {
+        p.angularMomentum() += p.momentOfInertia()*change;
+    }
+    template<class Parcel>
+    void ashChangeSpin(Parcel&, const vector&, long)
+    {}
+}
+
+
 template<class CloudType>
 void Foam::AshImpact<CloudType>::readTable(const fileName& file)
 {
@@ -18,6 +43,14 @@ void Foam::AshImpact<CloudType>::readTable(const fileName& file)
     dict.readEntry("startVelocity", startVelocity_);
     dict.readEntry("slope", slope_);
     dict.readEntry("restitution", restitution_);
+    dict.readIfPresent("attraction", attraction_);
+    if (friction_ < 0) friction_ = dict.getOrDefault<scalar>("friction", 0);
+    if (friction_ > 0 && attraction_.empty() && dict.getOrDefault<bool>("adhesive", true))
+    {
+        FatalErrorInFunction
+            << "With adhesion, friction acts on more than the normal impulse, and " << file << " does not hold how much"
+            << nl << "Export with --friction." << exit(FatalError);
+    }
     leastDensity_ = greatestDensity_ = dict.get<scalar>("density");
     dict.readIfPresent("greatestDensity", greatestDensity_);
     if (greatestDensity_ < leastDensity_) Swap(leastDensity_, greatestDensity_);
@@ -32,6 +65,7 @@ void Foam::AshImpact<CloudType>::readTable(const fileName& file)
         table_.sizes < 1 || table_.nodes < 2 || !(table_.step > 0)
      || startVelocity_.size() != table_.sizes || slope_.size() != table_.sizes
      || restitution_.size() != table_.sizes*table_.nodes
+     || (!attraction_.empty() && attraction_.size() != restitution_.size())
     )
     {
         FatalErrorInFunction << "The lists of " << file << " do not fit one another" << exit(FatalError);
@@ -57,6 +91,7 @@ void Foam::AshImpact<CloudType>::openSolver(const fileName& file)
     const word dampingLaw(dict.get<word>("dampingLaw"));
     exponent_ = dict.get<scalar>("exponent");
     dict.subDict("known").readEntry("diameter", known_);
+    if (friction_ < 0) friction_ = dict.getOrDefault<scalar>("friction", 0);
     const dictionary& numbers = dict.subDict("parameters");
     names_ = numbers.toc();
     values_.setSize(names_.size());
@@ -142,7 +177,13 @@ Foam::scalar Foam::AshImpact<CloudType>::damping
 
 
 template<class CloudType>
-Foam::scalar Foam::AshImpact<CloudType>::solved(const scalar diameter, const scalar velocity) const
+Foam::scalar Foam::AshImpact<CloudType>::solved
+(
+    const scalar diameter,
+    const scalar velocity,
+    const scalar slip,
+    scalar& change
+) const
 {
     label lower = 0;
     scalar share = 0;
@@ -152,7 +193,7 @@ Foam::scalar Foam::AshImpact<CloudType>::solved(const scalar diameter, const sca
         share = std::log(diameter/known_[lower])/std::log(known_[lower + 1]/known_[lower]);
     }
     scalarList values(names_.size());
-    List<ashimpact_column> columns(names_.size() + 3);
+    List<ashimpact_column> columns(names_.size() + 5);
     forAll(names_, i)
     {
         values[i] = values_[i][lower];
@@ -163,6 +204,8 @@ Foam::scalar Foam::AshImpact<CloudType>::solved(const scalar diameter, const sca
     columns[names_.size()] = {"diameter", &diameter, 0};
     columns[names_.size() + 1] = {"damping", &coefficient, 0};
     columns[names_.size() + 2] = {"velocity", &velocity, 0};
+    columns[names_.size() + 3] = {"friction", &friction_, 0};
+    columns[names_.size() + 4] = {"tangential_velocity", &slip, 0};
     const auto checked = [](const ashimpact_status status, const ashimpact_error& error)
     {
         if (status != ASHIMPACT_OK)
@@ -179,7 +222,7 @@ Foam::scalar Foam::AshImpact<CloudType>::solved(const scalar diameter, const sca
         (
             ashimpact_solve_critical_velocities
             (
-                model_.get(), 1, columns.cdata(), columns.size() - 1, outputs, 1, &error
+                model_.get(), 1, columns.cdata(), names_.size() + 2, outputs, 1, &error
             ),
             error
         );
@@ -190,12 +233,18 @@ Foam::scalar Foam::AshImpact<CloudType>::solved(const scalar diameter, const sca
         }
     }
     double e = 0;
-    const ashimpact_output outputs[1] = {{"restitution", &e}};
+    double after = 0;
+    const ashimpact_output outputs[2] = {{"restitution", &e}, {"rebound_tangential_velocity", &after}};
+    const bool slides = friction_ > 0 && slip > 0;
     checked
     (
-        ashimpact_solve_impacts(model_.get(), 1, columns.cdata(), columns.size(), outputs, 1, &error),
+        ashimpact_solve_impacts
+        (
+            model_.get(), 1, columns.cdata(), names_.size() + (slides ? 5 : 3), outputs, slides ? 2 : 1, &error
+        ),
         error
     );
+    change = slides && e > 0 ? slip - after : 0;
     return e;
 }
 #endif
@@ -208,6 +257,7 @@ void Foam::AshImpact<CloudType>::pointTable()
     table_.start_velocity = startVelocity_.cdata();
     table_.slope = slope_.cdata();
     table_.restitution = restitution_.cdata();
+    table_.attraction = attraction_.empty() ? nullptr : attraction_.cdata();
 }
 
 
@@ -218,6 +268,7 @@ Foam::AshImpact<CloudType>::AshImpact(const dictionary& dict, CloudType& cloud)
     table_(),
     leastDensity_(0),
     greatestDensity_(0),
+    friction_(this->coeffDict().template lookupOrDefault<scalar>("friction", -1)),
     mu_(this->coeffDict().template lookupOrDefault<scalar>("mu", 0)),
     patches_(this->coeffDict().template lookupOrDefault<wordRes>("patches", wordRes())),
     remove_(this->coeffDict().template lookupOrDefault<bool>("remove", false)),
@@ -240,6 +291,21 @@ Foam::AshImpact<CloudType>::AshImpact(const dictionary& dict, CloudType& cloud)
     {
         FatalIOErrorInFunction(this->coeffDict()) << "mu is " << mu_ << "; allowed: 0 to 1" << exit(FatalIOError);
     }
+    if (this->coeffDict().found("friction") && !(friction_ >= 0))
+    {
+        FatalIOErrorInFunction(this->coeffDict())
+            << "friction is " << friction_ << "; allowed: 0 or more" << exit(FatalIOError);
+    }
+    if (this->coeffDict().found("mu"))
+    {
+        if (friction_ > 0)
+        {
+            FatalIOErrorInFunction(this->coeffDict())
+                << "friction and mu are both given; allowed: one of the two" << exit(FatalIOError);
+        }
+        friction_ = 0;
+        WarningInFunction << "mu is the old share of the tangential velocity; friction is the coefficient" << endl;
+    }
     const Time& time = cloud.mesh().time();
     const fileName folder(time.globalPath()/time.constant());
     if (this->coeffDict().template lookupOrDefault<bool>("solver", false)) openSolver(folder/"ashSolver");
@@ -255,6 +321,7 @@ Foam::AshImpact<CloudType>::AshImpact(const AshImpact<CloudType>& model)
     startVelocity_(model.startVelocity_),
     slope_(model.slope_),
     restitution_(model.restitution_),
+    attraction_(model.attraction_),
     table_(model.table_),
     leastDensity_(model.leastDensity_),
     greatestDensity_(model.greatestDensity_),
@@ -266,6 +333,7 @@ Foam::AshImpact<CloudType>::AshImpact(const AshImpact<CloudType>& model)
     curves_(model.curves_),
     exponent_(model.exponent_),
     #endif
+    friction_(model.friction_),
     mu_(model.mu_),
     patches_(model.patches_),
     remove_(model.remove_),
@@ -329,15 +397,23 @@ Foam::OFstream& Foam::AshImpact<CloudType>::recordFile()
 
 
 template<class CloudType>
-Foam::scalar Foam::AshImpact<CloudType>::restitution(const scalar diameter, const scalar velocity) const
+Foam::scalar Foam::AshImpact<CloudType>::restitution
+(
+    const scalar diameter,
+    const scalar velocity,
+    const scalar slip,
+    scalar& change   // of the tangential velocity against the slip [m/s]
+) const
 {
     double e = 0;
+    double push = 0;
     #ifdef ASHIMPACT_C_INTERFACE
-    if (model_) return solved(diameter, velocity);
+    if (model_) return solved(diameter, velocity, slip, change);
     #endif
-    switch (ash_restitution(&table_, diameter, velocity, &e))
+    switch (ash_rebound(&table_, diameter, velocity, &e, &push))
     {
         case ash_found:
+            change = e > 0 ? ash_friction(friction_, push, slip) : 0;
             break;
         case ash_diameter_outside:
             FatalErrorInFunction
@@ -402,7 +478,10 @@ bool Foam::AshImpact<CloudType>::correct
     }
 
     compareDensity(p.rho());
-    const scalar e = restitution(p.d(), Un);
+    const scalar radius = 0.5*p.d();
+    const vector slip = Ut + radius*(ashSpin(p, 0) ^ nw);
+    scalar change = 0;
+    const scalar e = restitution(p.d(), Un, mag(slip), change);
     const scalar mass = p.nParticle()*p.mass();
     const label patchi = pp.index();
     if (record_ == recordAll || (record_ == recordStuck && e <= 0))
@@ -416,6 +495,12 @@ bool Foam::AshImpact<CloudType>::correct
     if (e > 0)
     {
         U -= (1 + e)*Un*nw + mu_*Ut;
+        if (change > 0)
+        {
+            const vector against = change/mag(slip)*slip;
+            U -= against;
+            ashChangeSpin(p, -2.5/radius*(nw ^ against), 0);
+        }
         U += Up;
         nRebound_[patchi]++;
         massRebound_[patchi] += mass;
