@@ -36,8 +36,8 @@ double chi_squared_exceedance(double chi_squared, int degrees_of_freedom) {
     return degrees_of_freedom > 0 ? gsl_cdf_chisq_Q(chi_squared, degrees_of_freedom) : 1.0;
 }
 
-double f_exceedance(double ratio, double degrees_above, double degrees_below) {
-    return gsl_cdf_fdist_Q(ratio, degrees_above, degrees_below);
+double variance_ratio_exceedance(double ratio, double upper_freedom, double lower_freedom) {
+    return gsl_cdf_fdist_Q(ratio, upper_freedom, lower_freedom);
 }
 
 double binomial_probability(unsigned most, double success, unsigned trials) {

@@ -24,8 +24,8 @@ namespace ashimpact::gsl {
 /// Probability of a chi^2 at least this large; 1 for 0 degrees of freedom.
 [[nodiscard]] double chi_squared_exceedance(double chi_squared, int degrees_of_freedom);
 
-/// Probability of an F at least this large.
-[[nodiscard]] double f_exceedance(double ratio, double degrees_above, double degrees_below);
+/// Probability that the ratio of two independent variances of equal expectation is at least @p ratio.
+[[nodiscard]] double variance_ratio_exceedance(double ratio, double upper_freedom, double lower_freedom);
 
 /// Probability of @p most or fewer successes in @p trials.
 [[nodiscard]] double binomial_probability(unsigned most, double success, unsigned trials);

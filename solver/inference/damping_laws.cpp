@@ -1,0 +1,508 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/inference/damping_laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <tuple>
+
+#include <Eigen/Dense>
+
+#include "core/text/error.hpp"
+#include "solver/batch/parallel.hpp"
+#include "solver/motion/scale.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
+#include "solver/surrogate/rebound_table.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// Constants of the search.
+constexpr double usual_scatter = 0.03;  ///< of e between impacts beyond stated noise: no weight grows further
+constexpr double octaves_searched = 5;  ///< of a coefficient, to both sides of that of the median impact
+constexpr double octaves_a_step = 1;    ///< finer than the valleys of the misfit
+constexpr std::array ratios_searched{0.0, 5.0, 60.0};  ///< of a second constant: attraction is weak
+constexpr double nearly_everything = 0.8;  ///< of the squares that remain if every impact is captured
+/// Relative change of a coefficient that a parabola of e^2 covers, and how often it is moved at most.
+struct Reach {
+    double relative;
+    int moves;
+    bool last = false;  ///< the impacts at the constants are those of the law itself, and fine
+};
+constexpr Reach first_reach{0.3, 6};
+constexpr Reach middle_reach{0.1, 3};
+constexpr Reach other_law_reach{0.15, 1, true};  ///< from the constants of a similar law
+constexpr Reach last_reach{0.02, 6, true};       ///< the error, of third order, is below 1e-6 of a change
+constexpr double strength_of_repulsion = 30;  ///< beside attraction, for the reach of a first constant near 0
+constexpr int grid_of_one = 60;               ///< steps from end to end of the reach
+constexpr int grid_of_two = 12;               ///< likewise, for each of two constants
+constexpr ReboundTableOptions coarse{
+    .yield_halvings = 6, .lane_degree = 15, .scalar_degree = 8, .cohesive_degree = 7};
+constexpr ReboundTableOptions fine{.lane_degree = 47, .scalar_degree = 13, .cohesive_degree = 9};
+
+/// Constants of the test for differences that are no scatter.
+constexpr std::size_t impacts_a_block = 5;  ///< at least, of neighbouring velocity
+constexpr std::size_t most_blocks = 8;      ///< of a sample
+constexpr std::size_t fewest_of_scatter = 3;
+constexpr double negligible_difference = 0.002;  ///< of e: what a model leaves out and a camera cannot see
+constexpr double rejected_below = 1e-3;          ///< probability of such differences by scatter alone
+
+using Constants = std::array<double, 2>;
+
+struct ComparedImpact {
+    std::size_t sample;
+    double log_velocity;
+    double restitution;
+    bool captured;
+    double weight;
+};
+
+/// Of relative noise that is small beside the scatter all impacts have the same weight.
+double weight_of(const Measurement& impact) {
+    const auto count = static_cast<double>(impact.count);
+    if (!impact.noise) return count;
+    const double e = impact.captured() ? 0 : impact.restitution();
+    const double variance = std::max(0.0, impact.noise->rebound + e * e * impact.noise->incident -
+                                              2 * e * impact.noise->covariance) /
+                            (impact.velocity * impact.velocity);
+    return count / (1 + variance / (usual_scatter * usual_scatter));
+}
+
+/// Samples and impacts in an order that their values determine, so that sums do not depend on the given one.
+std::vector<ImpactsOfSample> in_canonical_order(std::span<const ImpactsOfSample> samples) {
+    std::vector<ImpactsOfSample> sorted(samples.begin(), samples.end());
+    const auto key = [](const Measurement& impact) { return impact.key(); };
+    for (ImpactsOfSample& sample : sorted) std::ranges::sort(sample.impacts, {}, key);
+    const auto before = [&](const ImpactsOfSample& x, const ImpactsOfSample& y) {
+        const auto numbers = [](const ContactPair& pair) {
+            return std::tuple(pair.effective_radius, pair.mass, pair.contact_modulus, pair.work_of_adhesion,
+                              pair.yield_pressure);
+        };
+        if (numbers(x.contact) != numbers(y.contact)) return numbers(x.contact) < numbers(y.contact);
+        return std::ranges::lexicographical_compare(x.impacts, y.impacts, {}, key, key);
+    };
+    std::sort(sorted.begin(), sorted.end(), before);
+    return sorted;
+}
+
+/// The contact without the constants of its own damping law.
+ContactPair without_damping_parameters(ContactPair contact) {
+    const auto is_of_damping = [](std::string_view name) {
+        return std::ranges::any_of(all_values<DampingLaw>, [&](DampingLaw law) {
+            return std::ranges::find(parameters_of(law), name, &LawParameter::name) !=
+                   parameters_of(law).end();
+        });
+    };
+    ParameterValues<double> kept;
+    for (const auto& [name, value] : contact.parameters)
+        if (!is_of_damping(name)) kept.set(name, value);
+    contact.parameters = kept;
+    return contact;
+}
+
+/// The parameter of a law of two constants that is the second: it has the dimension of the first.
+const LawParameter& second_parameter(DampingLaw law) {
+    return *std::ranges::find(parameters_of(law), dimension_of(law), &LawParameter::dimension);
+}
+
+/// e^2 of each impact near some constants: a parabola along each.
+struct NearbyRatios {
+    Eigen::ArrayXd centre{};
+    std::vector<Eigen::ArrayXd> slope{}, curvature{};  ///< per reach and per its square
+
+    [[nodiscard]] Eigen::ArrayXd at(const Eigen::VectorXd& shift) const {
+        Eigen::ArrayXd ratio = centre;
+        for (std::size_t k = 0; k < slope.size(); ++k) {
+            const double d = shift[static_cast<Eigen::Index>(k)];
+            ratio += d * slope[k] + d * d * curvature[k];
+        }
+        return ratio;
+    }
+    [[nodiscard]] Eigen::ArrayXd slope_at(const Eigen::VectorXd& shift, std::size_t k) const {
+        return slope[k] + 2 * shift[static_cast<Eigen::Index>(k)] * curvature[k];
+    }
+};
+
+/// The impacts of all samples beside one damping law.
+class DampingLawFit {
+  public:
+    DampingLawFit(Law law, Detachment detachment, DampingLaw damping_law,
+                  const std::vector<ImpactsOfSample>& samples)
+        : law_(law), detachment_(detachment), damping_law_(damping_law), samples_(samples) {
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            VelocityRange range{std::numeric_limits<double>::infinity(), 0};
+            for (const Measurement& impact : samples[i].impacts) {
+                range = {std::min(range.lower, impact.velocity), std::max(range.upper, impact.velocity)};
+                impacts_.push_back({i, std::log(impact.velocity),
+                                    impact.captured() ? 0 : impact.restitution(), impact.captured(),
+                                    weight_of(impact)});
+            }
+            ranges_.push_back(range);
+        }
+        weights_ = Eigen::ArrayXd(static_cast<Eigen::Index>(impacts_.size()));
+        for (std::size_t i = 0; i < impacts_.size(); ++i)
+            weights_[static_cast<Eigen::Index>(i)] = impacts_[i].weight;
+    }
+
+    [[nodiscard]] FittedDamping fitted() const {
+        const Law start_law = admits(law_.similar()) ? law_.similar() : law_;
+        const std::size_t count = has_one_number(damping_law_) ? 1 : 2;
+        Constants constants = best_of_scan(start_law, count);
+        constants = corrected(start_law, constants, count, first_reach);
+        constants = corrected(start_law, constants, count, middle_reach);
+        if (start_law != law_) constants = corrected(start_law, constants, count, other_law_reach);
+        constants = corrected(start_law, constants, count, last_reach);
+        const NearbyRatios nearby = ratios_near(start_law, constants, count, last_reach);
+        const Eigen::VectorXd shift = best_shift(nearby, constants, last_reach);
+        const Eigen::VectorXd reach = reaches(constants, count, last_reach);
+        constants = moved(constants, shift, reach);
+        FittedDamping result{.law = damping_law_};
+        const Eigen::ArrayXd differences = differences_of(nearby.at(shift));
+        result.misfit = std::sqrt((weights_ * differences.square()).sum() / weights_.sum());
+        set_constants(nearby, shift, reach, constants, result);
+        if (!result.constants.empty())
+            result.evidence =
+                is_scatter(differences, count) ? DampingEvidence::explains : DampingEvidence::rejected;
+        return result;
+    }
+
+  private:
+    [[nodiscard]] bool admits(Law law) const {
+        return std::ranges::all_of(samples_, [&](const ImpactsOfSample& sample) {
+            return !refusal(law, sample.contact, detachment_);
+        });
+    }
+
+    /// The coefficient that gives the rebound of median restitution its e without adhesion.
+    [[nodiscard]] double typical_coefficient() const {
+        std::vector<const ComparedImpact*> rebounds;
+        for (const ComparedImpact& impact : impacts_)
+            if (!impact.captured) rebounds.push_back(&impact);
+        std::ranges::sort(rebounds, {}, [](const ComparedImpact* impact) {
+            return std::tuple(impact->restitution, impact->log_velocity, impact->sample);
+        });
+        const ComparedImpact& median = *rebounds[rebounds.size() / 2];
+        const double loss = std::clamp(1 - median.restitution, 0.01, 0.99);
+        return Scale::of(samples_[median.sample].contact, std::exp(median.log_velocity))
+            .damping_coefficient(damping_law_, hertz_damping_number(damping_law_, loss));
+    }
+
+    /// e^2 of every impact; below 0 where the law captures it.
+    [[nodiscard]] Eigen::ArrayXd ratios(Law law, const Constants& constants,
+                                        const ReboundTableOptions& options) const {
+        std::vector<ReboundTable> tables;
+        for (std::size_t i = 0; i < samples_.size(); ++i) {
+            Impact impact{law,
+                          detachment_,
+                          {damping_law_, constants[0]},
+                          without_damping_parameters(samples_[i].contact),
+                          ranges_[i].upper};
+            if (!has_one_number(damping_law_))
+                impact.contact.parameters.set(second_parameter(damping_law_).name, constants[1]);
+            tables.emplace_back(impact, ranges_[i], options);
+        }
+        Eigen::ArrayXd all(weights_.size());
+        for (std::size_t i = 0; i < impacts_.size(); ++i)
+            all[static_cast<Eigen::Index>(i)] =
+                tables[impacts_[i].sample].energy_ratio(impacts_[i].log_velocity);
+        return all;
+    }
+
+    /// e as measured less e as computed. A capture that the law captures, too, makes none.
+    [[nodiscard]] Eigen::ArrayXd differences_of(const Eigen::ArrayXd& ratio) const {
+        Eigen::ArrayXd differences = -ratio.max(0.0).sqrt();
+        for (std::size_t i = 0; i < impacts_.size(); ++i)
+            differences[static_cast<Eigen::Index>(i)] += impacts_[i].restitution;
+        return differences;
+    }
+    [[nodiscard]] double squares(const Eigen::ArrayXd& ratio) const {
+        return (weights_ * differences_of(ratio).square()).sum();
+    }
+
+    /// The least misfit of a grid of constants, up to damping that captures nearly everything.
+    [[nodiscard]] Constants best_of_scan(Law law, std::size_t count) const {
+        const double typical = typical_coefficient();
+        const double all_captured = squares(Eigen::ArrayXd::Constant(weights_.size(), -1.0));
+        Constants best{typical, 0};
+        double least = std::numeric_limits<double>::infinity();
+        for (const double ratio : ratios_searched) {
+            if (count == 1 && ratio > 0) continue;
+            for (double octave = -octaves_searched; octave <= octaves_searched; octave += octaves_a_step) {
+                const double coefficient = typical * std::exp2(octave);
+                const Constants constants{coefficient, ratio * coefficient};
+                const double here = squares_or_infinite(law, constants);
+                if (here < least) {
+                    least = here;
+                    best = constants;
+                }
+                if (here > 2 * least && here > nearly_everything * all_captured) break;
+            }
+        }
+        return best;
+    }
+    [[nodiscard]] double squares_or_infinite(Law law, const Constants& constants) const {
+        try {
+            return squares(ratios(law, constants, coarse));
+        } catch (const ConvergenceError&) {  // damping far beyond what the impacts have
+            return std::numeric_limits<double>::infinity();
+        }
+    }
+
+    /// How far a parabola reaches along each constant.
+    [[nodiscard]] static Eigen::VectorXd reaches(const Constants& constants, std::size_t count,
+                                                 const Reach& reach) {
+        Eigen::VectorXd reaches(static_cast<Eigen::Index>(count));
+        reaches[0] = reach.relative * std::max(constants[0], constants[1] / strength_of_repulsion);
+        if (count == 2) reaches[1] = reach.relative * std::max(constants[0], constants[1]);
+        return reaches;
+    }
+
+    /// Of the law itself, with the slopes of @p law, which may be a similar one of cheaper impacts; before
+    /// the last reach of that law alone. @param constants a second one below its reach is raised to it, since
+    /// none may be negative
+    [[nodiscard]] NearbyRatios ratios_near(Law law, Constants& constants, std::size_t count,
+                                           const Reach& reach) const {
+        const Eigen::VectorXd reaches = DampingLawFit::reaches(constants, count, reach);
+        for (std::size_t k = 0; k < count; ++k)
+            constants[k] = std::max(constants[k], reaches[static_cast<Eigen::Index>(k)]);
+        const ReboundTableOptions& options = reach.last ? fine : coarse;
+        const Eigen::ArrayXd centre = ratios(law, constants, options);
+        NearbyRatios nearby{.centre = reach.last && law != law_ ? ratios(law_, constants, options) : centre};
+        for (std::size_t k = 0; k < count; ++k) {
+            Constants lower = constants;
+            Constants upper = constants;
+            lower[k] = std::max(0.0, lower[k] - reaches[static_cast<Eigen::Index>(k)]);
+            upper[k] += reaches[static_cast<Eigen::Index>(k)];
+            const Eigen::ArrayXd below = ratios(law, lower, options);
+            const Eigen::ArrayXd above = ratios(law, upper, options);
+            nearby.slope.emplace_back(0.5 * (above - below));
+            nearby.curvature.emplace_back(0.5 * (above + below) - centre);
+        }
+        return nearby;
+    }
+
+    /// Derivatives of e as computed along each constant, in units of its reach.
+    [[nodiscard]] Eigen::MatrixXd slopes(const NearbyRatios& nearby, const Eigen::VectorXd& shift) const {
+        const Eigen::ArrayXd ratio = nearby.at(shift);
+        // Just above capture e has no slope; the bound leaves the position of the minimum as it is.
+        constexpr double least_restitution = 1e-3;
+        const Eigen::ArrayXd acts = (ratio > 0.0).cast<double>();
+        const Eigen::ArrayXd by_ratio = acts * 0.5 / ratio.max(0.0).sqrt().max(least_restitution);
+        Eigen::MatrixXd slopes(ratio.size(), shift.size());
+        for (Eigen::Index k = 0; k < shift.size(); ++k)
+            slopes.col(k) = (by_ratio * nearby.slope_at(shift, static_cast<std::size_t>(k))).matrix();
+        return slopes;
+    }
+
+    /// The best of a grid within the reach: where an impact passes into capture the squares have a local
+    /// minimum.
+    [[nodiscard]] Eigen::VectorXd best_of_grid(const NearbyRatios& nearby,
+                                               const Eigen::VectorXd& least) const {
+        const int last = least.size() == 1 ? grid_of_one : grid_of_two;
+        Eigen::VectorXd best = Eigen::VectorXd::Zero(least.size());
+        double least_squares = squares(nearby.at(best));
+        Eigen::VectorXd shift = best;
+        for (int i = 0; i <= last; ++i)
+            for (int j = 0; j <= (least.size() == 1 ? 0 : last); ++j) {
+                shift[0] = least[0] + (1 - least[0]) * i / last;
+                if (least.size() == 2) shift[1] = least[1] + (1 - least[1]) * j / last;
+                const double here = squares(nearby.at(shift));
+                if (here >= least_squares) continue;
+                least_squares = here;
+                best = shift;
+            }
+        return best;
+    }
+
+    /// The minimum of the squares within the reach of the parabolas, in units of the reach: Gauss-Newton
+    /// steps, damped where they do not descend.
+    [[nodiscard]] Eigen::VectorXd best_shift(const NearbyRatios& nearby, const Constants& constants,
+                                             const Reach& reach) const {
+        const auto count = static_cast<Eigen::Index>(nearby.slope.size());
+        const Eigen::VectorXd reaches = DampingLawFit::reaches(constants, nearby.slope.size(), reach);
+        Eigen::VectorXd least(count);
+        for (Eigen::Index k = 0; k < count; ++k)
+            least[k] = std::max(-1.0, -constants[static_cast<std::size_t>(k)] / reaches[k]);
+        Eigen::VectorXd shift = best_of_grid(nearby, least);
+        double here = squares(nearby.at(shift));
+        double damping = 0;
+        for (int i = 0; i < 200; ++i) {
+            const Eigen::MatrixXd slope = slopes(nearby, shift);
+            Eigen::VectorXd downhill =
+                slope.transpose() * (weights_ * differences_of(nearby.at(shift))).matrix();
+            Eigen::MatrixXd normal = slope.transpose() * weights_.matrix().asDiagonal() * slope;
+            normal.diagonal() *= 1 + damping;
+            for (Eigen::Index k = 0; k < count; ++k) {
+                const bool held =
+                    (shift[k] <= least[k] && downhill[k] < 0) || (shift[k] >= 1 && downhill[k] > 0);
+                if (!held && normal(k, k) > 0) continue;
+                normal.row(k).setZero();
+                normal.col(k).setZero();
+                normal(k, k) = 1;
+                downhill[k] = 0;
+            }
+            const Eigen::VectorXd next =
+                (shift + normal.ldlt().solve(downhill)).cwiseMax(least).cwiseMin(1.0);
+            const double there = squares(nearby.at(next));
+            // Near the minimum squares change by rounding alone; steps go on, so that it is found to
+            // rounding.
+            if (!(there <= here * (1 + 1e-12))) {
+                damping = std::max(1e-3, 4 * damping);
+                if (damping > 1e12) break;
+                continue;
+            }
+            const double step = (next - shift).cwiseAbs().maxCoeff();
+            if (there < here * (1 - 1e-9)) damping *= 0.25;
+            shift = next;
+            here = there;
+            if (step < 1e-15) break;
+        }
+        return shift;
+    }
+
+    [[nodiscard]] static Constants moved(Constants constants, const Eigen::VectorXd& shift,
+                                         const Eigen::VectorXd& reach) {
+        for (Eigen::Index k = 0; k < shift.size(); ++k) {
+            double& constant = constants[static_cast<std::size_t>(k)];
+            constant = std::max(0.0, constant + shift[k] * reach[k]);
+        }
+        return constants;
+    }
+
+    /// Moves the constants downhill until the minimum is within reach.
+    [[nodiscard]] Constants corrected(Law law, Constants constants, std::size_t count,
+                                      const Reach& reach) const {
+        for (int i = 0; i < reach.moves; ++i) {
+            const NearbyRatios nearby = ratios_near(law, constants, count, reach);
+            const Eigen::VectorXd shift = best_shift(nearby, constants, reach);
+            constants = moved(constants, shift, reaches(constants, count, reach));
+            bool within = true;
+            for (Eigen::Index k = 0; k < shift.size(); ++k)
+                within =
+                    within && (std::abs(shift[k]) < 1 - 1e-9 || constants[static_cast<std::size_t>(k)] == 0);
+            if (within) break;
+        }
+        return constants;
+    }
+
+    void set_constants(const NearbyRatios& nearby, const Eigen::VectorXd& shift, const Eigen::VectorXd& reach,
+                       const Constants& constants, FittedDamping& result) const {
+        const Eigen::ArrayXd weights = weights_ / weights_.mean();
+        const Eigen::MatrixXd slope = slopes(nearby, shift) * reach.cwiseInverse().asDiagonal();
+        const Eigen::MatrixXd information = slope.transpose() * weights.matrix().asDiagonal() * slope;
+        const auto freedom = std::max<Eigen::Index>(1, weights.size() - shift.size());
+        const double variance = result.misfit * result.misfit * static_cast<double>(weights.size()) /
+                                static_cast<double>(freedom);
+        const auto constant = [&](std::string_view name, Eigen::Index k, double remaining) {
+            return DampingConstant{name, constants[static_cast<std::size_t>(k)],
+                                   std::sqrt(variance / (information(k, k) * remaining)),
+                                   dimension_of(damping_law_)};
+        };
+        if (!(information(0, 0) > 0)) return;
+        if (shift.size() == 1) {
+            result.constants = {constant("damping", 0, 1)};
+            return;
+        }
+        const double product = information(0, 0) * information(1, 1);
+        const double correlation = product > 0 ? -information(0, 1) / std::sqrt(product) : -1;
+        result.correlation = correlation;
+        if (std::abs(correlation) > greatest_correlation) return;
+        const double remaining = 1 - correlation * correlation;
+        result.constants = {constant("damping", 0, remaining),
+                            constant(second_parameter(damping_law_).name, 1, remaining)};
+    }
+
+    /// Whether differences of neighbouring impacts are as far apart as those of distant ones: analysis of
+    /// variance over blocks of each sample, by velocity. Captures that the law captures, too, do not count.
+    [[nodiscard]] bool is_scatter(const Eigen::ArrayXd& differences, std::size_t constants) const {
+        double between = 0;
+        double within = 0;
+        std::size_t blocks = 0;
+        std::size_t counted = 0;
+        std::size_t first = 0;
+        while (first < impacts_.size()) {
+            std::vector<std::size_t> members;
+            std::size_t end = first;
+            for (; end < impacts_.size() && impacts_[end].sample == impacts_[first].sample; ++end)
+                if (!impacts_[end].captured || differences[static_cast<Eigen::Index>(end)] != 0)
+                    members.push_back(end);
+            const std::size_t number =
+                std::clamp<std::size_t>(members.size() / impacts_a_block, 1, most_blocks);
+            std::size_t to = 0;
+            for (std::size_t k = 0; k < number && to < members.size(); ++k) {
+                const std::size_t from = to;
+                to = std::max(from + 1, (k + 1) * members.size() / number);
+                const auto same_velocity = [&](std::size_t i) {
+                    return impacts_[members[i]].log_velocity == impacts_[members[i - 1]].log_velocity;
+                };
+                while (to < members.size() && same_velocity(to)) ++to;
+                double sum = 0;
+                double sum_of_squares = 0;
+                double weight = 0;
+                for (std::size_t i = from; i < to; ++i) {
+                    const auto j = static_cast<Eigen::Index>(members[i]);
+                    sum += weights_[j] * differences[j];
+                    sum_of_squares += weights_[j] * differences[j] * differences[j];
+                    weight += weights_[j];
+                }
+                between += sum * sum / weight;
+                within += std::max(0.0, sum_of_squares - sum * sum / weight);
+                ++blocks;
+                counted += to - from;
+            }
+            first = end;
+        }
+        if (counted < blocks + fewest_of_scatter || blocks + 1 <= constants) return true;
+        const double freedom = static_cast<double>(counted - blocks);
+        const double scatter =
+            within / freedom + negligible_difference * negligible_difference * weights_.mean();
+        const double groups = static_cast<double>(blocks);
+        return gsl::variance_ratio_exceedance(between / groups / scatter, groups, freedom) >= rejected_below;
+    }
+
+    Law law_;
+    Detachment detachment_;
+    DampingLaw damping_law_;
+    const std::vector<ImpactsOfSample>& samples_;
+    std::vector<ComparedImpact> impacts_{};
+    std::vector<VelocityRange> ranges_{};
+    Eigen::ArrayXd weights_{};
+};
+
+}  // namespace
+
+ContactPair contact_with(const FittedDamping& fitted, const ContactPair& given) {
+    ContactPair contact = without_damping_parameters(given);
+    for (std::size_t k = 1; k < fitted.constants.size(); ++k)
+        contact.parameters.set(fitted.constants[k].name, fitted.constants[k].value);
+    return contact;
+}
+
+std::vector<FittedDamping> fit_damping_laws(Law law, Detachment detachment,
+                                            std::span<const ImpactsOfSample> samples) {
+    std::vector<ImpactsOfSample> sorted = in_canonical_order(samples);
+    std::erase_if(sorted, [](const ImpactsOfSample& sample) { return sample.impacts.empty(); });
+    std::size_t impacts = 0;
+    bool rebounds = false;
+    for (const ImpactsOfSample& sample : sorted) {
+        impacts += sample.impacts.size();
+        rebounds = rebounds || !std::ranges::all_of(sample.impacts, &Measurement::captured);
+    }
+    if (impacts < fewest_compared || !rebounds) return {};
+    const std::vector<DampingLaw> laws(all_values<DampingLaw>.begin(), all_values<DampingLaw>.end());
+    const auto attempts = in_parallel(laws, [&](DampingLaw damping_law) -> std::optional<FittedDamping> {
+        try {
+            return DampingLawFit(law, detachment, damping_law, sorted).fitted();
+        } catch (const ConvergenceError&) {
+            return std::nullopt;
+        }
+    });
+    std::vector<FittedDamping> all;
+    for (const auto& attempt : attempts)
+        if (attempt) all.push_back(*attempt);
+    return all;
+}
+
+}  // namespace ashimpact
