@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/document/fields.hpp"
 #include "pipeline/document/results_json.hpp"
+#include "pipeline/document/sizes_fields.hpp"
 
 namespace ashimpact {
 
@@ -254,6 +255,9 @@ void fields(Io& io, Is<ComparisonResult> auto& result) {
     io.unless_empty("reproduction", result.reproduction);
     io.unless_empty("equal_velocities", result.equal_velocities);
     io.unless_empty("dynamic_over_analytic", result.dynamic_over_analytic);
+    io.unless_empty("dampings", result.dampings);
+    io.unless_empty("by_size", result.by_size);
+    io.unless_empty("sizes", result.sizes);
     io.lenient("conclusion", result.conclusion);
 }
 

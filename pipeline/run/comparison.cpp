@@ -11,7 +11,9 @@
 #include "pipeline/run/comparison/reproduction.hpp"
 #include "pipeline/run/comparison/temperature.hpp"
 #include "pipeline/run/comparison/velocities.hpp"
+#include "pipeline/run/dampings.hpp"
 #include "pipeline/run/reported_law.hpp"
+#include "pipeline/run/sizes.hpp"
 #include "pipeline/run/stage.hpp"
 
 namespace ashimpact {
@@ -274,6 +276,20 @@ SampleComparison comparison_of(const ComparedSample& of, const Case& data) {
     return entry;
 }
 
+/// Which damping explains the impacts, and which sizes stick, by the reported law.
+void set_other_sizes(const Run& run, ComparisonResult& result) {
+    const auto reported = reported_law(run.data, run.contact);
+    if (!reported) return;
+    const LawChoice choice = *std::ranges::find(run.data.laws, reported->law, &LawChoice::law);
+    const auto study = study_dampings(choice, run.contact, run.restitution);
+    if (study) result.dampings = study->comparison;
+    const auto sizes = velocities_by_size({choice, run.data.damping_law, run.contact, run.critical_velocity,
+                                           study ? study->fits : std::vector<FittedDamping>{}});
+    if (!sizes) return;
+    result.by_size = sizes->rows;
+    result.sizes = sizes->summary;
+}
+
 }  // namespace
 
 ComparisonResult comparison_stage(const Run& run, StageRecord& record) {
@@ -315,6 +331,7 @@ ComparisonResult comparison_stage(const Run& run, StageRecord& record) {
     result.equal_velocities = equal_velocities(data, run.contact, run.damping);
     if (gap.known()) result.dynamic_over_analytic = RatioRange{gap.least_ratio, gap.greatest_ratio};
     result.conclusion = gap.sentence();
+    set_other_sizes(run, result);
     return result;
 }
 

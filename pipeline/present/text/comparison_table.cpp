@@ -27,6 +27,75 @@ std::string wrapped_line(const std::string& text, std::size_t width, std::size_t
     return wrapped(text, width, hanging) + "\n";
 }
 
+/// Whether the glass of a sample relaxes during the contact of the reported law: elastic theory then gives a
+/// lower bound of its velocity.
+bool is_lower_bound(const SampleComparison& sample) {
+    if (!sample.temperature || !sample.reported) return false;
+    const auto regime = sample.temperature->regime_of(sample.reported->law);
+    return regime && *regime != ContactRegime::elastic;
+}
+
+/// "Particles of 88 um stick below 1.93 m/s (1.89 to 1.96), by brach-dunn."
+std::string sticking_sentence(const SampleComparison& sample) {
+    const ReportedVelocity& reported = *sample.reported;
+    const std::string size = sample.diameter ? readable(*sample.diameter, "m") : "";
+    std::string text = size == sample.name ? "Particles" : sample.name + ": particles";
+    if (!size.empty()) text += " of " + size;
+    const Answer answer = answer_of(reported);
+    if (answer.velocity > fastest_in_model)
+        return text + ": the critical velocity is " + critical_velocity_text(answer.velocity, "") + ".";
+    const std::string velocity = velocity_text(answer.velocity) + " m/s";
+    switch (answer.kind) {
+        case Answer::Kind::none:
+            return text + ": no critical velocity.";
+        case Answer::Kind::above:
+            return text + " stick below " + velocity + " at least.";
+        case Answer::Kind::below:
+            return text + " rebound above " + velocity + " at least.";
+        case Answer::Kind::velocity:
+            break;
+    }
+    if (is_lower_bound(sample))
+        return fmt::format("{}: {} is a lower bound that elastic theory gives, by {}; at {} the glass is {}.",
+                           text, velocity, reported.law->name(),
+                           celsius(sample.temperature->particle->value()),
+                           name_of(*sample.temperature->regime_of(reported.law)));
+    const std::string bounds = bounds_text(reported.interval);
+    return text + " stick below " + velocity + (bounds.empty() ? "" : " (" + bounds + ")") +
+           (reported.law ? ", by " + std::string(reported.law->name()) : "") + ".";
+}
+
+/// The measured velocity with the interval that is compared: " Measured: 1.92 m/s (1.91 to 1.93)."
+std::string measured_sentence(const SampleComparison& sample) {
+    if (!sample.measured) return {};
+    const std::string bounds = bounds_text(sample.measured_interval);
+    const double velocity = sample.measured->value();
+    return " Measured: " + critical_velocity_text(velocity, velocity_text(velocity) + " m/s") +
+           (bounds.empty() ? "" : " (" + bounds + ")") + ".";
+}
+
+/// What sticks of each sample, and why the velocity is that one. Older artifacts do not have it.
+std::string reported_text(const ComparisonResult& result, std::size_t width, const std::string& scope) {
+    std::string sentences;
+    std::string reasons;
+    bool any_interval = false;
+    for (const SampleComparison& sample : result.samples) {
+        if (!sample.reported) return {};
+        const std::string law(sample.reported->law ? sample.reported->law->name() : "");
+        any_interval = any_interval ||
+                       (sample.reported->velocity && sample.reported->interval && !is_lower_bound(sample));
+        sentences += wrapped_line(sticking_sentence(sample), width);
+        reasons += wrapped_line(fmt::format("{}{}: {}.{}", sample.name, law.empty() ? "" : " by " + law,
+                                            sample.reported->reason, measured_sentence(sample)),
+                                width);
+    }
+    if (any_interval) sentences += "In brackets: the interval that holds the velocity with 95 %.\n";
+    if (const std::string sizes = sizes_sentence(result); !sizes.empty())
+        sentences += wrapped_line(sizes, width);
+    if (!scope.empty()) sentences += wrapped_line(scope, width);
+    return sentences + "\nWhy:\n" + reasons + "\n";
+}
+
 /// What the chemistry of the glass changes in each sample with oxides.
 std::string glass_text(const ComparisonResult& result, std::size_t width) {
     std::string text;
@@ -309,7 +378,8 @@ std::string comparison_text(const ComparisonResult& result, std::size_t width, c
     const std::string title = result.name.empty() ? "" : wrapped_line(result.name, width, 0) + "\n";
     return title + reported_text(result, scope, width) + glass_text(result, width) +
            temperature_text(result, width) + assumptions_text(result, width) + laws_text(result, width) +
-           interval_notes(result, width) + contacts_text(result, width) +
+           interval_notes(result, width) + sizes_text(result, width) +
+           (result.dampings ? dampings_text(*result.dampings, width) : "") + contacts_text(result, width) +
            wrapped_line(result.conclusion, width, 0);
 }
 

@@ -72,6 +72,17 @@ struct Answer {
 /// The part of that summary on temperatures; empty where neither a temperature nor chemistry is known.
 [[nodiscard]] std::string temperature_text(const ComparisonResult& result, std::size_t width);
 
+/// Which damping law explains the impacts: constants, misfits and critical velocities in a table.
+[[nodiscard]] std::string dampings_text(const DampingComparison& comparison,
+                                        std::size_t width = output_width());
+
+/// What the critical velocities by size say: where the assumptions on damping agree, or on what the others
+/// rest. Empty if there are none.
+[[nodiscard]] std::string sizes_sentence(const ComparisonResult& result);
+
+/// The critical velocities of some sizes in a table; empty if there are none.
+[[nodiscard]] std::string sizes_text(const ComparisonResult& result, std::size_t width);
+
 /// A note of an artifact of a run.
 struct Remark {
     std::string file;  ///< of the artifact

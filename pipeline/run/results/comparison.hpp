@@ -16,7 +16,7 @@
 #include "pipeline/run/results/damping.hpp"
 #include "pipeline/run/results/histories.hpp"
 #include "pipeline/run/results/note.hpp"
-#include "pipeline/run/results/reported.hpp"
+#include "pipeline/run/results/sizes.hpp"
 #include "pipeline/run/results/temperature.hpp"
 #include "solver/inference/critical_velocity_uncertainty.hpp"
 
@@ -119,6 +119,9 @@ struct ComparisonResult {
     std::optional<Reproduction> reproduction{};     ///< where restitutions were reconstructed
     std::vector<EqualVelocity> equal_velocities{};  ///< from slow to fast
     std::optional<RatioRange> dynamic_over_analytic{};
+    std::optional<DampingComparison> dampings{};  ///< none: too few impacts by the reported law
+    std::vector<SizeVelocity> by_size{};          ///< by assumption, then from small to large
+    std::optional<SizeSummary> sizes{};           ///< what they say together
     std::string conclusion{};  ///< in words
 };
 

@@ -29,8 +29,9 @@ using test::ashimpact_program;
 using test::Sandbox;
 
 constexpr const char* figures_of_a_run[] = {
-    "composition",  "static-force", "regime-map", "restitution", "damping",           "damping-fit",
-    "contact-time", "sizes",        "histories",  "energy",      "critical-velocity", "sensitivity"};
+    "composition", "static-force",      "regime-map",   "restitution", "damping",
+    "damping-fit", "damping-laws",      "contact-time", "sizes",       "histories",
+    "energy",      "critical-velocity", "which-sizes",  "sensitivity"};
 
 const Sandbox& paper() {
     static const Sandbox sandbox;

@@ -77,6 +77,8 @@ class RunData {
 [[nodiscard]] Figure restitution_figure(const RunData& run);
 [[nodiscard]] Figure damping_figure(const RunData& run);
 [[nodiscard]] Figure damping_fit_figure(const RunData& run);
+[[nodiscard]] Figure damping_laws_figure(const RunData& run);
+[[nodiscard]] Figure which_sizes_figure(const RunData& run);
 [[nodiscard]] Figure contact_time_figure(const RunData& run);
 [[nodiscard]] Figure sizes_figure(const RunData& run);
 [[nodiscard]] Figure histories_figure(const RunData& run);

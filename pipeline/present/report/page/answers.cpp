@@ -347,8 +347,12 @@ std::string sentence(const std::string& text) {
 
 std::string answers_html(const RunData& run) {
     std::string html = "<ul class=\"answers\">\n";
-    for (const SampleData& sample : run.samples()) html += answer(sample, run.run().comparison);
-    return html + "</ul>\n";
+    for (const SampleData& sample : run.samples()) html += answer(sample);
+    html += "</ul>\n";
+    const std::string sizes = sizes_sentence(run.run().comparison);
+    if (!sizes.empty())
+        html += fmt::format("<p><a href=\"#which-sizes\">Other sizes</a>: {}</p>\n", escaped(sizes));
+    return html;
 }
 
 std::string comparison_html(const RunData& run) {
