@@ -262,6 +262,7 @@ class Impacts(unittest.TestCase):
             (dict(radius=44.0), "radius: 44 m is outside of what is plausible, 5 nm to 2.5 mm"),
             (dict(radius=[22e-6, 22e-6], density=[2.3, 2300.0]), "density: 2.3 kg/m3"),
             (dict(radius=22e-6, damping=10.0), "above 500 m/s, outside the model"),
+            (dict(radius=[22e-6, 44e-6], damping=1e-3), "damping: one coefficient for radii of 2.2e-05 m to 4.4e-05 m"),
             (dict(radius=22e-6, density=None, mass=1.0), "mass: 1 kg is outside of what is plausible"),
             (dict(radius=22e-6, density=None, mass=[1e-10, 1e-6]), "mass: density of the sphere: 2.242e\\+07 kg/m3 is outside"),
         ):
@@ -271,6 +272,7 @@ class Impacts(unittest.TestCase):
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             ashimpact.impacts(radius=22e-6, velocity=2.0, **{**ASH, "work_of_adhesion": 0.0})
+            ashimpact.impacts(radius=[22e-6, 44e-6], velocity=2.0, **{**ASH, "damping": [1e-3, 2e-3]})
 
     def test_errors_say_what_is_allowed(self):
         cases = (

@@ -245,7 +245,60 @@ TEST_CASE("an input that no law uses is said, not refused") {
     json["impact"]["work_of_adhesion"] = "0.3 J/m2";
     const SweepSpec spec = read_sweep_spec(json.dump()).spec;
     REQUIRE(spec.warnings.size() == 1);
-    CHECK(spec.warnings[0] == test::containing("work_of_adhesion: hertz does not use it, so it changes nothing"));
+    CHECK(spec.warnings[0] ==
+          test::containing("work_of_adhesion: hertz does not use it, so it changes nothing"));
+}
+
+TEST_CASE("one constant damping for sizes far apart is doubted, unless the spec states it") {
+    Json json = full_spec(512);
+    json["variables"]["radius"] = {{"values", {"20 um", "44 um"}}};
+    const auto warnings = [&] { return read_sweep_spec(json.dump()).spec.warnings; };
+    REQUIRE(warnings().size() == 1);
+    CHECK(warnings()[0] ==
+          test::containing("damping: one coefficient for radii of 20 um to 44 um; with it v_c of small"));
+    Json stated = json;
+    json["impact"]["damping_over_sizes"] = "same";
+    CHECK(warnings().empty());
+    json["impact"]["damping_over_sizes"] = {{"power", 1.5}, {"at_radius", "44 um"}};
+    CHECK(warnings().empty());
+    json = stated;
+    json["impact"]["damping_law"] = "contact-radius";
+    json["impact"]["damping"] = "1500 Pa s";
+    CHECK(warnings().empty());
+    json = stated;
+    json["variables"]["radius"] = {{"values", {"43 um", "44 um"}}};
+    CHECK(warnings().empty());
+}
+
+TEST_CASE("small sizes with a v_c outside of the model are named by law") {
+    Json json = full_spec(512);
+    json["impact"]["damping_over_sizes"] = "same";
+    json["variables"]["radius"] = {{"values", {"5 um", "44 um"}}};
+    const auto warnings = read_sweep_spec(json.dump()).spec.warnings;
+    REQUIRE(warnings.size() == 2);
+    CHECK(warnings[0] == test::containing("dmt: v_c of spheres with a radius of 5 um is above 500 m/s"));
+    CHECK(warnings[1] == test::containing("jkr: v_c of spheres with a radius of 5 um is above 500 m/s"));
+}
+
+TEST_CASE("damping as a power of the radius is that of each impact") {
+    Json json = least_spec();
+    json["impact"].erase("radius");
+    json["impact"]["damping"] = 0.01;
+    json["impact"]["damping_over_sizes"] = {{"power", 2}, {"at_radius", "40 um"}};
+    json["variables"]["radius"] = {{"values", {"20 um", "40 um", "80 um"}}};
+    json["variables"].erase("velocity");
+    json["impact"]["velocity"] = 2;
+    const SweepSpec spec = read_sweep_spec(json.dump()).spec;
+    const std::vector<std::vector<double>> radii{{20e-6, 40e-6, 80e-6}};
+    const ImpactColumns impacts(spec, radii, 3);
+    REQUIRE(impacts.damping.size() == 3);
+    CHECK(impacts.damping[0] == doctest::Approx(0.0025).epsilon(1e-14));
+    CHECK(impacts.damping[1] == doctest::Approx(0.01).epsilon(1e-14));
+    CHECK(impacts.damping[2] == doctest::Approx(0.04).epsilon(1e-14));
+    json["impact"]["damping_over_sizes"]["at_radius"] = "-1 um";
+    CHECK_THROWS_AS(static_cast<void>(read_sweep_spec(json.dump())), InputError);
+    json["impact"]["damping_over_sizes"] = "other";
+    CHECK_THROWS_AS(static_cast<void>(read_sweep_spec(json.dump())), InputError);
 }
 
 TEST_CASE("every parameter of a law is an input of its own, by its name") {

@@ -2,10 +2,13 @@
 #include "pipeline/app/sweep/spec/impacts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
 
+#include "core/plausibility.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
@@ -175,6 +178,11 @@ ImpactColumns::ImpactColumns(const SweepSpec& spec, const std::vector<std::vecto
     work_of_adhesion = column(ImpactInput::work_of_adhesion);
     yield_pressure = column(ImpactInput::yield_pressure, infinite);
     damping = column(ImpactInput::damping);
+    if (spec.damping_over_sizes && spec.damping_over_sizes->power != 0)
+        damping = keep(combined(damping, effective_radius, [&](double coefficient, double radius) {
+            return coefficient *
+                   std::pow(radius / spec.damping_over_sizes->radius, spec.damping_over_sizes->power);
+        }));
     velocity = column(ImpactInput::velocity);
     if (velocity.size() != count) velocity = keep(spread(velocity, count));
     mass = masses(ImpactInput::mass, ImpactInput::density, effective_radius);
@@ -192,6 +200,46 @@ ImpactColumns::ImpactColumns(const SweepSpec& spec, const std::vector<std::vecto
 ImpactColumns::Values ImpactColumns::keep(Eigen::ArrayXd values) {
     const Eigen::ArrayXd& kept = kept_.emplace_back(std::move(values));
     return {kept.data(), static_cast<std::size_t>(kept.size())};
+}
+
+std::vector<std::string> warnings_of_sizes(const SweepSpec& spec) {
+    const auto radius = std::ranges::find(spec.variables, ImpactInput::radius, &SweepVariable::input);
+    if (radius == spec.variables.end() || !is_given(spec, ImpactInput::damping)) return {};
+    constexpr double similar_sizes = 1.1;  // greatest ratio of radii that one damping may serve
+    std::array shares{0.05, 0.5, 0.95};
+    to_quantiles(radius->distribution, shares);
+    const auto [small, middle, large] = shares;
+    if (large <= similar_sizes * small) return {};
+    std::vector<std::string> warnings;
+    if (spec.damping_law == DampingLaw::constant && !spec.damping_over_sizes)
+        warnings.push_back("damping: one coefficient for radii of " + readable(small, "m") + " to " +
+                           readable(large, "m") +
+                           "; with it v_c of small spheres grows without bound. State "
+                           "\"damping_over_sizes\": \"same\", or a "
+                           "power of the radius, or choose another damping_law");
+    Values medians(spec.variables.size());
+    for (std::size_t i = 0; i < medians.size(); ++i) {
+        std::array half{0.5};
+        to_quantiles(spec.variables[i].distribution, half);
+        medians[i] = {spec.variables[i].input == ImpactInput::radius ? small : half[0]};
+    }
+    const ImpactColumns impacts(spec, medians, 1);
+    for (const LawChoice& choice : spec.laws) {
+        const Impact impact = impact_at({choice.law, choice.detachment, spec.damping_law}, impacts, 0);
+        try {
+            validate(impact);
+            const CriticalVelocity critical =
+                tabulated_critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
+            if (critical.value && outside_model(*critical.value))
+                warnings.push_back(std::string(choice.law.name()) + ": v_c of spheres with a radius of " +
+                                   readable(small, "m") + " is " +
+                                   critical_velocity_text(*critical.value, "") +
+                                   "; their captures, and shares that count them, are no result");
+        } catch (const InputError&) {  // reported where the impact itself is solved
+        } catch (const ConvergenceError&) {
+        }
+    }
+    return warnings;
 }
 
 ResultColumns solve_in_batch(const ImpactModel& model, const ImpactColumns& impacts,

@@ -57,6 +57,10 @@ struct ImpactModel {
     DampingLaw damping_law;
 };
 
+/// What to doubt where sizes vary: a constant damping that is the same for all of them without the spec
+/// stating so, and laws by which the small ones have a critical velocity outside of the model.
+[[nodiscard]] std::vector<std::string> warnings_of_sizes(const SweepSpec& spec);
+
 /// Results wanted in addition to the restitution (others stay empty), and the method to compute them.
 struct WantedResults {
     bool contact_time = false;

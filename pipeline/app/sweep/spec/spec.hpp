@@ -89,6 +89,12 @@ struct ObservableStatistics {
     std::vector<double> quantiles;  ///< probabilities
 };
 
+/// How the damping coefficient goes with the radius, as the spec states it: damping (r/radius)^power.
+struct DampingOverSizes {
+    double power;
+    double radius;  ///< at which the coefficient is that of the spec [m]
+};
+
 /// What a sweep computes.
 struct SweepSpec {
     std::vector<LawChoice> laws;
@@ -96,6 +102,7 @@ struct SweepSpec {
     std::vector<std::optional<double>> fixed =
         std::vector<std::optional<double>>(impact_input_count());  ///< inputs that do not vary [SI]
     std::vector<SweepVariable> variables;
+    std::optional<DampingOverSizes> damping_over_sizes;  ///< none: not stated, the same for every size
     Sampling sampling{};
     std::vector<ObservableStatistics> statistics;  ///< `captured` first, always there
     std::vector<Observable> sensitivity;           ///< whose Sobol indices are wanted

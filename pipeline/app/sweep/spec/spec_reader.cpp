@@ -7,6 +7,7 @@
 #include "core/plausibility.hpp"
 #include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
+#include "pipeline/app/sweep/spec/impacts.hpp"
 #include "pipeline/app/sweep/spec/spec.hpp"
 #include "pipeline/case/case_parts.hpp"
 #include "pipeline/files/schema.hpp"
@@ -41,7 +42,8 @@ bool any_law(const SweepSpec& spec, const Predicate& predicate) {
 
 void read_fixed(const View& impact, SweepSpec& spec) {
     for (const auto& [key, node] : impact.members()) {
-        if (key == "laws" || key == "detachments" || key == "damping_law") continue;
+        if (key == "laws" || key == "detachments" || key == "damping_law" || key == "damping_over_sizes")
+            continue;
         const ImpactInput input = impact_input_named(key);
         const Dimension dimension = dimension_of(input, spec.damping_law);
         const double value = node.number(dimension);
@@ -101,6 +103,14 @@ void warn_of_mass(SweepSpec& spec, ImpactInput radius_input, ImpactInput mass_in
     const auto doubt = lightest > plausible.greatest ? implausible_mass(radius.highest, mass.lowest)
                                                      : implausible_mass(radius.lowest, mass.highest);
     if (doubt) spec.warnings.push_back(std::string(name_of(mass_input)) + ": " + doubt->text);
+}
+
+DampingOverSizes read_damping_over_sizes(const View& node) {
+    if (!node.has("power")) return {.power = 0, .radius = 1};
+    const View radius = node.at("at_radius");
+    const double value = radius.number(Dimension::length);
+    at_place(radius.pointer(), [&] { require_allowed(ImpactInput::radius, value, Dimension::length); });
+    return {.power = node.at("power").number(Dimension::fraction), .radius = value};
 }
 
 void check_inputs(const View& document, SweepSpec& spec) {
@@ -260,7 +270,10 @@ LoadedSpec read_sweep_spec(const std::string& text) {
         const ImpactInput input = impact_input_named(member.key);
         spec.variables.push_back({input, read_variable(member.value, input, spec.damping_law)});
     }
+    if (const auto sizes = impact.find("damping_over_sizes"))
+        spec.damping_over_sizes = read_damping_over_sizes(*sizes);
     check_inputs(document, spec);
+    for (const std::string& warning : warnings_of_sizes(spec)) spec.warnings.push_back(warning);
     spec.sampling = read_sampling(document.at("sampling"));
     if (spec.sampling.method != SamplingMethod::grid)  // draws follow the names, not the order of the keys
         std::ranges::sort(spec.variables, std::ranges::greater(),
