@@ -182,12 +182,18 @@ std::optional<PowerOfSize> power_of_size(const SizeSources& sources, const std::
     return power;
 }
 
-/// Whether one coefficient for all sizes gives every sample its critical velocity within agreement_factor.
+/// Whether a damping law with its constants gives every sample its critical velocity within agreement_factor.
 bool gives_samples(const SizeSources& sources, const std::vector<MeasuredSize>& sizes,
-                   const Damping& damping) {
+                   const FittedDamping& fitted) {
     return std::ranges::all_of(sizes, [&](const MeasuredSize& size) {
-        const auto velocity = critical_velocity_of(sources, damping, size.contact);
-        return velocity && std::abs(std::log(*velocity / size.velocity.value)) <= std::log(agreement_factor);
+        try {
+            const auto velocity =
+                critical_velocity_of(sources, fitted.damping(), contact_with(fitted, size.contact));
+            return velocity &&
+                   std::abs(std::log(*velocity / size.velocity.value)) <= std::log(agreement_factor);
+        } catch (const ConvergenceError&) {
+            return false;
+        }
     });
 }
 
@@ -376,17 +382,17 @@ std::optional<VelocitiesBySize> velocities_by_size(const SizeSources& sources) {
         const auto rows = in_parallel(sizes, row_of);
         all.rows.insert(all.rows.end(), rows.begin(), rows.end());
     };
+    bool explained = false;
     for (const FittedDamping& fitted : sources.dampings) {
-        if (fitted.evidence != DampingEvidence::explains) continue;
+        if (fitted.evidence != DampingEvidence::explains || !gives_samples(sources, measured, fitted))
+            continue;
+        explained = true;
         const DampingConstant& first = fitted.constants.front();
         all.summary.coefficients.emplace_back(std::string(name_of(fitted.law)),
                                               make_quantity(first.value, first.dimension, first.uncertainty));
         const AssumedVelocities assumed(sources, basis_of(fitted.law));
         add_rows([&](double diameter) { return assumed.of_fit(diameter, fitted); });
     }
-    const bool explained = std::ranges::any_of(sources.dampings, [](const FittedDamping& fitted) {
-        return fitted.evidence == DampingEvidence::explains;
-    });
     if (!explained) {
         all.summary.constants = ConstantsFrom::capture;
         const auto constants = in_parallel(one_number_laws(), [&](DampingLaw law) -> std::optional<Damping> {

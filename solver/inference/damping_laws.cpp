@@ -43,8 +43,8 @@ constexpr ReboundTableOptions coarse{
 constexpr ReboundTableOptions fine{.lane_degree = 47, .scalar_degree = 13, .cohesive_degree = 9};
 
 /// Constants of the test for differences that are no scatter.
-constexpr std::size_t impacts_a_block = 5;  ///< at least, of neighbouring velocity
-constexpr std::size_t most_blocks = 8;      ///< of a sample
+constexpr std::size_t impacts_a_block = 2;  ///< at least, of neighbouring velocity
+constexpr std::size_t most_blocks = 40;     ///< of a sample
 constexpr std::size_t fewest_of_scatter = 3;
 constexpr double negligible_difference = 0.002;  ///< of e: what a model leaves out and a camera cannot see
 constexpr double rejected_below = 1e-3;          ///< probability of such differences by scatter alone

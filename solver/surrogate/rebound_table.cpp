@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "solver/batch/batch.hpp"
 #include "solver/batch/kernels/kernel.hpp"
-#include "solver/motion/regime.hpp"
 
 namespace ashimpact {
 
@@ -28,10 +28,29 @@ Eigen::ArrayXd restitutions_at(const Impact& impact, const std::vector<double>& 
     return e;
 }
 
+/// v_c of a contact that can yield, if it is elastic up to v_c or, where that is greater, up to @p fastest.
+std::optional<CriticalVelocity> elastic_critical_velocity(const CriticalVelocityProblem& problem,
+                                                          double fastest) {
+    CriticalVelocityProblem elastic = problem;
+    elastic.contact.yield_pressure = std::numeric_limits<double>::infinity();
+    const CriticalVelocity critical = tabulated_critical_velocity(elastic);
+    const double velocity = std::min(critical.value.value_or(fastest), fastest);
+    if (!std::isfinite(velocity) || critical.verdict == CaptureVerdict::never_captured) return std::nullopt;
+    const ImpactResult impact =
+        solve_impact({problem.law, problem.detachment, problem.damping, problem.contact, velocity});
+    return impact.yielded ? std::nullopt : std::optional(critical);
+}
+
+CriticalVelocity critical_velocity_up_to(const CriticalVelocityProblem& problem, double fastest) {
+    if (can_yield(problem.law, problem.contact))
+        if (const auto critical = elastic_critical_velocity(problem, fastest)) return *critical;
+    return tabulated_critical_velocity(problem);
+}
+
 /// ln v_c; minus infinity if nothing is captured, infinite if everything is.
 double log_critical_velocity(const Impact& impact) {
-    const CriticalVelocity critical =
-        quick_critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
+    const CriticalVelocity critical = critical_velocity_up_to(
+        {impact.law, impact.detachment, impact.damping, impact.contact}, impact.velocity);
     if (critical.value) return std::log(*critical.value);
     const double infinite = std::numeric_limits<double>::infinity();
     return critical.verdict == CaptureVerdict::never_captured ? -infinite : infinite;
@@ -57,17 +76,7 @@ double log_yield_velocity(Impact impact, double lower, double upper, int halving
 }  // namespace
 
 CriticalVelocity quick_critical_velocity(const CriticalVelocityProblem& problem) {
-    if (can_yield(problem.law, problem.contact)) {
-        CriticalVelocityProblem elastic = problem;
-        elastic.contact.yield_pressure = std::numeric_limits<double>::infinity();
-        const CriticalVelocity critical = tabulated_critical_velocity(elastic);
-        if (critical.value) {
-            const Regime regime = regime_of(
-                {problem.law, problem.detachment, problem.damping, problem.contact, *critical.value}, 0);
-            if (regime.law_yield_velocity && *critical.value < *regime.law_yield_velocity) return critical;
-        }
-    }
-    return tabulated_critical_velocity(problem);
+    return critical_velocity_up_to(problem, std::numeric_limits<double>::infinity());
 }
 
 ReboundTable::ReboundTable(Impact impact, const VelocityRange& velocities, const Options& options) {

@@ -76,12 +76,12 @@ std::vector<Measurement> laboratory_impacts(const Damping& damping, double diame
 constexpr double laboratory_sizes[]{60e-6, 88e-6, 120e-6};
 
 /// What velocities_by_size() needs of a laboratory without scatter.
-struct Laboratory {
+struct SizesLaboratory {
     ContactResult contacts{};
     CriticalVelocityResult velocities{};
     std::vector<FittedDamping> dampings{};
 
-    Laboratory(const Damping& truth, std::vector<double> diameters, bool fitted = true) {
+    SizesLaboratory(const Damping& truth, std::vector<double> diameters, bool fitted = true) {
         std::vector<ImpactsOfSample> samples;
         for (const double diameter : diameters) {
             contacts.samples.push_back(contact_of_laboratory(diameter));
@@ -141,7 +141,7 @@ Json laboratory_case(const Damping& truth) {
 
 TEST_CASE("v_c of other sizes is exact by the damping law that made the impacts, and as measured between") {
     const Damping truth{DampingLaw::contact_radius, 1500};
-    const VelocitiesBySize sizes = Laboratory(truth, {60e-6, 88e-6, 120e-6}).by_size();
+    const VelocitiesBySize sizes = SizesLaboratory(truth, {60e-6, 88e-6, 120e-6}).by_size();
     CHECK(sizes.summary.constants == ConstantsFrom::impacts);
     const auto rows = rows_of(sizes, SizeBasis::contact_radius);
     CHECK(rows.size() >= 15);
@@ -174,7 +174,7 @@ TEST_CASE(
     "one size whose impacts no law explains: every assumption goes through its v_c, and none beyond is "
     "sure") {
     const Damping truth{DampingLaw::contact_radius, 1500};
-    const VelocitiesBySize sizes = Laboratory(truth, {88e-6}, false).by_size();
+    const VelocitiesBySize sizes = SizesLaboratory(truth, {88e-6}, false).by_size();
     CHECK(sizes.summary.constants == ConstantsFrom::capture);
     CHECK(!sizes.summary.power);
     const double measured = true_critical_velocity(truth, 88e-6);
@@ -196,8 +196,8 @@ TEST_CASE(
 
 TEST_CASE("no velocity by size depends on the order of samples") {
     const Damping truth{DampingLaw::tsuji, 0.4};
-    const VelocitiesBySize one = Laboratory(truth, {60e-6, 88e-6, 120e-6}).by_size();
-    const VelocitiesBySize other = Laboratory(truth, {120e-6, 60e-6, 88e-6}).by_size();
+    const VelocitiesBySize one = SizesLaboratory(truth, {60e-6, 88e-6, 120e-6}).by_size();
+    const VelocitiesBySize other = SizesLaboratory(truth, {120e-6, 60e-6, 88e-6}).by_size();
     REQUIRE(one.rows.size() == other.rows.size());
     for (std::size_t i = 0; i < one.rows.size(); ++i) {
         CHECK(one.rows[i].diameter == other.rows[i].diameter);

@@ -252,6 +252,7 @@ TEST_CASE("an input that no law uses is said, not refused") {
 TEST_CASE("one constant damping for sizes far apart is doubted, unless the spec states it") {
     Json json = full_spec(512);
     json["variables"]["radius"] = {{"values", {"20 um", "44 um"}}};
+    json["impact"]["damping"] = "1e-4 kg/s";
     const auto warnings = [&] { return read_sweep_spec(json.dump()).spec.warnings; };
     REQUIRE(warnings().size() == 1);
     CHECK(warnings()[0] ==

@@ -106,7 +106,7 @@ void warn_of_mass(SweepSpec& spec, ImpactInput radius_input, ImpactInput mass_in
 }
 
 DampingOverSizes read_damping_over_sizes(const View& node) {
-    if (!node.has("power")) return {.power = 0, .radius = 1};
+    if (node.is_string()) return {.power = 0, .radius = 1};
     const View radius = node.at("at_radius");
     const double value = radius.number(Dimension::length);
     at_place(radius.pointer(), [&] { require_allowed(ImpactInput::radius, value, Dimension::length); });
