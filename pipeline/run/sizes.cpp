@@ -398,8 +398,10 @@ std::optional<VelocitiesBySize> velocities_by_size(const SizeSources& sources) {
         const auto constants = in_parallel(one_number_laws(), [&](DampingLaw law) -> std::optional<Damping> {
             const auto power = power_of_size(sources, measured, law);
             if (!power) return std::nullopt;
-            const Damping damping{law, std::exp(power->level)};
-            return gives_samples(sources, measured, damping) ? std::optional(damping) : std::nullopt;
+            const FittedDamping constant{
+                .law = law, .constants = {{"damping", std::exp(power->level), 0, dimension_of(law)}}};
+            if (!gives_samples(sources, measured, constant)) return std::nullopt;
+            return constant.damping();
         });
         for (const auto& damping : constants) {
             if (!damping) continue;
