@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -324,19 +325,29 @@ std::optional<SizeRange> agreement_of(const std::vector<SizeVelocity>& rows, con
         entry->second = {std::min(entry->second.first, velocity), std::max(entry->second.second, velocity)};
     }
     if (assumptions.size() < 2) return std::nullopt;
-    std::optional<SizeRange> best;
-    std::optional<SizeRange> run;
+    std::vector<double> spread;  // logarithm of greatest over least velocity, by size
     for (const double diameter : sizes) {
         const auto entry = extremes.find(diameter);
-        const bool agree = entry != extremes.end() && entry->second.first > 0 &&
-                           entry->second.second <= agreement_factor * entry->second.first;
-        if (!agree) {
-            run.reset();
-            continue;
-        }
-        run = SizeRange{run ? run->from : diameter, diameter};
-        const bool holds_measured = run->from <= measured.to && run->to >= measured.from;
-        if (holds_measured && (!best || run->to / run->from >= best->to / best->from)) best = run;
+        const bool known = entry != extremes.end() && entry->second.first > 0;
+        spread.push_back(known ? std::log(entry->second.second / entry->second.first)
+                               : std::numeric_limits<double>::infinity());
+    }
+    const double most = std::log(agreement_factor);
+    // The end of an agreement, between a size in it and its neighbour.
+    const auto end_at = [&](std::size_t inside, std::size_t outside) {
+        if (outside >= sizes.size() || !std::isfinite(spread[outside])) return sizes[inside];
+        const double share = (most - spread[inside]) / (spread[outside] - spread[inside]);
+        return rounded_size(between_sizes(sizes[inside], sizes[outside], share));
+    };
+    std::optional<SizeRange> best;
+    for (std::size_t first = 0; first < sizes.size(); ++first) {
+        if (!(spread[first] <= most)) continue;
+        std::size_t last = first;
+        while (last + 1 < sizes.size() && spread[last + 1] <= most) ++last;
+        const bool holds_measured = sizes[first] <= measured.to && sizes[last] >= measured.from;
+        const SizeRange run{end_at(first, first - 1), end_at(last, last + 1)};
+        if (holds_measured && (!best || run.to / run.from >= best->to / best->from)) best = run;
+        first = last;
     }
     return best;
 }
