@@ -30,7 +30,8 @@ constexpr double least_distance = 1.06;  ///< of a grid size from a measured one
 constexpr double widest_coefficient = 1e3;  ///< of a coefficient from that of order 1 in scaled units
 constexpr double close_coefficient = 1.02;  ///< ends of a bracket from which secant steps converge
 constexpr double usual_slope = 5;           ///< d ln v_c/d ln C, about
-constexpr int most_corrections = 12;
+constexpr double least_slope = 0.1;
+constexpr int most_corrections = 20;
 /// Standard deviation of ln C between samples of one ash, beyond what their sizes and contacts do.
 constexpr double scatter_of_samples = 0.1;
 
@@ -143,7 +144,7 @@ std::optional<double> coefficient_at_capture(const SizeSources& sources, const M
         if (!velocity) return std::nullopt;
         const double difference = std::log(*velocity / wanted);
         if (std::abs(difference) < 1e-11) break;
-        if (i > 0) slope = std::max(1.0, slope * (last - difference) / last);
+        if (i > 0) slope = std::max(least_slope, slope * (last - difference) / last);
         last = difference;
         coefficient *= std::exp(-difference / slope);
     }
