@@ -122,7 +122,7 @@ struct ComparisonResult {
     std::optional<DampingComparison> dampings{};  ///< none: too few impacts by the reported law
     std::vector<SizeVelocity> by_size{};          ///< by assumption, then from small to large
     std::optional<SizeSummary> sizes{};           ///< what they say together
-    std::string conclusion{};  ///< in words
+    std::string conclusion{};                     ///< in words
 };
 
 }  // namespace ashimpact
