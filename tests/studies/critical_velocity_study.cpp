@@ -29,19 +29,20 @@ struct Tally {
     unsigned covered = 0;
     unsigned above = 0;  ///< the whole interval lies above the truth
     unsigned below = 0;
-    unsigned warned = 0;  ///< of the misses
-    unsigned none = 0;    ///< no estimate, of 12 impacts or more
-    unsigned few = 0;     ///< no estimate, of fewer
-    unsigned absurd = 0;  ///< off by more than a factor of 3
+    unsigned warned = 0;   ///< of the misses
+    unsigned doubted = 0;  ///< with a warning, of all
+    unsigned silent = 0;   ///< off by more than a factor of 2 without a warning
+    unsigned none = 0;     ///< no estimate, of 12 impacts or more
+    unsigned few = 0;      ///< no estimate, of fewer
+    unsigned absurd = 0;   ///< off by more than a factor of 3
     std::vector<double> width{};
     std::vector<double> ratio{};
 
-    /// Coverage of 92 %, or above 85 % with a warning in nine of ten misses; a result below by chance is let
-    /// pass.
+    /// Coverage of 90 %, or a warning in nine of ten misses, and no silent factor of 2; a result below by
+    /// chance is let pass.
     [[nodiscard]] bool holds() const {
-        const auto chance = [&](double share) { return gsl::binomial_probability(covered, share, done); };
         const bool warns = 10 * warned >= 9 * (above + below);
-        return (chance(0.92) > 1e-3 || (warns && chance(0.85) > 1e-3)) && absurd == 0 &&
+        return (warns || gsl::binomial_probability(covered, 0.9, done) > 1e-3) && silent == 0 &&
                none <= std::max(1U, done / 50);
     }
     void add(const Tally& other) {
@@ -50,6 +51,8 @@ struct Tally {
         above += other.above;
         below += other.below;
         warned += other.warned;
+        doubted += other.doubted;
+        silent += other.silent;
         none += other.none;
         few += other.few;
         absurd += other.absurd;
@@ -63,17 +66,23 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-void take(Tally& tally, const ContactModel& model, const MeasurementSet& set, double truth) {
+/// @param options what the laboratory states beside its impacts
+void take(Tally& tally, const ContactModel& model, const MeasurementSet& set, double truth,
+          const EstimateOptions& options) {
     ++tally.done;
     try {
-        const auto estimate = estimate_critical_velocity(model, set);
+        const auto estimate = estimate_critical_velocity(model, set, options);
         const Interval& v = estimate.curve.critical_velocity;
         const bool above = *v.lower > truth;
         const bool below = *v.upper < truth;
         tally.above += above ? 1U : 0U;
         tally.below += below ? 1U : 0U;
         tally.covered += above || below ? 0U : 1U;
-        tally.warned += (above || below) && !estimate.findings.empty() ? 1U : 0U;
+        const bool warns = std::ranges::any_of(
+            estimate.findings, [](const Finding& finding) { return finding.severity == Severity::doubt; });
+        tally.warned += (above || below) && warns ? 1U : 0U;
+        tally.doubted += warns ? 1U : 0U;
+        tally.silent += !warns && (v.value > 2.0 * truth || v.value < 0.5 * truth) ? 1U : 0U;
         const double ratio = v.value / truth;
         tally.absurd += ratio > 3.0 || ratio < 1.0 / 3.0 ? 1U : 0U;
         tally.ratio.push_back(ratio);
@@ -88,26 +97,30 @@ void take(Tally& tally, const ContactModel& model, const MeasurementSet& set, do
 Tally run(const studies::Row& row, const Law& law, int repetitions, unsigned long seed) {
     const studies::Laboratories laboratories(row, law);
     const double truth = laboratories.critical_velocity();
-    const ContactModel model = studies::model_of(law, truth);
+    const ContactModel model = studies::model_of(row, law, truth);
+    const EstimateOptions options = studies::options_of(row);
     test::Random random(seed);
     Tally tally;
     const auto start = std::chrono::steady_clock::now();
-    for (int i = 0; i < repetitions; ++i) take(tally, model, laboratories.measure(random), truth);
+    for (int i = 0; i < repetitions; ++i) take(tally, model, laboratories.measure(random), truth, options);
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / repetitions;
-    std::printf("| %s | %s | %.1f %% | %u | %u | %u | %u | %u | %.3f | %.3f | %.2f |\n", row.name.c_str(),
-                std::string(law.name()).c_str(), 100.0 * tally.covered / tally.done, tally.above, tally.below,
-                tally.warned, tally.none + tally.few, tally.absurd, median(tally.ratio), median(tally.width),
-                seconds);
+    std::printf("| %s | %s | %.1f %% | %u | %u | %u | %u | %u | %u | %u | %.3f | %.3f | %.2f |\n",
+                row.name.c_str(), std::string(law.name()).c_str(), 100.0 * tally.covered / tally.done,
+                tally.above, tally.below, tally.warned, tally.doubted, tally.none + tally.few, tally.silent,
+                tally.absurd, median(tally.ratio), median(tally.width), seconds);
     std::fflush(stdout);
     return tally;
 }
 
 bool quick(int repetitions) {
     Tally all;
-    for (std::size_t i = 0; i < studies::rows().size(); ++i)
-        all.add(run(studies::rows()[i], studies::laws()[i % studies::laws().size()], repetitions,
-                    studies::default_seed));
+    for (std::size_t i = 0; i < studies::rows().size(); ++i) {
+        const studies::Row& row = studies::rows()[i];
+        const std::size_t first = row.hertz ? 0 : 1;  // laws() begins with Hertz
+        const std::size_t choices = studies::laws().size() - first;
+        all.add(run(row, studies::laws()[first + i % choices], repetitions, studies::default_seed));
+    }
     return all.holds();
 }
 
@@ -116,7 +129,7 @@ bool study(int repetitions, const std::string& only_row, const std::string& only
     for (const studies::Row& row : studies::rows()) {
         if (!only_row.empty() && row.name != only_row) continue;
         for (const Law& law : studies::laws())
-            if (only_law.empty() || law.name() == only_law)
+            if ((only_law.empty() || law.name() == only_law) && (row.hertz || law != Law::of<Hertz>()))
                 good = run(row, law, repetitions, seed).holds() && good;
     }
     return good;
@@ -133,9 +146,10 @@ int main(int argc, char** argv) {
     const std::vector<std::string> words(argv + 1, argv + argc);
     const auto word = [&](std::size_t i) { return i < words.size() ? words[i] : std::string{}; };
     std::puts(
-        "| truth and file | law | covered | above | below | warned | no estimate | off by 3 | median of "
+        "| truth and file | law | covered | above | below | warned | of all | no estimate | silent factor of "
+        "2 | off by 3 | median of "
         "v_c/truth | "
-        "median width | s each |\n|---|---|---|---|---|---|---|---|---|---|---|");
+        "median width | s each |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|");
     if (word(0) == "quick") return quick(repetitions_of(word(1))) ? 0 : 1;
     const int repetitions = words.empty() ? 1000 : repetitions_of(word(0));
     const unsigned long seed = word(3).empty() ? studies::default_seed : std::stoul(word(3));
