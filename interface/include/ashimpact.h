@@ -14,9 +14,9 @@
  *     ashimpact_close(model);
  *
  * Units: SI throughout; each number names its unit. Numbers that no ash has are computed with, without the
- * warning that the program gives (docs/case.md has the ranges). Errors: every function returns a status and never throws
- * or ends the program; if it is not ASHIMPACT_OK, only the error has a meaning. Threads: a model is
- * immutable, so any number of threads may use it at once; only ashimpact_close() needs it to be idle.
+ * warning that the program gives (docs/case.md has the ranges). Errors: every function returns a status and
+ * never throws or ends the program; if it is not ASHIMPACT_OK, only the error has a meaning. Threads: a model
+ * is immutable, so any number of threads may use it at once; only ashimpact_close() needs it to be idle.
  * Floating point: no function raises a trap or leaves a flag, a rounding mode or a mask behind, and none
  * depends on those of the caller. Source of the model: Dong et al. 2013; docs/laws names that of each law. */
 #ifndef ASHIMPACT_H
@@ -42,8 +42,8 @@ typedef enum {
     ASHIMPACT_NOT_CONVERGED = 3 /* a computation did not converge */
 } ashimpact_status;
 
-/* Where a function writes what went wrong: one line, with what is allowed. NULL is allowed in its place. After
- * ASHIMPACT_OK it is empty, or names parameters and columns that change nothing with the law. */
+/* Where a function writes what went wrong: one line, with what is allowed. NULL is allowed in its place.
+ * After ASHIMPACT_OK it is empty, or names parameters and columns that change nothing with the law. */
 typedef struct {
     char message[512];
 } ashimpact_error;
@@ -126,8 +126,8 @@ ASHIMPACT_API ashimpact_status ashimpact_critical_velocities(const ashimpact_mod
  *   contact_time       first touch to detachment; NaN for a capture [s]
  *   approach_time      first touch to greatest overlap; NaN if that is never reached [s]
  *   maximum_overlap    greatest overlap, or its limit if that is never reached [m]
- * The last two take some ten times as long as the others. With friction (mu, 1) and tangential_velocity [m/s],
- * spin [rad/s], or both, as parameters or columns, also those of a rigid sphere that slides or rolls:
+ * The last two take some ten times as long as the others. With friction (mu, 1) and tangential_velocity
+ * [m/s], spin [rad/s], or both, as parameters or columns, also those of a rigid sphere that slides or rolls:
  *   tangential_restitution      e_t = v_t'/v_t; 0 for a capture, NaN without v_t [1]
  *   rebound_tangential_velocity, rebound_spin   v_t' [m/s] and spin [rad/s]; NaN for a capture
  *   rebound_angle               from the normal, negative where v_t' has turned; NaN for a capture [rad]

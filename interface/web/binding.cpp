@@ -195,7 +195,8 @@ CommandOptions options_of(const Json& contact) {
 }
 
 Impact impact_of(const CommandOptions& options, double velocity) {
-    return read_contact(options).impact(read_damping(options), velocity);
+    const ContactChoice choice = read_contact(options);
+    return choice.impact(read_damping(options, choice.contact), velocity);
 }
 
 /// Where no damping is stated, its scaled coefficient is 1 at this velocity [m/s].

@@ -38,6 +38,13 @@ double read_size_scatter(const CommandOptions& options) {
     return scatter;
 }
 
+double read_scale_uncertainty(const CommandOptions& options) {
+    constexpr auto name = "--velocity-scale-uncertainty";
+    const double uncertainty = options.number(name, Dimension::fraction);
+    at_place(name, [&] { require_scale_uncertainty(uncertainty); });
+    return uncertainty;
+}
+
 /// The impacts of the file, with camera and bins where they are asked for.
 MeasurementSet read_impacts(const CommandOptions& options) {
     MeasurementSet set =
@@ -138,6 +145,11 @@ std::string measured_text(const MeasuredCriticalVelocity& measured) {
     return upper ? fmt::format("v_c < {}: {}", readable(*upper, "m/s"), measured.note) : measured.note;
 }
 
+std::string contact_time_text(const InvertedImpact& impact) {
+    if (impact.contact_time) return readable_number(1e9 * *impact.contact_time);
+    return impact.restitution > 0 ? "-" : "captured";
+}
+
 std::string result_text(const MeasuredDamping& result, const MeasurementSet& set) {
     TextTable impacts({"#", "v_in [m/s]", "e_n", "at most", "damping [kg/s]", "contact time [ns]"});
     constexpr std::size_t most_rows = 12;
@@ -148,7 +160,7 @@ std::string result_text(const MeasuredDamping& result, const MeasurementSet& set
         impacts.add({std::to_string(i + 1), readable_number(impact.velocity),
                      readable_number(impact.restitution), readable_number(impact.greatest_restitution),
                      (impact.restitution == 0 && impact.damping ? "at least " : "") + damping,
-                     impact.contact_time ? readable_number(1e9 * *impact.contact_time) : "captured"});
+                     contact_time_text(impact)});
     }
     TextList list;
     list.add("law", fmt::format("{}, contact ends at {}", result.law.name(), name_of(result.detachment)));
@@ -167,7 +179,7 @@ std::string result_text(const MeasuredDamping& result, const MeasurementSet& set
         stride > 1 ? fmt::format("every {} of {} rows\n", stride, result.impacts.size()) : std::string{};
     const std::string text = list.text(0);
     return impacts.text() + rows + "\n" + text + uncertainty_legend(text) +
-           "Intervals are of 95 % and hold for the contact as given; a case propagates its uncertainty.\n";
+           "Intervals are of 95 % and hold for the contact as given.\n";
 }
 
 /// `damping --impacts FILE`: intervals are those of the impacts; the contact counts as exactly known.
@@ -178,7 +190,9 @@ void run_measured_damping_command(const CommandOptions& options, std::ostream& o
     const MeasurementSet set = read_impacts(options);
     MeasuredDampingOptions how;
     how.extrapolated = {.order = options.whole("--order", 2), .robust = options.has("--robust")};
-    if (options.has("--size-scatter")) how.size_scatter = read_size_scatter(options);
+    if (options.has("--size-scatter")) how.estimate.size_scatter = read_size_scatter(options);
+    if (options.has("--velocity-scale-uncertainty"))
+        how.estimate.scale_uncertainty = read_scale_uncertainty(options);
     const MeasuredDamping result = analyse_impacts(choice.law, choice.detachment, choice.contact, set, how);
     std::vector<Finding> doubts = options.doubts();
     if (result.estimate)
@@ -245,6 +259,10 @@ void add_damping(const CommandLine& line) {
     command
         .add("--size-scatter", "X",
              "relative standard deviation of single diameters, such as of a sieve, \"5 %\"")
+        ->needs(table);
+    command
+        .add("--velocity-scale-uncertainty", "X",
+             "relative standard uncertainty of a factor that all velocities have in common, \"3 %\"")
         ->needs(table);
     command.add("--order", "N", "of the polynomial that is extrapolated; default 2")
         ->check(whole_number(1, 6))

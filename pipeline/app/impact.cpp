@@ -158,6 +158,7 @@ void run_critical_velocity_command(const CommandOptions& options, std::ostream& 
         Json json{{"law", problem.law.name()}};
         json.update(critical_velocity_json(law_critical_velocity(problem), problem.damping.law));
         if (angle) add_at_angle(json, *angle, result.value);
+        add_further_damping(json, problem.damping, problem.contact);
         add_requested(json, damping);
         add_notes(json, doubts);
         out << write_json(json, Digits::seventeen);

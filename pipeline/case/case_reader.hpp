@@ -32,8 +32,9 @@ struct LoadedCase {
 /// that it names.
 [[nodiscard]] Case read_case(const View& document, const PhaseCatalogue& catalogue, InputFiles& files);
 
-/// The laws of a case that names none; thornton-ning besides, if a sample has a yield pressure. Samples without
-/// a Tabor parameter, cohesive stress or range of cohesion then take the usual_separation as range, assumed.
+/// The laws of a case that names none; thornton-ning besides, if a sample has a yield pressure. Samples
+/// without a Tabor parameter, cohesive stress or range of cohesion then take the usual_separation as range,
+/// assumed.
 [[nodiscard]] std::vector<Law> default_laws();
 
 /// The phase sets the program carries, literature values first.

@@ -149,17 +149,23 @@ MeasuredRestitution read_measured(const View& node, InputFiles& files, const std
 MeasuredDampingOptions read_fit_options(const std::optional<View>& node) {
     MeasuredDampingOptions options;
     if (!node) return options;
+    const auto set_fraction = [&](const char* key, auto require, const auto& set) {
+        const auto member = node->find(key);
+        if (!member) return;
+        const Quantity quantity = member->quantity(Dimension::fraction);
+        if (quantity.standard_uncertainty) member->fail("has an uncertainty", "a number without one");
+        at_place(member->pointer(), [&] { require(quantity.value); });
+        set(quantity.value);
+    };
     const auto set_number = [&](const char* key, auto& option) {
         if (const auto number = node->find(key)) option = number->number(Dimension::fraction);
     };
     if (const auto order = node->find("order")) options.extrapolated.order = order->integer();
     if (const auto robust = node->find("robust")) options.extrapolated.robust = robust->truth();
-    if (const auto scatter = node->find("size_scatter")) {
-        const Quantity quantity = scatter->quantity(Dimension::fraction);
-        if (quantity.standard_uncertainty) scatter->fail("has an uncertainty", "a number without one");
-        options.size_scatter = quantity.value;
-        at_place(scatter->pointer(), [&] { require_size_scatter(quantity.value); });
-    }
+    set_fraction("size_scatter", require_size_scatter,
+                 [&](double value) { options.estimate.size_scatter = value; });
+    set_fraction("velocity_scale_uncertainty", require_scale_uncertainty,
+                 [&](double value) { options.estimate.scale_uncertainty = value; });
     set_number("flatness", options.parts.flatness);
     set_number("outlier", options.parts.outlier);
     return options;
@@ -169,6 +175,12 @@ void require_size_scatter(double scatter) {
     if (!(scatter > 0 && scatter <= 0.5))
         throw InputError("is " + readable_number(scatter),
                          "a relative standard deviation above 0, at most 0.5");
+}
+
+void require_scale_uncertainty(double uncertainty) {
+    if (!(uncertainty > 0 && uncertainty <= 0.5))
+        throw InputError("is " + readable_number(uncertainty),
+                         "a relative standard uncertainty above 0, at most 0.5");
 }
 
 UncertaintyChoices read_uncertainty_choices(const std::optional<View>& node) {

@@ -106,6 +106,7 @@ constexpr std::array case_statements{
     CaseStatement{"fit", "order", of_extrapolation, "2"},
     CaseStatement{"fit", "robust", of_extrapolation, "false"},
     CaseStatement{"fit", "size_scatter", of_extrapolation},
+    CaseStatement{"fit", "velocity_scale_uncertainty", of_extrapolation},
     CaseStatement{"fit", "flatness", without_restitution, "0.25"},
     CaseStatement{"fit", "outlier", without_restitution, "4"},
     CaseStatement{"fit", "direct_order", [](const Case&) { return Reason("it is of earlier versions"); }},

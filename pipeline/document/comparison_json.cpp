@@ -485,7 +485,7 @@ void fields(Io& io, Is<LawCriticalVelocity> auto& velocity) {
     io.unless_empty("check", velocity.check);
     if (Io::reads || velocity.from_impacts) io("extrapolated", velocity.extrapolated);
     if constexpr (Io::reads) {
-        velocity.from_impacts = io.node().has("extrapolated");
+        velocity.from_impacts = io.node().json().contains("extrapolated");  // null where there is none
         if (velocity.velocity) set_interval(io.node(), *velocity.velocity);
     }
 }

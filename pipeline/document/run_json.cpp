@@ -380,7 +380,9 @@ static void fields(FieldWriter& io, const Case& data) {
         fit("robust", data.fit.extrapolated.robust);
         fit("flatness", data.fit.parts.flatness);
         fit("outlier", data.fit.parts.outlier);
-        fit.unless_empty("size_scatter", data.fit.size_scatter);
+        fit.unless_empty("size_scatter", data.fit.estimate.size_scatter);
+        if (data.fit.estimate.scale_uncertainty > 0)
+            fit("velocity_scale_uncertainty", data.fit.estimate.scale_uncertainty);
     });
     io.object("uncertainty", [&](FieldWriter& uncertainty) {
         uncertainty("samples", data.uncertainty.propagation.samples);

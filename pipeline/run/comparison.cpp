@@ -278,9 +278,8 @@ SampleComparison comparison_of(const ComparedSample& of, const Case& data) {
 
 /// Which damping explains the impacts, and which sizes stick, by the reported law.
 void set_other_sizes(const Run& run, ComparisonResult& result) {
-    const auto reported = reported_law(run.data, run.contact);
-    if (!reported) return;
-    const LawChoice choice = *std::ranges::find(run.data.laws, reported->law, &LawChoice::law);
+    if (!result.reported) return;
+    const LawChoice choice = *std::ranges::find(run.data.laws, result.reported->law, &LawChoice::law);
     const auto study = study_dampings(choice, run.contact, run.restitution);
     if (study) result.dampings = study->comparison;
     const auto sizes = velocities_by_size({choice, run.data.damping_law, run.contact, run.critical_velocity,

@@ -23,7 +23,7 @@ struct FitTask {
     const ContactPair& contact;
     const RestitutionSeries& measured;
     const DampingSeries& inverted;
-    double rising_to;  ///< end of the rising branch [m/s]
+    std::optional<double> rising_to;  ///< end of the rising branch; none: there is none [m/s]
     ContactModels& models;
 };
 
@@ -34,7 +34,7 @@ std::vector<DampingPoint> rising_points(const FitTask& task) {
     const DampingSeries& series = task.inverted;
     std::vector<DampingPoint> points;
     for (std::size_t i = 0; i < series.velocity.size(); ++i)
-        if (series.velocity[i] <= task.rising_to)
+        if (series.velocity[i] <= *task.rising_to)
             points.push_back({.restitution = series.restitution[i],
                               .damping = series.damping[i],
                               .standard_uncertainty = 0});
@@ -98,7 +98,8 @@ void set_constant_part(const Interval& critical_damping, LawFit& fit) {
 /// By analyse_impacts(), through the dynamic model.
 Fitted fit_through_model(const FitTask& task) {
     MeasuredDampingOptions options = task.data.fit;
-    options.rising_to = task.rising_to;
+    // Without a rising branch nothing is extrapolated; the estimate takes every impact all the same.
+    options.rising_to = task.rising_to.value_or(0.0);
     const ContactModel model = task.models.model_for(task.choice, task.contact, task.measured.impacts);
     const MeasuredDamping found = analyse_impacts(model, task.measured.impacts, options);
     Fitted fitted{{}, found.findings};
@@ -185,7 +186,7 @@ std::optional<Fitted> fit_by_similar_law(const FitTask& task) {
     if (similar.law == task.choice.law || !has_contact_model(similar, task.data.damping_law, task.contact))
         return std::nullopt;
     MeasuredDampingOptions options = task.data.fit;
-    options.rising_to = task.rising_to;
+    options.rising_to = task.rising_to.value_or(0.0);
     const ContactModel model = task.models.model_for(similar, task.contact, task.measured.impacts);
     const MeasuredDamping found = analyse_impacts(model, task.measured.impacts, options);
     if (!found.estimate) return std::nullopt;
@@ -204,10 +205,12 @@ std::optional<Fitted> fit_by_similar_law(const FitTask& task) {
 }
 
 Fitted fit_law(const FitTask& task) {
-    if (task.inverted.origin != Origin::measured) return fit_by_least_squares(task);
-    if (has_contact_model(task.choice, task.data.damping_law, task.contact)) return fit_through_model(task);
-    if (auto fitted = fit_by_similar_law(task)) return *std::move(fitted);
-    return fit_by_least_squares(task);
+    if (task.inverted.origin == Origin::measured) {
+        if (has_contact_model(task.choice, task.data.damping_law, task.contact))
+            return fit_through_model(task);
+        if (auto fitted = fit_by_similar_law(task)) return *std::move(fitted);
+    }
+    return task.rising_to ? fit_by_least_squares(task) : Fitted{};
 }
 
 }  // namespace
@@ -221,9 +224,9 @@ FitResult fit_stage(const Case& data, const ContactResult& contacts, const Resti
         const auto fit = [&](const LawChoice& choice) -> Fitted {
             const DampingSeries* inverted = sample.laws.find(choice.law);
             const RestitutionSeries* measured = restitutions.samples[i].of(choice.law);
-            if (inverted == nullptr || measured == nullptr || !inverted->rising) return {};
-            return fit_law(
-                {data, choice, contacts.samples[i].pair, *measured, *inverted, inverted->rising->to, models});
+            if (inverted == nullptr || measured == nullptr) return {};
+            const auto rising_to = inverted->rising ? std::optional(inverted->rising->to) : std::nullopt;
+            return fit_law({data, choice, contacts.samples[i].pair, *measured, *inverted, rising_to, models});
         };
         result.samples.push_back({sample.name, results_by_law<LawFit>(data, sample.name, record, fit)});
     }

@@ -81,7 +81,9 @@ std::vector<ImpactsOfSample> in_canonical_order(std::span<const ImpactsOfSample>
                               pair.yield_pressure);
         };
         if (numbers(x.contact) != numbers(y.contact)) return numbers(x.contact) < numbers(y.contact);
-        return std::ranges::lexicographical_compare(x.impacts, y.impacts, {}, key, key);
+        return std::lexicographical_compare(
+            x.impacts.begin(), x.impacts.end(), y.impacts.begin(), y.impacts.end(),
+            [&](const Measurement& one, const Measurement& other) { return key(one) < key(other); });
     };
     std::sort(sorted.begin(), sorted.end(), before);
     return sorted;

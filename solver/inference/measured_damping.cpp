@@ -87,6 +87,32 @@ RisingBranch branch_for(MeasuredDamping& result, const ContactModel& model, cons
     }
 }
 
+/// An extrapolated v_c that nothing else supports must not lie above rebounds, however uncertain it is.
+void require_below_rebounds(MeasuredDamping& result) {
+    const std::optional<double>& slowest = result.measured.slowest_rebound;
+    const double value = result.extrapolated->critical_velocity.value;
+    if (!slowest || result.measured.fastest_capture || value <= *slowest) return;
+    result.findings.push_back({"no-extrapolation", Severity::doubt,
+                               "no extrapolated fit: its v_c of " + shortest(std::round(1e4 * value) / 1e4) +
+                                   " m/s lies above rebounds, the slowest at " + shortest(*slowest) +
+                                   " m/s, with no capture in the file"});
+    result.extrapolated.reset();
+}
+
+/// Doubt where the estimate lies outside of what captures and rebounds alone allow: it takes some of them for
+/// outliers.
+void note_outcomes(MeasuredDamping& result) {
+    const double value = result.estimate->curve.critical_velocity.value;
+    const MeasuredCriticalVelocity& measured = result.measured;
+    const bool above = measured.upper && value > *measured.upper;
+    if (!above && !(measured.lower && value < *measured.lower)) return;
+    const double bound = above ? *measured.upper : *measured.lower;
+    result.findings.push_back({"outcomes-disagree", Severity::doubt,
+                               std::string("captures and rebounds alone place v_c ") +
+                                   (above ? "below " : "above ") + shortest(std::round(1e4 * bound) / 1e4) +
+                                   " m/s: the estimate takes some of them for outliers"});
+}
+
 FitComparison compare(const DampingCurveFit& extrapolated, const Interval& critical_velocity,
                       const Interval& critical_damping) {
     // In logarithms, in which both are closer to normal; 3.5 leaves room for tails that are not.
@@ -154,14 +180,20 @@ MeasuredDamping analyse_impacts(const ContactModel& model, const MeasurementSet&
     }
     if (set.rebounds() == 0) return result;
     result.estimate = attempt("estimate of v_c", "no-estimate", Severity::doubt, result.findings,
-                              [&] { return estimate_critical_velocity(model, set, options.size_scatter); });
-    if (result.estimate) std::ranges::copy(result.estimate->findings, std::back_inserter(result.findings));
+                              [&] { return estimate_critical_velocity(model, set, options.estimate); });
+    if (result.estimate) {
+        std::ranges::copy(result.estimate->findings, std::back_inserter(result.findings));
+        note_outcomes(result);
+    }
+    // Without a branch there is nothing to extrapolate, as the inversion has reported.
+    if (options.rising_to && !(*options.rising_to > 0.0)) return result;
     result.extrapolated =
         attempt("extrapolated fit", "no-extrapolation", Severity::background, result.findings, [&] {
             result.rising = options.rising_to ? impacts_up_to(set, *options.rising_to)
                                               : branch_for(result, model, set, options.extrapolated);
             return extrapolate(result, model, options.extrapolated);
         });
+    if (!result.estimate && result.extrapolated) require_below_rebounds(result);
     if (result.estimate && result.extrapolated)
         result.comparison = compare(*result.extrapolated, result.estimate->curve.critical_velocity,
                                     result.estimate->curve.critical_damping);

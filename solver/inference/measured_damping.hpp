@@ -25,8 +25,7 @@ struct FitComparison {
 struct MeasuredDampingOptions {
     PartOptions parts{};
     DampingCurveOptions extrapolated{};
-    /// Relative standard deviation of single diameters about their mean, if known [1].
-    std::optional<double> size_scatter{};
+    EstimateOptions estimate{};
     /// End of the rising branch, if known: the impacts are then not inverted again [m/s].
     std::optional<double> rising_to{};
 };

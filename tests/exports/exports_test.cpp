@@ -153,9 +153,12 @@ TEST_CASE("a table follows the damping along the velocity, at several sizes with
             const ImpactTable table = make_impact_table(subject);
             CHECK(table.largest_error < table_accuracy);
             CHECK(worst_error(subject, table) < table_accuracy);
+            // Several known sizes are sizes of the table; one within a range lies between those.
+            const bool is_size = subject.one_size() || subject.sizes.size() > 1;
             for (const AshSize& size : subject.sizes)
                 CHECK(relative_difference(start_velocity(table, size.diameter),
-                                          *threshold_at(subject, size.diameter).value) < 1e-14);
+                                          *threshold_at(subject, size.diameter).value) <
+                      (is_size ? 1e-14 : table_threshold_accuracy));
             CHECK(std::ranges::is_sorted(table.diameter, std::ranges::less_equal()));
         }
     }

@@ -140,13 +140,26 @@ TEST_CASE("the scatter of sizes is a fraction, as on the command line") {
     for (const Json& scatter : {Json(0.05), Json("5 %"), Json{{"value", 5}, {"unit", "%"}}}) {
         CAPTURE(scatter.dump());
         CHECK(loaded(test::edited(test::example_case(), "/fit = " + Json{{"size_scatter", scatter}}.dump()))
-                  .data.fit.size_scatter == 0.05);
+                  .data.fit.estimate.size_scatter == 0.05);
     }
     for (const char* wrong : {"\"60 %\"", "0", "\"5 +- 1 %\"", "\"5 um\""}) {
         CAPTURE(wrong);
         const Json document =
             test::edited(test::example_case(), std::string("/fit = {\"size_scatter\": ") + wrong + "}");
         CHECK(test::contains(test::input_error_of([&] { return loaded(document); }), "/fit/size_scatter: "));
+    }
+}
+
+TEST_CASE("the uncertainty of the scale of all velocities is a fraction, as on the command line") {
+    const auto of_fit = [](const std::string& value) {
+        return test::edited(test::example_case(), "/fit = {\"velocity_scale_uncertainty\": " + value + "}");
+    };
+    for (const char* stated : {"0.03", "\"3 %\""})
+        CHECK(loaded(of_fit(stated)).data.fit.estimate.scale_uncertainty == 0.03);
+    for (const char* wrong : {"\"60 %\"", "0", "\"3 +- 1 %\"", "\"3 m/s\""}) {
+        CAPTURE(wrong);
+        CHECK(test::contains(test::input_error_of([&] { return loaded(of_fit(wrong)); }),
+                             "/fit/velocity_scale_uncertainty: "));
     }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/inference/critical_velocity_uncertainty.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
 
 namespace ashimpact::studies {
@@ -78,26 +79,25 @@ const std::vector<Row>& rows() {
 namespace {
 
 /// The contact as a laboratory states it, which may have measured twice the true w.
-RandomContact stated_contact(const Row& row) {
+ContactPair stated_contact(const Row& row) {
     const double w = 0.2959 * (row.flaw == Flaw::wrong_adhesion ? 2.0 : 1.0);
-    const double u = row.flaw == Flaw::wrong_adhesion ? 0.5 * w : 0.0;
     return random_contact({.diameter = {"diameter", 96e-6},
                            .density = {"density", 2158.5},
-                           .work_of_adhesion = {"work of adhesion", w, u, lognormal_around},
-                           .contact_modulus = RandomInput{"contact modulus", 90e9}});
+                           .work_of_adhesion = {"work of adhesion", w},
+                           .contact_modulus = RandomInput{"contact modulus", 90e9}})
+        .nominal();
 }
 
 }  // namespace
 
 ContactModel model_of(const Row& row, const Law& law, double critical_velocity) {
-    return make_contact_model(law, law.default_detachment(), stated_contact(row).nominal(),
+    return make_contact_model(law, law.default_detachment(), stated_contact(row),
                               {0.02 * critical_velocity, 40.0 * critical_velocity});
 }
 
 EstimateOptions options_of(const Row& row) {
     EstimateOptions options;
     if (row.flaw == Flaw::scale) options.scale_uncertainty = scale_uncertainty;
-    if (row.flaw == Flaw::wrong_adhesion) options.contact = stated_contact(row);
     return options;
 }
 

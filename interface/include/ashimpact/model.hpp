@@ -29,7 +29,7 @@ using Columns = std::initializer_list<ashimpact_column>;
 /// How a contact ends, and how it is damped. An empty name means the law's own detachment, or constant
 /// damping.
 struct Choices {
-    std::string detachment{};   ///< zero-overlap, zero-force, pull-off, load-controlled
+    std::string detachment{};  ///< zero-overlap, zero-force, pull-off, load-controlled
     /// constant [kg/s], contact-radius [Pa s], tsuji [1], hunt-crossley [s/m], brach-dunn-damping [s/m]
     std::string damping_law{};
 };

@@ -234,6 +234,17 @@ def _name(value: Any) -> str:
     return ascii(str.__str__(value) if isinstance(value, str) else str(value))[1:-1]
 
 
+def _take_diameter(arguments: dict[str, Any], whose: str) -> None:
+    """Replaces a diameter by its radius."""
+    diameter = arguments.pop(f"{whose}diameter", None)
+    if diameter is None:
+        return
+    if arguments[f"{whose}radius"] is not None:
+        raise _core.InputError(f"{whose}radius, {whose}diameter: both are given; allowed: one of the two")
+    table = hasattr(diameter, "index") and hasattr(diameter, "to_numpy")
+    arguments[f"{whose}radius"] = 0.5 * (diameter if table else real_numbers(f"{whose}diameter", diameter))
+
+
 def _warn_of_one_damping(radius: Numbers, damping: Numbers) -> None:
     """Warns of one constant damping for sizes that differ; an array of dampings, one a sphere, states it on purpose."""
     if damping.size != 1 or not damping[0] > 0.0 or radius.size < 2 or not radius.max() > 1.1 * radius.min() > 0.0:
@@ -272,7 +283,7 @@ def _call(arguments: dict[str, Any], *numbers: str) -> tuple[_core.Call, tuple[i
         warnings.warn("damping_law: there is no damping, so it changes nothing", UserWarning, stacklevel=4)
     if arguments["damping_law"] == "constant" and "damping" in needed:
         _warn_of_one_damping(arrays["radius"], arrays["damping"])
-    columns = {"mass": mass, "effective_radius": radius, **{name: arrays[name] for name in (*needed, *own)}}
+    columns = {"mass": mass, "effective_radius": radius, **spinning, **{name: arrays[name] for name in (*needed, *own)}}
     count = int(np.prod(shape, dtype=np.int64))
     detachment, threads = arguments["detachment"], arguments["threads"]
     if not isinstance(threads, Integral) or isinstance(threads, bool) or not 0 <= int(threads) < 2**16:
@@ -370,11 +381,14 @@ def impacts(
     columns = {
         name: column.reshape(shape) for name, column in call.impacts(str(method) == "integration", bool(oblique)).items()
     }
-    if oblique:
-        columns["regime"] = np.array(_core.sliding_regimes())[columns["regime"].astype(np.intp)]
+    regime = np.array(_core.sliding_regimes())[columns.pop("regime").astype(np.intp)] if oblique else None
+    approach_time, maximum_overlap = columns.pop("approach_time", None), columns.pop("maximum_overlap", None)
     return Impacts(
         captured=columns["restitution"] == 0.0,
-        **{"approach_time": None, "maximum_overlap": None, **columns},
+        approach_time=approach_time,
+        maximum_overlap=maximum_overlap,
+        regime=regime,
+        **columns,
     )
 
 

@@ -330,6 +330,7 @@ def analyse_impacts(
     pixel_size: Optional[float] = None,
     frames: Optional[int] = None,
     size_scatter: Optional[float] = None,
+    velocity_scale_uncertainty: Optional[float] = None,
     order: Optional[int] = None,
     robust: bool = False,
     bin: Optional[int] = None,
@@ -350,6 +351,7 @@ def analyse_impacts(
         pixel_size: in the object [m]: the uncertainty of the velocities.
         frames: positions that each velocity is the slope of; 2 unless given.
         size_scatter: relative standard deviation of single diameters [1].
+        velocity_scale_uncertainty: relative, of a factor that all velocities have in common [1].
         order: of the polynomial that is extrapolated; 2 unless given.
         robust: bisquare weights in that polynomial.
         bin: rebounds to be put into one point.

@@ -243,7 +243,7 @@ ContactChoice read_contact(const CommandOptions& options) {
     // R* and m* (Eq. 6 and the text under Eq. 2)
     const auto [radius, mass] = !partner ? sphere
                                          : SphereBody{effective_radius(sphere.radius, partner->radius),
-                                                  effective_mass(sphere.mass, partner->mass)};
+                                                      effective_mass(sphere.mass, partner->mass)};
     const double smooth_adhesion = read_work_of_adhesion(options, law);
     const ContactPair contact{.mass = mass,
                               .effective_radius = radius,

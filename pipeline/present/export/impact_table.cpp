@@ -138,7 +138,7 @@ ImpactBatchResult solve(const std::vector<Impact>& impacts) {
 }
 
 /// The attraction at each node. @param impacts of the nodes, row by row
-Eigen::ArrayXXd attractions(const std::vector<Impact>& impacts, const ImpactTable& table) {
+Eigen::ArrayXXd attraction_at_nodes(const std::vector<Impact>& impacts, const ImpactTable& table) {
     const auto columns = static_cast<std::size_t>(table.t.size());
     std::vector<std::size_t> places(impacts.size());
     std::iota(places.begin(), places.end(), 0);
@@ -174,7 +174,8 @@ void fill_nodes(const ExportSubject& subject, ImpactTable& table) {
     using RowMajor = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     table.restitution = Eigen::Map<const RowMajor>(result.restitution.data(), rows, columns);
     table.contact_time = Eigen::Map<const RowMajor>(result.contact_time.data(), rows, columns);
-    if (subject.friction > 0 && subject.law.is_adhesive()) table.attraction = attractions(impacts, table);
+    if (subject.friction > 0 && subject.law.is_adhesive())
+        table.attraction = attraction_at_nodes(impacts, table);
     if (!table.captures) return;
     for (Eigen::Index i = 0; i < rows; ++i)  // damping that rises with the velocity may capture again
         if (!(table.restitution.row(i).tail(columns - 1) > 0).all())

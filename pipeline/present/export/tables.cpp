@@ -201,6 +201,7 @@ ExportFile table_csv(const ExportSubject& subject, const ImpactTable& table) {
 }  // namespace
 
 ExportFolder table_folder(const ExportSubject& subject, const TableImage& image) {
+    require_inside_model(subject);
     const ImpactTable table = make_impact_table(subject);
     TemplateValues values = common_values(subject);
     values["sizes"] = std::to_string(table.diameter.size());
@@ -227,6 +228,7 @@ ExportFolder table_folder(const ExportSubject& subject, const TableImage& image)
 
 ExportFolder fluent_folder(const ExportSubject& subject, const TableImage& /*image*/) {
     require_wall(subject, "Fluent: its particles meet walls, and no second sphere");
+    require_inside_model(subject);
     const ImpactTable table = make_impact_table(subject);
     TemplateValues values = common_values(subject);
     values["to_velocity"] = readable(table.to_velocity, "m/s");
@@ -249,6 +251,7 @@ ExportFolder fluent_folder(const ExportSubject& subject, const TableImage& /*ima
 
 ExportFolder openfoam_folder(const ExportSubject& subject, const TableImage& /*image*/) {
     require_wall(subject, "OpenFOAM: its parcels meet walls, and no second sphere");
+    require_inside_model(subject);
     const ImpactTable table = make_impact_table(subject);
     const auto impacts = expected_impacts(within(subject, table));
     double fastest = 0;

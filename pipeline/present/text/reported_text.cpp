@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -101,11 +103,22 @@ std::string own_interval(const SampleComparison& sample) {
     return bounds_text(own->velocity->interval);
 }
 
+/// The samples from small to large, whatever their order in the case.
+std::vector<const SampleComparison*> by_size(const ComparisonResult& result) {
+    std::vector<const SampleComparison*> samples;
+    for (const SampleComparison& sample : result.samples) samples.push_back(&sample);
+    std::ranges::sort(samples, {}, [](const SampleComparison* sample) {
+        return std::pair(sample->diameter.value_or(0), sample->name);
+    });
+    return samples;
+}
+
 /// What the brackets are, and which part of them is the choice of the law.
 std::string bracket_sentence(const ComparisonResult& result) {
     std::vector<std::string> own;
     bool any = false;
-    for (const SampleComparison& sample : result.samples) {
+    for (const SampleComparison* each : by_size(result)) {
+        const SampleComparison& sample = *each;
         if (!sample.reported->velocity || !sample.reported->interval || is_lower_bound(sample)) continue;
         any = true;
         if (const std::string bounds = own_interval(sample); !bounds.empty())
@@ -122,7 +135,8 @@ std::string bracket_sentence(const ComparisonResult& result) {
 std::string measured_text(const ComparisonResult& result) {
     std::vector<std::string> measured;
     bool bare = false;
-    for (const SampleComparison& sample : result.samples) {
+    for (const SampleComparison* each : by_size(result)) {
+        const SampleComparison& sample = *each;
         if (!sample.measured) continue;
         const std::string bounds = bounds_text(sample.measured_interval);
         const double velocity = sample.measured->value();
@@ -210,7 +224,8 @@ std::string reported_text(const ComparisonResult& result, const std::string& sco
                         "fits of damping. No interval holds these velocities with a known probability.",
                         is_reproduction(result) ? "" : " of some samples"),
             width);
-    text += paragraph(bracket_sentence(result), width) + paragraph(scope, width);
+    text += paragraph(bracket_sentence(result), width) + paragraph(sizes_sentence(result), width) +
+            paragraph(scope, width);
     if (!is_reproduction(result)) text += paragraph(measured_text(result), width);
     return text + "\n" + reproduction_text(result, width);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 #include <Eigen/Dense>
@@ -179,7 +180,7 @@ ReproducedSample reproduced(const Run& run, std::size_t i, const SampleCompariso
 
 /// How far a law is from the measured velocities of the reproduced samples.
 JointTest joint_test(Law law, const std::vector<SampleComparison>& samples) {
-    JointTest test;
+    std::vector<double> squares;
     for (const SampleComparison& sample : samples) {
         const LawComparison* of = sample.laws.find(law);
         if (!is_reproduced(sample) || !sample.measured || of == nullptr || !of->velocity) continue;
@@ -187,10 +188,10 @@ JointTest joint_test(Law law, const std::vector<SampleComparison>& samples) {
         const double u = std::hypot(of->velocity->standard_uncertainty.value_or(0),
                                     measured.standard_uncertainty.value_or(0));
         if (!(u > 0)) continue;
-        test.sum_of_squares += std::pow((of->velocity->value - measured.value) / u, 2);
-        ++test.samples;
+        squares.push_back(std::pow((of->velocity->value - measured.value) / u, 2));
     }
-    return test;
+    std::ranges::sort(squares);  // so that the sum does not depend on the order of the samples
+    return {std::accumulate(squares.begin(), squares.end(), 0.0), squares.size()};
 }
 
 /// The values with others, sorted, each once.

@@ -16,6 +16,7 @@
 #include "pipeline/run/results/damping.hpp"
 #include "pipeline/run/results/histories.hpp"
 #include "pipeline/run/results/note.hpp"
+#include "pipeline/run/results/reported.hpp"
 #include "pipeline/run/results/sizes.hpp"
 #include "pipeline/run/results/temperature.hpp"
 #include "solver/inference/critical_velocity_uncertainty.hpp"

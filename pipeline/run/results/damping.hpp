@@ -53,9 +53,9 @@ struct DampingSeries {
     std::vector<double> captured_at{};           ///< v_in of captures [m/s]
     std::vector<double> capturing_damping{};     ///< least that captures; empty: not known [unit of the law]
     std::vector<UnreachableImpact> unreachable{};
-    std::vector<PartRange> parts{};       ///< from slow to fast
-    std::string parts_note{};             ///< why there are none
-    std::vector<std::size_t> outliers{};  ///< their numbers
+    std::vector<PartRange> parts{};           ///< from slow to fast
+    std::string parts_note{};                 ///< why there are none
+    std::vector<std::size_t> outliers{};      ///< their numbers
     std::optional<AngleComparison> angles{};  ///< of impacts at different angles
     std::optional<RisingRange> rising{};
     std::string rising_note{};  ///< why there is none

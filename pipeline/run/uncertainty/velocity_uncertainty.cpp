@@ -107,6 +107,28 @@ const char* reason_for_no_interval(const VelocityTask& task, bool from_impacts) 
     return nullptr;
 }
 
+/// Compares a v_c without an interval with the outcomes, whose interval has to hold it.
+void check_without_interval(const VelocityTask& task, LawCriticalVelocity& velocity,
+                            std::vector<Finding>& findings) {
+    if (!task.measured) return;
+    const double value = velocity.velocity->value;
+    velocity.check = checked({.value = value, .standard_uncertainty = 0, .lower = value, .upper = value},
+                             *task.measured, false);
+    const auto verdict = velocity.check->verdict;
+    if (verdict != CriticalVelocityVerdict::model_too_low &&
+        verdict != CriticalVelocityVerdict::model_too_high)
+        return;
+    const MeasuredCriticalVelocity& measured = *task.measured;
+    findings.push_back({"contradicts-outcomes", Severity::doubt,
+                        "v_c of " + readable_number(value) +
+                            " m/s contradicts the captures and rebounds, by which it is " +
+                            (measured.value   ? "about " + readable_number(*measured.value)
+                             : measured.lower ? "above " + readable_number(*measured.lower)
+                                              : "below " + readable_number(*measured.upper)) +
+                            " m/s: damping law " + std::string(name_of(task.data.damping_law)) +
+                            " does not describe these impacts down to capture"});
+}
+
 /// An input that cannot be negative.
 RandomInput positive(std::string name, const Quantity& quantity) {
     return {.name = std::move(name),
@@ -189,6 +211,7 @@ void set_uncertainty(const VelocityTask& task, LawCriticalVelocity& velocity,
         findings.push_back({"no-interval", Severity::remark, reason});
         velocity.interval_note = reason;
         estimate.method = VelocityMethod::critical_damping;
+        check_without_interval(task, velocity, findings);
         return;
     }
     const auto propagated_or_finding = [&](const char* what, auto propagate) {

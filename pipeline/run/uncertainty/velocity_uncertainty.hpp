@@ -45,9 +45,9 @@ struct VelocityTask {
 void set_uncertainty(const VelocityTask& task, LawCriticalVelocity& velocity, std::vector<Finding>& findings);
 
 /// The contact of a sample as random quantities. Size, density and w have the uncertainties of
-/// 2-contact.json. The contact modulus is propagated from the XRD fractions, phase moduli and wall of the case
-/// if one of them is uncertain and together they give that modulus; otherwise it is that of 2-contact.json.
-/// Parameters are those of @p law.
+/// 2-contact.json. The contact modulus is propagated from the XRD fractions, phase moduli and wall of the
+/// case if one of them is uncertain and together they give that modulus; otherwise it is that of
+/// 2-contact.json. Parameters are those of @p law.
 /// @param response of the density and w to the contact modulus, for constants that were calibrated at it
 [[nodiscard]] RandomContact uncertain_contact(const Case& data, const Sample& sample,
                                               const SampleContact& contact, Law law,

@@ -2,6 +2,7 @@
 #include "solver/batch/kernels/kernel.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include <hwy/highway.h>
@@ -61,11 +62,22 @@ bool has_kernels(Law law, DampingLaw damping_law) {
     });
 }
 
+namespace {
+
+/// Leaves all impacts to the scalar solver, their turns too.
+void leave_undecided(const ImpactTask& task) {
+    std::fill_n(task.end, task.count, LaneEnd::undecided);
+    if (task.turning_point)
+        std::fill_n(task.maximum_overlap, task.count, std::numeric_limits<double>::quiet_NaN());
+}
+
+}  // namespace
+
 Kernels kernels_of(Law law, DampingLaw damping_law) {
     return law.visit<Kernels>([=]<template <class> class L>() -> Kernels {
         if constexpr (BatchLaws::index_of<L>() < BatchLaws::size)
             if (has_one_number(damping_law)) return law_kernels<L>();
-        return {.impacts = [](const ImpactTask& t) { std::fill_n(t.end, t.count, LaneEnd::undecided); },
+        return {.impacts = leave_undecided,
                 .numbers = [](const NumberTask& t) { std::fill_n(t.end, t.count, LaneEnd::undecided); },
                 .inversions = [](const InversionTask& t) { std::fill_n(t.found, t.count, std::uint8_t{0}); },
                 .critical_velocities =

@@ -9,6 +9,7 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "solver/inference/curve/recorded_impacts.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
 #include "solver/statistics/importance_sampling.hpp"
 
 namespace ashimpact {
@@ -213,11 +214,27 @@ EstimatedDamping mean_damping(const CurveTable& table, const CurvePosterior& pos
     return damping;
 }
 
-/// v_c and the curve from the draws of a posterior. @param fastest impact [m/s]
+/// v_c of the draws with a common error of scale: each at the middles of equal parts of its distribution.
+MarginalSample with_scale(const Draws& draws, double uncertainty) {
+    if (!(uncertainty > 0.0))
+        return draws.marginal(CurvePosterior::critical, [](double logarithm) { return std::exp(logarithm); });
+    constexpr int parts = 9;
+    const MarginalSample logarithms = draws.marginal(CurvePosterior::critical, [](double x) { return x; });
+    constexpr int places = 400;
+    std::vector<std::pair<double, double>> values;
+    for (int i = 0; i < places; ++i)
+        for (int k = 0; k < parts; ++k)
+            values.emplace_back(std::exp(logarithms.quantile((i + 0.5) / places) +
+                                         uncertainty * gsl::normal_quantile((k + 0.5) / parts)),
+                                1.0 / (places * parts));
+    return MarginalSample(std::move(values));
+}
+
+/// v_c and the curve from the draws of a posterior. @param scale relative uncertainty of all velocities [1]
+/// @param fastest impact [m/s]
 CurveEstimate curve_estimate(const CurveTable& table, const CurvePosterior& posterior, const Draws& draws,
-                             double fastest) {
-    const MarginalSample velocity =
-        draws.marginal(CurvePosterior::critical, [](double logarithm) { return std::exp(logarithm); });
+                             double scale, double fastest) {
+    const MarginalSample velocity = with_scale(draws, scale);
     const double tail = 0.5 * (1.0 - confidence);
     const Interval estimate{velocity.mean(), velocity.standard_deviation(), velocity.quantile(tail),
                             velocity.quantile(1.0 - tail)};
@@ -289,10 +306,34 @@ std::optional<Finding> misfit_note(const Scatter& scatter, bool noise_known) {
                        " times as much as stated about any smooth damping: the interval is widened by that"};
 }
 
+/// Note on impacts that bound v_c from above alone.
+std::optional<Finding> no_captures_note(const MeasurementSet& set) {
+    if (set.captures() > 0) return std::nullopt;
+    return Finding{
+        "no-captures", Severity::doubt,
+        "no impact was captured: v_c below the slowest rebound rests on the assumption that damping "
+        "goes on as it does above it"};
+}
+
+/// Note on damping that is greater at faster impacts, which the prior hardly expects.
+std::optional<Finding> rising_note(const EstimatedDamping& curve) {
+    constexpr double reach = 2.5;  // of v_c
+    constexpr double rise = 0.1;   // of ln eta
+    if (curve.velocity.empty()) return std::nullopt;
+    const double critical = curve.velocity.front();
+    for (std::size_t i = 1; i < curve.velocity.size() && curve.velocity[i] <= reach * critical; ++i)
+        if (curve.damping[i] > std::exp(rise) * curve.damping.front())
+            return Finding{
+                "damping-rises", Severity::doubt,
+                "damping rises with velocity above v_c, where it mostly falls: the interval has held "
+                "less often then"};
+    return std::nullopt;
+}
+
 }  // namespace
 
 CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, const MeasurementSet& set,
-                                                    std::optional<double> size_scatter) {
+                                                    const EstimateOptions& options) {
     std::vector<RecordedImpact> impacts = recorded_impacts(set);
     bool noise_known = set.has_noise();
     require_enough(impacts, noise_known);
@@ -308,13 +349,14 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
     CurvePrior prior{.noise_known = noise_known,
                      .noise = std::clamp(neighbours, 1e-6 * fastest->velocity, 0.2 * fastest->velocity),
                      .scatter = {}};
-    if (size_scatter) prior.scatter = std::max(1e-6, 2.0 * *size_scatter);
+    if (options.size_scatter) prior.scatter = std::max(1e-6, 2.0 * *options.size_scatter);
     const CurvePosterior posterior(table, impacts, prior);
     const Draws draws = sampled(posterior, modes_of(posterior, starts_of(impacts)));
-    CriticalVelocityEstimate estimate{.curve = curve_estimate(table, posterior, draws, fastest->velocity),
-                                      .rebounds = set.rebounds(),
-                                      .captures = set.captures(),
-                                      .noise_known = set.has_noise()};
+    CriticalVelocityEstimate estimate{
+        .curve = curve_estimate(table, posterior, draws, options.scale_uncertainty, fastest->velocity),
+        .rebounds = set.rebounds(),
+        .captures = set.captures(),
+        .noise_known = set.has_noise()};
     const Interval& v = estimate.curve.critical_velocity;
     constexpr double widest = 40.0;
     if (*v.upper > widest * *v.lower)
@@ -324,7 +366,8 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
     const SmoothDamping curve = posterior.curve(estimate.curve.parameters);
     const bool grouped_without_noise = noise_known && !set.has_noise();
     for (const auto& note : {slow_rebound_note(estimate.curve, curve, impacts),
-                             misfit_note(estimate.curve.scatter, set.has_noise())})
+                             misfit_note(estimate.curve.scatter, set.has_noise()), no_captures_note(set),
+                             rising_note(estimate.curve.damping)})
         if (note) estimate.findings.push_back(*note);
     if (grouped_without_noise) estimate.curve.scatter.noise *= neighbours;  // a velocity, as without groups
     return estimate;

@@ -36,6 +36,16 @@ struct CriticalVelocityEstimate {
     std::vector<Finding> findings{};  ///< doubts about the estimate
 };
 
+/// What is known beside the impacts.
+struct EstimateOptions {
+    /// Relative standard deviation of single diameters about their mean, such as from the sieve; ln eta then
+    /// scatters by twice as much. None: it is estimated from the impacts [1].
+    std::optional<double> size_scatter{};
+    /// Relative standard uncertainty of a factor that all velocities have in common, as from the calibration
+    /// of a camera or from an angle that all impacts share [1].
+    double scale_uncertainty = 0.0;
+};
+
 /// Name of the method, for artifacts.
 inline constexpr const char* estimate_method =
     "posterior of v_c with a smooth curve of damping over velocity, captures by their probability";
@@ -43,11 +53,11 @@ inline constexpr const char* estimate_method =
 /// Estimates v_c from rebounds and captures, see SmoothDamping and CurvePosterior, by adaptive importance
 /// sampling (Cornuet et al. 2012, Scand. J. Stat. 39:798): draws come from normal densities, each fitted to
 /// the draws before; the first ones lie at the modes of the posterior. More than few_impacts impacts are
-/// merged into groups narrower than their noise, weighted by their numbers.
-/// @param size_scatter relative standard deviation of single diameters about their mean, if known, such as
-/// from the sieve; ln eta then scatters by twice as much. None: it is estimated from the impacts [1]
+/// merged into groups narrower than their noise, weighted by their numbers. A common error of scale
+/// multiplies v_c.
 /// @throws InputError with the reason if the impacts allow no estimate; ConvergenceError
-[[nodiscard]] CriticalVelocityEstimate estimate_critical_velocity(
-    const ContactModel& model, const MeasurementSet& set, std::optional<double> size_scatter = std::nullopt);
+[[nodiscard]] CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model,
+                                                                  const MeasurementSet& set,
+                                                                  const EstimateOptions& options = {});
 
 }  // namespace ashimpact

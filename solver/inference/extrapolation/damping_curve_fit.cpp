@@ -391,6 +391,10 @@ DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSe
     if (rows.restitutions.empty())
         throw ConvergenceError("the polynomial closest to the rebounds gives some of them at no velocity");
     if (!(near[0] > 0.0)) throw ConvergenceError("the polynomial gives no positive damping at e = 0");
+    const auto taken = std::ranges::count_if(data.weights, [](double weight) { return weight > 0.0; });
+    if (taken <= options.order)
+        throw ConvergenceError("all but " + std::to_string(taken) +
+                               " rebounds are outliers to the polynomial");
 
     DampingCurveFit fit{};
     fit.options = options;
@@ -406,6 +410,9 @@ DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSe
     fit.critical_velocity = critical_velocity_of(model, fit.critical_damping);
     add_rebounds(fit, rows, selection);
     add_range(fit, data);
+    if (!fit.covariance.allFinite() || !std::isfinite(fit.critical_velocity.standard_uncertainty) ||
+        !std::isfinite(fit.prediction_error) || !std::isfinite(fit.extrapolation))
+        throw ConvergenceError("the rebounds leave the polynomial undetermined");
     return fit;
 }
 

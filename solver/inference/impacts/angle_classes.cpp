@@ -105,7 +105,8 @@ std::optional<AngleComparison> compare_angles(const MeasurementSet& set,
     for (AngleClass& each : comparison.classes)
         each.standard_uncertainty = std::sqrt(variance / static_cast<double>(each.rebounds));
     comparison.probability =
-        variance > 0 ? gsl::f_exceedance(between / (groups - 1) / variance, groups - 1, freedom) : 1;
+        variance > 0 ? gsl::variance_ratio_exceedance(between / (groups - 1) / variance, groups - 1, freedom)
+                     : 1;
     return comparison;
 }
 

@@ -80,10 +80,12 @@ std::optional<MotionExpansion<Real>> expand_creep(const MotionPiece<Real>& piece
     return x;
 }
 
-/// The motion as if @p piece had no borders: the step may end beyond them.
+/// The motion as if @p piece had no borders: the step may end beyond them. @param may_creep whether a stiff
+/// return may be followed as a creep, in which the small total force that ends some contacts is lost
 template <class Real>
-MotionExpansion<Real> expand_on(const MotionPiece<Real>& piece, const MotionState<Real>& state, int sense) {
-    if (sense > 0)
+MotionExpansion<Real> expand_on(const MotionPiece<Real>& piece, const MotionState<Real>& state, int sense,
+                                bool may_creep) {
+    if (sense > 0 && may_creep)
         if (const auto creeping = expand_creep(piece, state)) return *creeping;
     MotionExpansion<Real> x{};
     x.position[0] = state.position;
@@ -151,7 +153,7 @@ bool Motion<Real>::is_soft(const Real& from, const Real& to, const Real& most) c
 
 template <class Real>
 MotionExpansion<Real> Motion<Real>::expand(const MotionState<Real>& state, int sense) const {
-    if (beyond.empty()) return expand_on(first, state, sense);
+    if (beyond.empty()) return expand_on(first, state, sense, end.has_value());
     const Real q = state.position;
     // At a border the piece is that ahead of the motion; at rest, that ahead of its acceleration.
     const Real direction = state.velocity != Real(0) ? Real(sense) * state.velocity : -slope(q) * force(q);
@@ -160,7 +162,7 @@ MotionExpansion<Real> Motion<Real>::expand(const MotionState<Real>& state, int s
     const Real lower = &piece == &first          ? -std::numeric_limits<Real>::infinity()
                        : &piece == beyond.data() ? first.until
                                                  : (&piece - 1)->until;
-    MotionExpansion<Real> x = expand_on(piece, state, sense);
+    MotionExpansion<Real> x = expand_on(piece, state, sense, end.has_value());
     end_step_at_border(x, lower, piece.until);
     return x;
 }

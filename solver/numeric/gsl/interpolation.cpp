@@ -2,6 +2,7 @@
 #include "solver/numeric/gsl/interpolation.hpp"
 
 #include <cmath>
+#include <mutex>
 #include <string>
 
 #include <gsl/gsl_bspline.h>
@@ -15,6 +16,7 @@ namespace ashimpact::gsl {
 struct BSpline::Workspace {
     Owner<gsl_bspline_workspace> state;
     Owner<gsl_matrix> derivatives;
+    std::mutex in_use;  ///< evaluation writes to the workspace
 
     explicit Workspace(std::size_t breaks)
         : state(gsl_bspline_alloc(4, breaks), &gsl_bspline_free), derivatives(nullptr, &gsl_matrix_free) {
@@ -36,6 +38,7 @@ Eigen::Index BSpline::size() const {
 }
 
 Eigen::VectorXd BSpline::values(double x, int derivative) const {
+    const std::lock_guard lock(workspace_->in_use);
     gsl_matrix* derivatives = workspace_->derivatives.get();
     check(gsl_bspline_deriv_eval(x, 1, derivatives, workspace_->state.get()), "B-spline");
     return view_of(derivatives).col(derivative);

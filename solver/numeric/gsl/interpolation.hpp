@@ -9,7 +9,7 @@
 
 namespace ashimpact::gsl {
 
-/// Cubic B-splines on an interval (GSL bspline).
+/// Cubic B-splines on an interval (GSL bspline). Threads may share one.
 class BSpline {
   public:
     /// @param breaks strictly increasing, at least two @throws ConvergenceError

@@ -31,7 +31,7 @@ async function program(files) {
     const paper = builtIn.call('run', '', 'results');
     assert.equal(paper.status, 0, JSON.stringify(paper.error));
     assert.equal(paper.files.length, 12);
-    assert.match(paper.text, /Particles of 88 um stick below 1\.93 m\/s/);
+    assert.match(paper.text, /Particles of 88 um stick below 1\.86 m\/s/);
     agree('built-in', path.join(folder, 'built-in/results'), file => builtIn.read(`results/${file}`), direct);
     assert.match(builtIn.read('results/report.html'), /<figure id="critical-velocity"/);
 

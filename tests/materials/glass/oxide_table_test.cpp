@@ -192,8 +192,7 @@ TEST_CASE("tables that are no chemical analysis are refused in one line with the
     for (const char* title : {"Results in mol%", "Mole percent"})
         CHECK(says(refusal(std::string(title) + "\nSample,SiO2,Al2O3\nA,60,40\n"),
                    "line 1: the title states fractions by mole"));
-    CHECK(says(refusal("Sample;SiO2;MnO [ppm]\nA;99.5;4.000\nB;99.4;950\n"),
-               "\"4.000\" is 4.000 or 4000"));
+    CHECK(says(refusal("Sample;SiO2;MnO [ppm]\nA;99.5;4.000\nB;99.4;950\n"), "\"4.000\" is 4.000 or 4000"));
     CHECK_FALSE(refusal("").empty());
 }
 

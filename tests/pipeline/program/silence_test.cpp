@@ -152,7 +152,8 @@ TEST_CASE("a figure takes artifacts of one run, and those that it shows") {
 
 TEST_CASE("an option that changes nothing is said or refused") {
     const Sandbox sandbox;
-    for (const std::string option : {"--order 3", "--robust", "--bin 3", "--frames 3", "--size-scatter 0.1"})
+    for (const std::string option : {"--order 3", "--robust", "--bin 3", "--frames 3", "--size-scatter 0.1",
+                                     "--velocity-scale-uncertainty 0.03"})
         check_refused(sandbox,
                       "damping --law hertz --velocity 2 --restitution 0.5 " + option + elastic_sphere,
                       option.substr(0, option.find(' ')) + " requires --");

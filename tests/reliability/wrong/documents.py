@@ -103,7 +103,8 @@ def cases():
                       "cohesion_energy_density": "10 MJ/m3", "tabor": 2.0},
             laws=["hertz", "dmt", "jkr", "maugis-dugdale"], detachments={"jkr": "pull-off", "hertz": "zero-force"},
             histories={"points": 20, "critical_excess": 0.01},
-            fit={"order": 2, "direct_order": 3, "robust": False, "flatness": 0.25, "outlier": 4, "size_scatter": 0.1},
+            fit={"order": 2, "direct_order": 3, "robust": False, "flatness": 0.25, "outlier": 4, "size_scatter": 0.1,
+                 "velocity_scale_uncertainty": 0.03},
             uncertainty={"samples": 16, "replicates": 2, "seed": 1, "damping": "held"},
             calibration={"free": [{"quantity": "work_of_adhesion", "per_sample": False}]},
             published="dong2013",
@@ -113,7 +114,7 @@ def cases():
                    cohesion_energy_density="10 MJ/m3", tabor=1.0,
                    restitution={"velocity": VELOCITIES, "rebound_velocity": {"values": rebounds, "unit": "m/s"},
                                 "velocity_uncertainty": [0.02] * 8, "rebound_uncertainty": [0.02] * 8,
-                                "velocity_correlation": [0.1] * 8, "binning": {"impacts_per_bin": 2}}),
+                                "velocity_correlation": [0.1] * 8, "tangential_velocity": [0.5] * 8, "binning": {"impacts_per_bin": 2}}),
             phases=[{"name": "mullite", "density": "3.1 g/cm3", "young_modulus": "220 GPa", "poisson_ratio": 0.28}],
             laws=["thornton-ning", "sjkr"], wall={"contact_modulus": "90 GPa"}),
         "adhesion": case(
@@ -167,7 +168,7 @@ SIGNED = ("negative", "zero", "tiny")
 SMALL = ("zero", "tiny")
 CASE_RULES = Rules(
     may_be={
-        "a": SIGNED, "b": SIGNED, "c": SIGNED, "poisson_ratio": SIGNED, "velocity_correlation": SIGNED,
+        "a": SIGNED, "b": SIGNED, "c": SIGNED, "poisson_ratio": SIGNED, "velocity_correlation": SIGNED, "tangential_velocity": SIGNED,
         "work_of_adhesion": ("zero",), "particle": ("zero",), "wall": ("zero",), "partner": ("zero",), "interfacial": ("zero",), "cohesion_energy_density": ("zero",),
         "critical_damping": ("zero",), "damping_fit_uncertainty": ("zero",), "coefficient_uncertainty": ("zero",),
         "roughness": SMALL,
@@ -187,7 +188,8 @@ def sweeps():
         "grid": {
             "schema_version": 1, "name": "a grid",
             "impact": {"laws": ["dmt", "jkr"], "radius": "44 um", **fixed, "detachments": {"jkr": "zero-overlap"},
-                       "damping_law": "constant", "work_of_adhesion": "0.3 J/m2"},
+                       "damping_law": "constant", "damping_over_sizes": {"power": 2, "at_radius": "44 um"},
+                       "work_of_adhesion": "0.3 J/m2"},
             "variables": {"velocity": {"grid": "logarithmic", "from": "0.1 m/s", "to": "10 m/s", "points": 4}},
             "sampling": {"method": "grid"},
             "table": ["restitution", "contact_time"]},

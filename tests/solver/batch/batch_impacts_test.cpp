@@ -320,10 +320,19 @@ TEST_CASE("an elastic-plastic law goes through the scalar solver") {
                       impacts.velocity};
     const ImpactBatchResult result = solve_impacts(batch);
     CHECK(result.scalar == impacts.size());
+    // Whatever the columns held before, such as possible turns.
+    Eigen::ArrayXd approach_time = Eigen::ArrayXd::Constant(impacts.size(), 1e-300);
+    Eigen::ArrayXd maximum_overlap = Eigen::ArrayXd::Constant(impacts.size(), 1e-9);
+    solve_impacts(batch, {.approach_time = approach_time.data(), .maximum_overlap = maximum_overlap.data()},
+                  {});
     for (Eigen::Index i = 0; i < impacts.size(); ++i) {
         Impact impact = impacts.at(i);
         impact.contact.yield_pressure = 2e9;
-        CHECK(result.restitution[i] == solve_impact(impact).restitution);
+        const ImpactResult alone = solve_impact(impact);
+        CHECK(result.restitution[i] == alone.restitution);
+        CHECK(alone.approach_time.has_value() == !std::isnan(approach_time[i]));
+        if (alone.approach_time) CHECK(approach_time[i] == *alone.approach_time);
+        CHECK(maximum_overlap[i] == alone.maximum_overlap);
     }
 }
 

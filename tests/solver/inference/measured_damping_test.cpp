@@ -71,6 +71,12 @@ void check_finite(const MeasuredDamping& result) {
         CHECK(fit.damping.coefficients.allFinite());
         CHECK(fit.covariance.allFinite());
         CHECK(std::isfinite(fit.chi_squared));
+        CHECK(std::isfinite(fit.prediction_error));
+        CHECK(std::isfinite(fit.extrapolation));
+        for (const FittedRebound& rebound : fit.rebounds) {
+            CHECK(std::isfinite(rebound.distance));
+            CHECK(std::isfinite(rebound.influence));
+        }
         for (const Interval& interval : {fit.critical_damping, fit.critical_velocity}) {
             CHECK(interval.value > 0.0);
             CHECK(std::isfinite(interval.standard_uncertainty));
@@ -242,6 +248,52 @@ TEST_CASE(
     check_finite(result);
     // Which of the two depends on the last digits.
     CHECK((result.extrapolated || has_finding(result, "no-extrapolation")));
+}
+
+TEST_CASE("a robust extrapolation of few rebounds with outliers is finite or refused") {
+    MeasuredDampingOptions options;
+    options.extrapolated.robust = true;
+    const auto check = [&](const MeasurementSet& set, Law law) {
+        const MeasuredDamping result = analysed(set, law, options);
+        check_finite(result);
+        CHECK((result.extrapolated || has_finding(result, "no-extrapolation")));
+    };
+    const MeasurementSet eight = set_of(
+        {{2.8, 0.64}, {1.0, 0.72}, {3.9, 1.2}, {8.8, 4.0}, {8.3, 3.7}, {2.1, 0.29}, {6.1, 4.0}, {0.97, 0.67}},
+        0.03);
+    for (const Law law : fitted_laws) check(eight, law);
+    CHECK(has_finding(analysed(eight, Law::of<Dmt>()), "outcomes-disagree"));
+    for (unsigned long seed = 1; seed <= static_cast<unsigned long>(repetitions(40)); ++seed) {
+        CAPTURE(seed);
+        MeasurementSet set = measured(4 + static_cast<int>(seed % 5), 20, seed);
+        Random random(1000 + seed);
+        for (Measurement& point : set.points)
+            if (random.uniform(0.0, 1.0) < 0.3) point.rebound = random.uniform(0.0, point.velocity);
+        check(set, Law::of<BrachDunn>());
+    }
+}
+
+TEST_CASE("rebounds alone: an extrapolated v_c above the slowest of them is refused, however uncertain") {
+    // Damping that grows with velocity, as that of Hunt and Crossley: e falls from 0.9 to 0.5.
+    MeasurementSet set{.source = "lab", .points = {}};
+    Random random(3);
+    for (int i = 0; i < 30; ++i) {
+        const double v = random.log_uniform(0.15, 4.0);
+        const double e = 1.0 / (1.0 + 0.25 * v);
+        set.points.push_back({.velocity = v,
+                              .rebound = e * v + random.normal(0.01),
+                              .noise = VelocityNoise::of_velocities(0.01, 0.01)});
+    }
+    for (const Law law : fitted_laws) {
+        CAPTURE(law.name());
+        const MeasuredDamping result = analysed(set, law);
+        if (result.estimate)
+            CHECK(*result.estimate->curve.critical_velocity.lower < 0.2);
+        else if (result.extrapolated)
+            CHECK(result.extrapolated->critical_velocity.value < 0.2);
+        CHECK((result.estimate || !result.extrapolated ||
+               result.extrapolated->critical_velocity.value <= *result.measured.slowest_rebound));
+    }
 }
 
 // e = sqrt(1 - v_c/v) is no law's threshold; forced on it, Hertz's lies 6 % too low, whatever the priors. A

@@ -42,6 +42,18 @@ double noise_of_rebound(const std::string& table) {
 
 }  // namespace
 
+TEST_CASE("a coverage of uncertainties in a comment is refused") {
+    const auto refusal = [](const std::string& heading) {
+        return input_error_of([&] {
+            return read_measurements("# errors: 2 sigma\n" + heading + "\n1,0.5,0.1,0.1\n2,1,0.1,0.1\n",
+                                     "a.csv");
+        });
+    };
+    CHECK(contains(refusal("v_in [m/s],v_r [m/s],u(v_in) [m/s],u(v_r) [m/s]"),
+                   "line 1: the line states \"2 sigma\", and the column"));
+    CHECK(refusal("v_in [m/s],v_r [m/s],u(v_in) (2 sigma) [m/s],u(v_r) (2 sigma) [m/s]").empty());
+}
+
 TEST_CASE("impacts at an angle: the part of v_in normal to the wall counts") {
     const auto read = [](const std::string& table) { return read_measurements(table, "t.csv"); };
     for (const char* heading :

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text/error.hpp"
+#include "solver/batch/parallel.hpp"
 #include "solver/numeric/gsl/interpolation.hpp"
 #include "solver/numeric/gsl/solvers.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
@@ -336,4 +337,14 @@ TEST_CASE("what the residuals throw comes out of GSL unchanged") {
     };
     CHECK_THROWS_WITH_AS(static_cast<void>(gsl::fit_nonlinear({throwing}, Eigen::Vector2d(500.0, 1e-4))),
                          "no such parameter", InputError);
+}
+
+TEST_CASE("threads that share B-splines get the values of one thread") {
+    const gsl::BSpline splines(std::array{0.0, 0.3, 0.5, 1.0});
+    std::vector<double> positions(20'000);
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        positions[i] = static_cast<double>(i) / static_cast<double>(positions.size());
+    const auto value = [&](double x) { return splines.values(x); };
+    const auto shared = in_parallel(positions, value);
+    for (std::size_t i = 0; i < positions.size(); ++i) REQUIRE(shared[i] == value(positions[i]));
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Impacts at an angle: identities, limits, and an independent integration with a stiff tangential spring.
 #include "solver/oblique/oblique.hpp"
-#include "solver/oblique/oblique_batch.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,6 +16,7 @@
 #include <doctest/doctest.h>
 
 #include "solver/batch/batch.hpp"
+#include "solver/oblique/oblique_batch.hpp"
 #include "tests/support/checks.hpp"
 
 using namespace ashimpact;
@@ -25,20 +25,20 @@ using test::input_error_of;
 
 namespace {
 
-constexpr double radius = 44e-6;
+constexpr double ash_radius = 44e-6;
 
-double mass_of(double r, double density) {
+double solid_mass(double r, double density) {
     return 4.0 / 3.0 * std::numbers::pi * r * r * r * density;
 }
 
 /// A fly ash sphere on steel.
-ObliqueImpact ash(const char* name, double normal_velocity, double friction) {
-    const double mass = mass_of(radius, 2300);
+ObliqueImpact oblique_ash(const char* name, double normal_velocity, double friction) {
+    const double mass = solid_mass(ash_radius, 2300);
     ContactPair pair{
-        .mass = mass, .effective_radius = radius, .contact_modulus = 90e9, .work_of_adhesion = 0.3};
+        .mass = mass, .effective_radius = ash_radius, .contact_modulus = 90e9, .work_of_adhesion = 0.3};
     const Law law = Law::named(name);
     return {.normal = {law, law.default_detachment(), {DampingLaw::constant, 2e-3}, pair, normal_velocity},
-            .bodies = {.sphere = {radius, mass}},
+            .bodies = {.sphere = {ash_radius, mass}},
             .friction = friction};
 }
 
@@ -91,12 +91,12 @@ TEST_CASE("oblique: momentum and energy of a million random impacts") {
     std::array<int, 4> seen{};
     for (int i = 0; i < 1'000'000; ++i) {
         const double r = std::pow(10.0, -5 + unit(random));
-        const double m = mass_of(r, 2000);
+        const double m = solid_mass(r, 2000);
         ContactBodies bodies{.sphere = {r, m}};
         double mass = m;
         if (i % 3 == 0) {
             const double r2 = r * std::pow(10.0, unit(random));
-            bodies.partner = SphereBody{r2, mass_of(r2, 3000)};
+            bodies.partner = SphereBody{r2, solid_mass(r2, 3000)};
             mass = 1 / (1 / m + 1 / bodies.partner->mass);
         }
         const TangentialMotion before{.velocity = unit(random), .spin = 2 * unit(random) / r};
@@ -123,13 +123,13 @@ TEST_CASE("oblique: momentum and energy of a million random impacts") {
 }
 
 TEST_CASE("oblique: limits of rolling, sliding and no slip") {
-    ObliqueImpact impact = ash("hertz", 2, 0.1);
+    ObliqueImpact impact = oblique_ash("hertz", 2, 0.1);
     impact.tangential = {.velocity = 0.3, .spin = 0};
     const ObliqueResult rolling = solve_oblique_impact(impact);
     CHECK(rolling.tangential.regime == SlidingRegime::rolling);
     CHECK(test::relative_difference(*rolling.tangential_restitution, 5.0 / 7.0) < 1e-15);
     const TangentialMotion& after = rolling.tangential.after;
-    CHECK(std::abs(after.velocity + radius * after.spin) < 1e-15);  // the contact point rests
+    CHECK(std::abs(after.velocity + ash_radius * after.spin) < 1e-15);  // the contact point rests
 
     // Without adhesion sliding ends where tan(angle) = (7/2) mu (1 + e).
     const double e = rolling.normal.restitution;
@@ -145,7 +145,7 @@ TEST_CASE("oblique: limits of rolling, sliding and no slip") {
                                     1 - impact.friction * (1 + e) * impact.normal.velocity / 10) < 1e-14);
     CHECK(test::relative_difference(*sliding.impulse_ratio, impact.friction) < 1e-14);
 
-    impact.tangential = {.velocity = 1, .spin = -1 / radius};
+    impact.tangential = {.velocity = 1, .spin = -1 / ash_radius};
     const ObliqueResult none = solve_oblique_impact(impact);
     CHECK(none.tangential.regime == SlidingRegime::none);
     CHECK(*none.tangential_restitution == 1);
@@ -160,7 +160,7 @@ TEST_CASE("oblique: limits of rolling, sliding and no slip") {
     CHECK(one.tangential.after.spin == -other.tangential.after.spin);
     CHECK(*one.rebound_angle == *other.rebound_angle);
 
-    impact.normal = ash("jkr", 0.02, 0.1).normal;
+    impact.normal = oblique_ash("jkr", 0.02, 0.1).normal;
     const ObliqueResult captured = solve_oblique_impact(impact);
     CHECK(captured.tangential.regime == SlidingRegime::captured);
     CHECK(*captured.tangential_restitution == 0);
@@ -178,16 +178,18 @@ TEST_CASE("oblique: friction with adhesion against a stiff tangential spring in 
                 CAPTURE(law);
                 CAPTURE(velocity);
                 CAPTURE(tangential);
-                ObliqueImpact impact = ash(law, velocity, 0.2);
+                ObliqueImpact impact = oblique_ash(law, velocity, 0.2);
                 impact.tangential = {.velocity = tangential, .spin = 0};
                 // With little damping: at the end of a contact a strong one pulls, and the spring slips
                 // freely.
                 impact.normal.damping.coefficient = 1e-4;
                 const ContactPair& pair = impact.normal.contact;
-                const double line = std::cbrt(6 * w * w * radius * pair.contact_modulus / std::numbers::pi);
+                const double line =
+                    std::cbrt(6 * w * w * ash_radius * pair.contact_modulus / std::numbers::pi);
                 const auto attraction = [&](double a) {
                     if (std::string_view(law) == "hertz") return 0.0;
-                    return 2 * std::numbers::pi * (std::string_view(law) == "dmt" ? w * radius : line * a);
+                    return 2 * std::numbers::pi *
+                           (std::string_view(law) == "dmt" ? w * ash_radius : line * a);
                 };
                 const ObliqueResult exact = solve_oblique_impact(impact);
                 REQUIRE(exact.normal.outcome == Outcome::rebound);
@@ -205,12 +207,12 @@ TEST_CASE("oblique: a batch gives what single impacts give, whatever the threads
     std::uniform_real_distribution<double> unit(-1, 1);
     for (const char* name : {"hertz", "dmt", "brach-dunn", "jkr", "sjkr"}) {
         CAPTURE(name);
-        const ObliqueImpact base = ash(name, 1, 0.2);
+        const ObliqueImpact base = oblique_ash(name, 1, 0.2);
         ImpactBatch batch{
             base.normal.law,
             base.normal.detachment,
             DampingLaw::constant,
-            {Eigen::ArrayXd::Constant(1, base.normal.contact.mass), Eigen::ArrayXd::Constant(1, radius),
+            {Eigen::ArrayXd::Constant(1, base.normal.contact.mass), Eigen::ArrayXd::Constant(1, ash_radius),
              Eigen::ArrayXd::Constant(1, 90e9), Eigen::ArrayXd::Constant(1, 0.3)},
             Eigen::ArrayXd::Constant(1, 2e-3),
             Eigen::ArrayXd::NullaryExpr(count, [&] { return std::pow(10, unit(random)); })};
@@ -268,7 +270,7 @@ TEST_CASE("oblique: alumina on glass as Kharaz, Gorham & Salman 2001 measured it
     };
     const double mu = 0.092;
     const double e = 0.98;
-    const ContactBodies bodies{.sphere = {2.5e-3, mass_of(2.5e-3, 4000)}};
+    const ContactBodies bodies{.sphere = {2.5e-3, solid_mass(2.5e-3, 4000)}};
     const auto rebound_at = [&](double degrees) {
         const double angle = degrees * std::numbers::pi / 180;
         const TangentialMotion before{.velocity = 3.9 * std::sin(angle)};

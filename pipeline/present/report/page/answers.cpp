@@ -347,7 +347,7 @@ std::string sentence(const std::string& text) {
 
 std::string answers_html(const RunData& run) {
     std::string html = "<ul class=\"answers\">\n";
-    for (const SampleData& sample : run.samples()) html += answer(sample);
+    for (const SampleData& sample : run.samples()) html += answer(sample, run.run().comparison);
     html += "</ul>\n";
     const std::string sizes = sizes_sentence(run.run().comparison);
     if (!sizes.empty())

@@ -61,7 +61,8 @@ static double ash_along_t(const AshTable* table, const double* values, int size,
 }
 
 /* e of an impact, 0 for a capture, and the impulse over the mass with which the surfaces push [m/s], on which friction
- * acts: (1 + e) v, more with adhesion. Diameters within 1e-9 of the ends count as within. */
+ * acts: (1 + e) v, more with adhesion. Diameters and velocities within 1e-9 of the
+ * ends count as within. */
 static AshStatus ash_rebound(const AshTable* table, double diameter, double velocity, double* restitution, double* push)
 {
     const double smallest = table->diameter[0], largest = table->diameter[table->sizes - 1];
@@ -69,7 +70,8 @@ static AshStatus ash_rebound(const AshTable* table, double diameter, double velo
     int i;
     *restitution = *push = 0.0;
     if (!(diameter >= smallest * (1 - 1e-9) && diameter <= largest * (1 + 1e-9))) return ash_diameter_outside;
-    if (!(velocity >= table->from_velocity && velocity <= table->to_velocity)) return ash_velocity_outside;
+    if (!(velocity >= table->from_velocity * (1 - 1e-9) && velocity <= table->to_velocity * (1 + 1e-9)))
+        return ash_velocity_outside;
     if (diameter < smallest) diameter = smallest;
     if (diameter > largest) diameter = largest;
     start = ash_start_velocity(table, diameter);

@@ -26,7 +26,8 @@ def read_log(path):
 def end_of_contact(rows, powers):
     """Velocity with which the sphere is back at the height of first touch; None: it stays below.
 
-    It is extrapolated over the overlap, in which it is a series of these powers. The last row is left out: where the force
+    Its square is extrapolated over the overlap, in which it is a series of these powers, also where little velocity is
+    left. The last row is left out: where the force
     ends with a root of the overlap, the error of the last step depends on where in it the contact ends."""
     start = rows[0][1]
     turned = next((i for i, row in enumerate(rows) if row[2] > 0), None)
@@ -34,7 +35,7 @@ def end_of_contact(rows, powers):
     if end is None:
         return None
     inside = rows[max(0, end - 2 - len(powers)):end - 1]
-    return at_step_zero([start - row[1] for row in inside], [row[2] for row in inside], powers)
+    return max(0.0, at_step_zero([start - row[1] for row in inside], [row[2] ** 2 for row in inside], powers)) ** 0.5
 
 
 def end_of_flight(rows):
