@@ -229,7 +229,7 @@ void run_export_command(const CommandOptions& options, const TableImage& image, 
     std::string script = (folder / code.script).string();
     if (script.starts_with('-')) script.insert(0, "./");
     out << wrapped(laboratory_lines(subject), output_width(), 2)
-        << "README.md says how to use it. To run and compare:\n  "
+        << "README.md has the instructions. To run and compare:\n  "
         << (code.script.ends_with(".py") ? "python3 " : "sh ") << shell_word(script) << '\n';
 }
 

@@ -69,7 +69,7 @@ const Run& reproduced_run() {
     return run;
 }
 
-/// Whether a member is the measured velocity of the case, or what is said of it.
+/// Whether a member is the measured velocity of the case or a result computed from it.
 bool is_of_measured_velocity(const std::string& pointer) {
     for (const char* own : {"/check", "/measured", "/joint_tests"})
         if (pointer.find(own) != std::string::npos) return true;

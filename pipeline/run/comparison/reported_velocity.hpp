@@ -30,7 +30,7 @@ struct ReportedEvidence {
 
 /// The critical velocity of a sample by the law of the run, with the interval over the admissible laws. A
 /// reproduction has no interval. If the law could not be fitted to the impacts of the sample, the next law by
-/// preference that gives a velocity takes its place, and the reason says so. If no law gives a velocity, or
+/// preference that gives a velocity takes its place, and the reason names both. If no law gives a velocity, or
 /// the law of the run captures always or never, there are only the bounds that the outcomes of the impacts
 /// give. A measured critical velocity of the case does not enter.
 [[nodiscard]] ReportedVelocity reported_velocity(const ReportedEvidence& evidence);
