@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 #include <map>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -199,6 +200,10 @@ bool gives_samples(const SizeSources& sources, const std::vector<MeasuredSize>& 
     });
 }
 
+/// The first verdicts of a size are those of a critical velocity, in the same order.
+static_assert(std::ranges::equal(
+    Names<CaptureVerdict>::all, std::span(Names<SizeVerdict>::all).first(Names<CaptureVerdict>::all.size())));
+
 /// Critical velocities of one assumption over all sizes.
 class AssumedVelocities {
   public:
@@ -269,6 +274,12 @@ class AssumedVelocities {
     const SizeSources& sources_;
     SizeBasis basis_;
 };
+
+/// A damping law needs an assumption of its name, in the same order.
+static_assert(std::ranges::equal(Names<DampingLaw>::all,
+                                 std::span(Names<SizeBasis>::all)
+                                     .subspan(static_cast<std::size_t>(SizeBasis::constant),
+                                              all_values<DampingLaw>.size())));
 
 SizeBasis basis_of(DampingLaw law) {
     return static_cast<SizeBasis>(static_cast<int>(SizeBasis::constant) + static_cast<int>(law));

@@ -416,13 +416,51 @@ class DampingLawFit {
                             constant(second_parameter(damping_law_).name, 1, remaining)};
     }
 
-    /// Whether differences of neighbouring impacts are as far apart as those of distant ones: analysis of
-    /// variance over blocks of each sample, by velocity. Captures that the law captures, too, do not count.
-    [[nodiscard]] bool is_scatter(const Eigen::ArrayXd& differences, std::size_t constants) const {
+    /// Sums of an analysis of variance over blocks of impacts.
+    struct BlockSums {
         double between = 0;
         double within = 0;
         std::size_t blocks = 0;
-        std::size_t counted = 0;
+        std::size_t counted = 0;  ///< impacts of all blocks
+    };
+
+    /// @param members indices of the impacts of one block
+    void add_block(std::span<const std::size_t> members, const Eigen::ArrayXd& differences,
+                   BlockSums& sums) const {
+        double sum = 0;
+        double sum_of_squares = 0;
+        double weight = 0;
+        for (const std::size_t member : members) {
+            const auto j = static_cast<Eigen::Index>(member);
+            sum += weights_[j] * differences[j];
+            sum_of_squares += weights_[j] * differences[j] * differences[j];
+            weight += weights_[j];
+        }
+        sums.between += sum * sum / weight;
+        sums.within += std::max(0.0, sum_of_squares - sum * sum / weight);
+        ++sums.blocks;
+        sums.counted += members.size();
+    }
+
+    /// Divides the impacts of a sample into blocks; impacts of one velocity are in one block.
+    void add_blocks(std::span<const std::size_t> members, const Eigen::ArrayXd& differences,
+                    BlockSums& sums) const {
+        const std::size_t number = std::clamp<std::size_t>(members.size() / impacts_a_block, 1, most_blocks);
+        std::size_t to = 0;
+        for (std::size_t k = 0; k < number && to < members.size(); ++k) {
+            const std::size_t from = to;
+            to = std::max(from + 1, (k + 1) * members.size() / number);
+            while (to < members.size() &&
+                   impacts_[members[to]].log_velocity == impacts_[members[to - 1]].log_velocity)
+                ++to;
+            add_block(members.subspan(from, to - from), differences, sums);
+        }
+    }
+
+    /// Whether differences of neighbouring impacts are as far apart as those of distant ones: analysis of
+    /// variance over blocks of each sample, by velocity. Captures that the law captures, too, do not count.
+    [[nodiscard]] bool is_scatter(const Eigen::ArrayXd& differences, std::size_t constants) const {
+        BlockSums sums;
         std::size_t first = 0;
         while (first < impacts_.size()) {
             std::vector<std::size_t> members;
@@ -430,32 +468,10 @@ class DampingLawFit {
             for (; end < impacts_.size() && impacts_[end].sample == impacts_[first].sample; ++end)
                 if (!impacts_[end].captured || differences[static_cast<Eigen::Index>(end)] != 0)
                     members.push_back(end);
-            const std::size_t number =
-                std::clamp<std::size_t>(members.size() / impacts_a_block, 1, most_blocks);
-            std::size_t to = 0;
-            for (std::size_t k = 0; k < number && to < members.size(); ++k) {
-                const std::size_t from = to;
-                to = std::max(from + 1, (k + 1) * members.size() / number);
-                const auto same_velocity = [&](std::size_t i) {
-                    return impacts_[members[i]].log_velocity == impacts_[members[i - 1]].log_velocity;
-                };
-                while (to < members.size() && same_velocity(to)) ++to;
-                double sum = 0;
-                double sum_of_squares = 0;
-                double weight = 0;
-                for (std::size_t i = from; i < to; ++i) {
-                    const auto j = static_cast<Eigen::Index>(members[i]);
-                    sum += weights_[j] * differences[j];
-                    sum_of_squares += weights_[j] * differences[j] * differences[j];
-                    weight += weights_[j];
-                }
-                between += sum * sum / weight;
-                within += std::max(0.0, sum_of_squares - sum * sum / weight);
-                ++blocks;
-                counted += to - from;
-            }
+            add_blocks(members, differences, sums);
             first = end;
         }
+        const auto& [between, within, blocks, counted] = sums;
         if (counted < blocks + fewest_of_scatter || blocks + 1 <= constants) return true;
         const double freedom = static_cast<double>(counted - blocks);
         const double scatter =

@@ -68,6 +68,16 @@ TangentialRebound tangential_rebound(const ContactBodies& bodies, double effecti
     return rebound;
 }
 
+ReboundRatios rebound_ratios(const TangentialMotion& before, const TangentialRebound& tangential,
+                             double effective_mass, double incident, double rebound) {
+    const double after = tangential.after.velocity;
+    const bool moved = before.velocity != 0;
+    const double forward = moved ? std::copysign(1.0, before.velocity) : 1.0;
+    return {.tangential_restitution = moved ? std::optional(after / before.velocity) : std::nullopt,
+            .rebound_angle = std::atan2(forward * after, rebound),
+            .impulse_ratio = tangential.impulse / (effective_mass * (incident + rebound))};
+}
+
 double repulsive_impulse(const Impact& impact, double restitution) {
     const double net = impact.contact.mass * (1 + restitution) * impact.velocity;
     return impact.law.is_adhesive() ? net + attraction_impulse(impact) : net;
@@ -92,18 +102,14 @@ ObliqueResult oblique_result(const ObliqueImpact& impact, const ImpactResult& so
     result.repulsive_impulse = repulsive_impulse(normal, result.normal.restitution);
     result.tangential =
         tangential_rebound(impact.bodies, mass, impact.tangential, impact.friction, result.repulsive_impulse);
-    const TangentialMotion& after = result.tangential.after;
-    if (impact.tangential.velocity != 0) {
-        result.tangential_restitution = after.velocity / impact.tangential.velocity;
-        result.rebound_angle = std::atan2(std::copysign(1.0, impact.tangential.velocity) * after.velocity,
-                                          result.normal.rebound_velocity);
-    } else {
-        result.rebound_angle = std::atan2(after.velocity, result.normal.rebound_velocity);
-    }
-    result.impulse_ratio =
-        result.tangential.impulse / (mass * (normal.velocity + result.normal.rebound_velocity));
+    const double rebound = result.normal.rebound_velocity;
+    const ReboundRatios ratios =
+        rebound_ratios(impact.tangential, result.tangential, mass, normal.velocity, rebound);
+    result.tangential_restitution = ratios.tangential_restitution;
+    result.rebound_angle = ratios.rebound_angle;
+    result.impulse_ratio = ratios.impulse_ratio;
     result.after =
-        energy_of(impact.bodies, mass, result.normal.rebound_velocity, after, result.tangential.partner_spin);
+        energy_of(impact.bodies, mass, rebound, result.tangential.after, result.tangential.partner_spin);
     return result;
 }
 

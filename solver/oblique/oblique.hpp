@@ -93,6 +93,18 @@ struct ObliqueResult {
                                                    const TangentialMotion& before, double friction,
                                                    double repulsive_impulse);
 
+/// Ratios that describe a rebound, as in ObliqueResult.
+struct ReboundRatios {
+    std::optional<double> tangential_restitution{};
+    double rebound_angle;  ///< [rad]
+    double impulse_ratio;  ///< [1]
+};
+
+/// @param effective_mass m* [kg] @param incident v_n [m/s] @param rebound v_n' > 0 [m/s]
+[[nodiscard]] ReboundRatios rebound_ratios(const TangentialMotion& before,
+                                           const TangentialRebound& tangential, double effective_mass,
+                                           double incident, double rebound);
+
 /// One impact at an angle.
 /// @throws InputError for inadmissible input, as solve_impact(), and for friction below 0
 [[nodiscard]] ObliqueResult solve_oblique_impact(const ObliqueImpact& impact);

@@ -66,13 +66,13 @@ void solve_tangential(const ImpactBatch& normal, const double* restitution, std:
         const double push =
             mu > 0 && slip != 0 ? push_of(impact, restitution[i], rolling_impulse(mass, slip) / mu) : 0;
         const TangentialRebound rebound = tangential_rebound(bodies, mass, before, mu, push);
-        const double v_r = restitution[i] * impact.velocity;
-        const double forward = before.velocity != 0 ? std::copysign(1.0, before.velocity) : 1;
+        const ReboundRatios ratios =
+            rebound_ratios(before, rebound, mass, impact.velocity, restitution[i] * impact.velocity);
         set(outputs.velocity, rebound.after.velocity);
         set(outputs.spin, rebound.after.spin);
-        set(outputs.restitution, before.velocity == 0 ? none : rebound.after.velocity / before.velocity);
-        set(outputs.rebound_angle, std::atan2(forward * rebound.after.velocity, v_r));
-        set(outputs.impulse_ratio, rebound.impulse / (mass * (impact.velocity + v_r)));
+        set(outputs.restitution, ratios.tangential_restitution.value_or(none));
+        set(outputs.rebound_angle, ratios.rebound_angle);
+        set(outputs.impulse_ratio, ratios.impulse_ratio);
         set(outputs.regime, static_cast<double>(rebound.regime));
     };
     batch::for_chunks(count, tangential_chunk, threads, [&](std::size_t first, std::size_t size) {

@@ -76,10 +76,9 @@ ExportSubject stiffened(ExportSubject subject) {
 }
 
 ExportSubject with_damping_at(ExportSubject subject, double velocity) {
-    const ExportSubject& before = subject;
     std::vector<AshSize> sizes = subject.sizes;
     for (AshSize& size : sizes)
-        size.damping.nodes = {{0, impact_at(before, size.diameter, velocity).damping.coefficient}};
+        size.damping.nodes = {{0, impact_at(subject, size.diameter, velocity).damping.coefficient}};
     subject.sizes = sizes;
     return subject;
 }

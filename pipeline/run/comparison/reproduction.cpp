@@ -115,10 +115,7 @@ std::optional<VelocitySpan> ratios_over_fits(const VariedLaw& law) {
     const double own = by_range.front().front();
     VelocitySpan span{1, 1};
     for (const std::vector<double>& velocities : by_range)
-        for (const double velocity : velocities) {
-            span.least = std::min(span.least, velocity / own);
-            span.greatest = std::max(span.greatest, velocity / own);
-        }
+        for (const double velocity : velocities) span.include(velocity / own);
     return span;
 }
 
@@ -134,23 +131,17 @@ ContactPair resized(SampleContact contact, double change) {
 
 VelocitySpan over_laws(const SampleComparison& sample, double own) {
     VelocitySpan span{own, own};
-    for (const auto& [law, of] : sample.laws) {
-        if (!law.is_adhesive() || !of.velocity) continue;
-        span.least = std::min(span.least, of.velocity->value);
-        span.greatest = std::max(span.greatest, of.velocity->value);
-    }
+    for (const auto& [law, of] : sample.laws)
+        if (law.is_adhesive() && of.velocity) span.include(of.velocity->value);
     return span;
 }
 
 VelocitySpan over_diameters(const LawChoice& choice, const SampleContact& contact, double damping,
                             double own) {
     VelocitySpan span{own, own};
-    for (const double change : {-diameter_change, diameter_change}) {
-        const auto velocity = velocity_at(choice, resized(contact, change), damping);
-        if (!velocity) continue;
-        span.least = std::min(span.least, *velocity);
-        span.greatest = std::max(span.greatest, *velocity);
-    }
+    for (const double change : {-diameter_change, diameter_change})
+        if (const auto velocity = velocity_at(choice, resized(contact, change), damping))
+            span.include(*velocity);
     return span;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -53,6 +54,11 @@ struct ReportedVelocity {
 /// Least and greatest of velocities without a probability [m/s].
 struct VelocitySpan {
     double least = 0, greatest = 0;
+
+    void include(double value) {
+        least = std::min(least, value);
+        greatest = std::max(greatest, value);
+    }
 };
 
 /// What the reported velocity of a reproduced sample leaves open: each source alone, the others held. None of
