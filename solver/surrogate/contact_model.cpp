@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/text/error.hpp"
@@ -53,8 +54,22 @@ struct FirstBracket {
     double half_width;
 };
 
-/// Zero of a decreasing function of the damping number. The bracket is widened until the sign changes.
+/// Zero of a decreasing function of the damping number, by secants from the first bracket, which take four or
+/// five values where the function is smooth, else by Brent's method in a bracket that is widened until the
+/// sign changes.
 double zero_of_decreasing(const std::function<double(double)>& function, const FirstBracket& first) {
+    constexpr double tolerance = 1e-10;
+    double before = first.centre;
+    double miss_before = function(before);
+    double at = first.centre - 0.1 * first.half_width;
+    for (int i = 0; i < 8; ++i) {
+        const double miss = function(at);
+        const double step = -miss * (at - before) / (miss - miss_before);
+        if (!(std::abs(step) <= 4.0 * first.half_width && at + step >= 0.0)) break;
+        before = std::exchange(at, at + step);
+        miss_before = miss;
+        if (std::abs(step) <= tolerance) return at;
+    }
     double lower = std::max(0.0, first.centre - first.half_width);
     double upper = first.centre + first.half_width;
     for (double width = first.half_width; lower > 0.0 && function(lower) <= 0.0; width *= 4.0) {
@@ -66,7 +81,7 @@ double zero_of_decreasing(const std::function<double(double)>& function, const F
         lower = upper;
         upper += 4.0 * width;
     }
-    return gsl::brent(function, lower, upper, {.relative = 0.0, .absolute = 1e-10}).root;
+    return gsl::brent(function, lower, upper, {.relative = 0.0, .absolute = tolerance}).root;
 }
 
 double solved_restitution(const RestitutionMap& map, double damping_number, double x) {
@@ -76,9 +91,13 @@ double solved_restitution(const RestitutionMap& map, double damping_number, doub
 /// Damping number that gives a restitution; for restitution 0 the smallest that captures [1].
 double solved_damping_number(const RestitutionMap& map, double restitution, double x,
                              const FirstBracket& first) {
+    // Near capture the damping number is about linear in the cube root of the restitution.
     if (restitution > 0.0)
         return zero_of_decreasing(
-            [&](double number) { return solved_restitution(map, number, x) - restitution; }, first);
+            [&](double number) {
+                return std::cbrt(solved_restitution(map, number, x)) - std::cbrt(restitution);
+            },
+            first);
     const double velocity = map.unit_velocity(x);
     return zero_of_decreasing(
         [&](double number) {
@@ -217,17 +236,21 @@ void RestitutionMap::tabulate_damping() {
     numbers.middleRows(weak, root.degree - weak) = batch_damping_numbers(*this, restitution, places.x)
                                                        .reshaped(root.degree - weak, along.degree + 1)
                                                        .matrix();
-    // From fast to slow impacts and towards e = 0: each guess continues from the nodes already solved.
+    // From fast to slow impacts. Between e = 0 and the first root in the batch the numbers are about linear
+    // in the square of the root; how far they are not is guessed from the faster impact.
     for (int j = along.degree; j >= 0; --j) {
-        const double x = along.node(j);
-        for (int i = weak - 1; i >= 0; --i) {
-            const double e = cube(root.node(i)) * greatest_restitution(x);
-            const bool first = j == along.degree;
-            const double shift = first ? 0.0 : numbers(i + 1, j) - numbers(i + 1, j + 1);
-            const double guess = first ? numbers(i + 1, j) : numbers(i, j + 1) + shift;
-            const double width = first ? 0.1 : std::max(2e-4, 0.1 * std::abs(shift));
-            numbers(i, j) =
-                solved_damping_number(*this, e, x, {.centre = std::max(0.0, guess), .half_width = width});
+        const bool first = j == along.degree;
+        for (int i = 0; i < weak; ++i) {
+            const auto chord = [&](int column) {
+                const double share = std::pow(root.node(i) / root.node(weak), 2);
+                return i == 0 ? numbers(weak, column)
+                              : std::lerp(numbers(0, column), numbers(weak, column), share);
+            };
+            const double guess = chord(j) + (first ? 0.0 : numbers(i, j + 1) - chord(j + 1));
+            const double width = i == 0 ? 0.1 : std::max(2e-4, 0.9 * (numbers(0, j) - guess));
+            const double e = cube(root.node(i)) * greatest_restitution(along.node(j));
+            numbers(i, j) = solved_damping_number(*this, e, along.node(j),
+                                                  {.centre = std::max(0.0, guess), .half_width = width});
         }
     }
     damping_ = ChebyshevSurface(root, along, numbers);

@@ -297,7 +297,7 @@ async function slips(browser) {
         assert.doesNotMatch(await wrongTold(page), /--phases/);
     }
     await undo('Type the phases instead');
-    for (const law of ['Hertz', 'DMT', 'Brach-Dunn', 'JKR']) await field(law).uncheck();
+    for (const law of ['Hertz', 'DMT', 'Brach-Dunn', 'JKR', 'Maugis-Dugdale']) await field(law).uncheck();
     await settled(page);
     assert.equal(await page.locator('#app-missing').textContent(), 'Still missing: a contact law.');
     await field('Maugis-Dugdale').check();
