@@ -49,13 +49,13 @@ double read_scale_uncertainty(const CommandOptions& options) {
 MeasurementSet read_impacts(const CommandOptions& options) {
     MeasurementSet set =
         read_measurements(read_file(options["--impacts"]), options["--impacts"], table_options(options));
-    warn_of(set.warnings, options["--impacts"]);
     if (options.has("--frame-rate")) {
         const Camera camera{.frame_rate = read_frame_rate(options),
                             .pixel_size = options.number("--pixel-size", Dimension::length),
                             .frames = options.whole("--frames", Camera{}.frames)};
         set = at_place("--frame-rate, --pixel-size", [&] { return with_camera(std::move(set), camera); });
     }
+    warn_of(set.warnings, options["--impacts"]);
     at_place(FileName{options["--impacts"]}, [&] { check_impacts(set); });
     return options.has("--bin") ? binned(set, {.impacts_per_bin = options.whole("--bin")}) : set;
 }
@@ -195,6 +195,9 @@ void run_measured_damping_command(const CommandOptions& options, std::ostream& o
         how.estimate.scale_uncertainty = read_scale_uncertainty(options);
     const MeasuredDamping result = analyse_impacts(choice.law, choice.detachment, choice.contact, set, how);
     std::vector<Finding> doubts = options.doubts();
+    for (const auto* option : {"--size-scatter", "--velocity-scale-uncertainty"})
+        if (options.has(option) && !result.estimate)
+            warn_idle(option, "there is no estimate, which it is for");
     if (result.estimate)
         if (const auto doubt = outside_model(result.estimate->curve.critical_velocity.value)) {
             warn_of({*doubt}, options["--impacts"]);

@@ -151,6 +151,10 @@ ExportSubject subject_of(const CommandOptions& options, const ExportCode& code) 
     if (!options.has("run")) {
         if (options.has("--sample"))
             throw InputError("there is no run", "the folder of a run before it").at("--sample");
+        if (options.has("--follow-velocity"))
+            throw InputError("there is no run whose damping follows the velocity",
+                             "the folder of a run before it")
+                .at("--follow-velocity");
         if (!options.has("--law"))
             throw InputError("neither a run nor an impact is given",
                              "RUN_DIR --sample S, or --law, --radius and the other options of an impact")

@@ -32,8 +32,9 @@ struct Source {
     Condition counts = [](const Json&) { return true; };
 };
 
-bool is_solved(const Json& series) {
-    return series.value("map_accuracy", 0.0) == 0;
+/// Measured impacts are fitted in the plane of both velocities.
+bool is_reconstructed(const Json& series) {
+    return series.value("origin", std::string()) != "measured";
 }
 bool is_alone(const Json& fit) {
     return !fit.contains("direct") && !fit.contains("extrapolated");
@@ -55,8 +56,8 @@ constexpr std::array sources{Source{modulus_artifact, "young_modulus"},
                              Source{analytic_artifact, "critical_velocity"},
                              Source{restitution_artifact, "series"},
                              Source{damping_artifact, "rising_branch"},
-                             Source{damping_artifact, "damping", is_solved},
-                             Source{damping_artifact, "damping_uncertainty", is_solved},
+                             Source{damping_artifact, "damping", is_reconstructed},
+                             Source{damping_artifact, "damping_uncertainty", is_reconstructed},
                              Source{fit_artifact, "direct/critical_damping"},
                              Source{fit_artifact, "direct/critical_damping_interval"},
                              Source{fit_artifact, "a", is_alone},
@@ -131,7 +132,7 @@ std::string allowed_edits(std::string_view file) {
     for (const Source& source : sources)
         if (source.file == file) members.emplace_back(source.member);
     std::string text = members.empty() ? "no edits of it" : "edits of " + joined(members);
-    if (file == damping_artifact) text += " (of dampings where map_accuracy is 0)";
+    if (file == damping_artifact) text += " (of dampings that are not of measured impacts)";
     if (file == fit_artifact) text += " (of a to covariance without \"direct\" and \"extrapolated\")";
     return text;
 }

@@ -46,7 +46,7 @@ void fields(auto& io, Is<SizeRange> auto& range) {
 }
 
 void fields(auto& io, Is<PowerOfDiameter> auto& power) {
-    io("exponent", power.exponent, Dimension::fraction);
+    io("exponent", power.exponent, AnyUnit{});  // two close sizes leave it as uncertain as they like
     io("damping", power.damping, AnyUnit{});
     io("diameter", power.diameter, Dimension::length);
 }

@@ -77,8 +77,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Range positive{least_computable, greatest_computable};
 constexpr Range not_negative{least_computable, greatest_computable, true};
 
-/// A restitution has no dimension, so it needs no range against overflow.
-constexpr Range finite_ratio{0.0, std::numeric_limits<double>::max()};
+/// 1: no damping.
+constexpr Range restitutions{0.0, 1.0};
 
 /// A yield pressure is infinite if the contact never yields.
 constexpr Range positive_or_infinite{std::numeric_limits<double>::denorm_min(), infinity};
@@ -96,7 +96,7 @@ constexpr std::array<InputField, 8> fields{{{"mass", &Inputs::mass, positive},
                                             {"yield_pressure", &Inputs::yield_pressure, positive_or_infinite},
                                             {"damping", &Inputs::damping, not_negative},
                                             {"velocity", &Inputs::velocity, positive},
-                                            {"restitution", &Inputs::restitution, finite_ratio}}};
+                                            {"restitution", &Inputs::restitution, restitutions}}};
 
 /// Calls @p visit(name, input, range) for each input, present or not: contacts, their parameters, the others.
 template <class AnyInputs, class Visit>
@@ -172,7 +172,7 @@ void refuse(const Problems& batch, std::size_t place) {
     try {
         validate(batch.impact(place));
         throw InputError("restitution is " + std::to_string(batch.inputs.restitution.at(place)),
-                         "0 <= e < 1");
+                         "0 <= e <= 1");
     } catch (const InputError& error) {
         throw error.at("impact " + std::to_string(place));
     }

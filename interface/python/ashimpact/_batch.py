@@ -449,7 +449,7 @@ def dampings(
     """Damping coefficients that give measured restitutions back; arguments as those of impacts().
 
     Args:
-        restitution: as measured, 0 <= e_n < 1; 0 gives the smallest damping that captures [1].
+        restitution: as measured, 0 <= e_n <= 1; 0 gives the smallest damping that captures [1].
 
     Raises:
         InputError: naming the first impact it concerns.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/inference/impacts/measurement.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -107,6 +108,10 @@ double Camera::velocity_uncertainty() const {
 MeasurementSet with_camera(MeasurementSet set, const Camera& camera) {
     const double u = camera.velocity_uncertainty();
     const double moves = camera.frame_rate * camera.pixel_size / (camera.frames - 1);
+    if (std::ranges::any_of(set.points, [](const Measurement& point) { return point.noise.has_value(); }))
+        set.warnings.push_back({impacts_code, Severity::remark,
+                                "the uncertainty of the camera, " + shortest(u) +
+                                    " m/s, takes the place of the uncertainties stated with the impacts"});
     for (Measurement& point : set.points) {
         point.noise = VelocityNoise::of_velocities(u, u);
         point.resolution = moves;

@@ -210,6 +210,19 @@ TEST_CASE("an edited artifact is refused in one line where it cannot be or contr
     }
 }
 
+TEST_CASE("solved dampings of measured impacts are not edited: the fit is in the plane of both velocities") {
+    const Sandbox sandbox;
+    Json document = quick_case();
+    document["laws"] = {"maugis-dugdale"};
+    document["particle"]["tabor"] = 2;
+    document["work_of_adhesion"] = "0.3 J/m2";
+    run_case(sandbox, document, "one");
+    Json artifact = sandbox.json("one/5-damping.json");
+    artifact["result"]["samples"][0]["maugis-dugdale"]["damping"]["values"][1] = 0.5;
+    sandbox.write("one/5-damping.json", artifact.dump());
+    check_refused(sandbox, "run -o one --from fit", "/maugis-dugdale/damping/values/1: was edited");
+}
+
 TEST_CASE("an interval edited or removed with its value is taken; a density with its mass") {
     const Sandbox sandbox;
     put_quick_run(sandbox);

@@ -181,6 +181,27 @@ TEST_CASE("an option that changes nothing is said or refused") {
     }
 }
 
+TEST_CASE("options of measured impacts that others replace, or that there is nothing for, are named") {
+    const Sandbox sandbox;
+    sandbox.write("impacts.csv",
+                  "v_in [m/s],u(v_in) [m/s],v_r [m/s],u(v_r) [m/s]\n1.9,0.02,0.25,0.02\n"
+                  "2.4,0.02,0.7,0.02\n2.9,0.02,1.1,0.02\n");
+    for (const auto& [options, says] :
+         {std::pair{"--frame-rate 80000 --pixel-size '2 um'",
+                    "takes the place of the uncertainties stated with the impacts"},
+          std::pair{"--size-scatter 0.1",
+                    "--size-scatter: there is no estimate, which it is for, so it changes"},
+          std::pair{"--velocity-scale-uncertainty 0.1",
+                    "--velocity-scale-uncertainty: there is no estimate"}}) {
+        const std::string command = std::string("damping --law dmt --impacts impacts.csv ") + options;
+        CAPTURE(command);
+        CHECK(test::succeeded(sandbox, command + adhesive_sphere).err == containing(says));
+    }
+    check_refused(sandbox,
+                  "export lammps --law dmt --damping 4e-3 --follow-velocity -o out" + adhesive_sphere,
+                  "--follow-velocity: there is no run whose damping follows the velocity");
+}
+
 TEST_CASE("run names what changes nothing in a case, calibrate too") {
     const Sandbox sandbox;
     Json document = bare_case();
