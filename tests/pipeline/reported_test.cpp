@@ -172,10 +172,12 @@ TEST_CASE("the interval over laws is that of their mixture with equal weights") 
 
 TEST_CASE("the measured critical velocity of a case changes no number but its own") {
     CHECK(differences_without_measured(built_in_document()) == std::vector<std::string>{});
-    CHECK(differences_without_measured(test::example_case()) == std::vector<std::string>{});
+    if (!test::sanitized)
+        CHECK(differences_without_measured(test::example_case()) == std::vector<std::string>{});
 }
 
-TEST_CASE("the run reports by one law, with the interval over the admissible ones") {
+TEST_CASE("the run reports by one law, with the interval over the admissible ones" *
+          doctest::skip(test::sanitized)) {
     const Artifacts artifacts = computed_from(test::example_case());
     const Json& result = artifacts.at("comparison.json").document->at("result");
     const Json& reported = result["reported"];
