@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -95,7 +96,9 @@ std::string miss_cell(const SampleComparison& sample, Law law, const LawComparis
         std::ranges::find_if(sample.laws, [](const auto& each) { return each.first.has_cohesive_zone(); });
     if (reference == sample.laws.end() || law.has_cohesive_zone() || !of.velocity) return "-";
     const auto& between = reference->second.velocity;
-    return between ? fmt::format("{:+.1f}", 100 * (of.velocity->value / between->value - 1)) : "-";
+    if (!between) return "-";
+    const double off = std::round(1000 * (of.velocity->value / between->value - 1)) / 10;
+    return off == 0 ? "0.0" : fmt::format("{:+.1f}", off);
 }
 
 std::string velocity_cell(const LawComparison& law) {
