@@ -32,17 +32,15 @@ ObliqueEnergy energy_of(const ContactBodies& bodies, double mass, double normal,
                     (bodies.partner ? spin_energy(*bodies.partner, partner_spin) : 0)};
 }
 
-void check(const ObliqueImpact& impact) {
-    validate(impact.normal);
-    require_not_negative("friction", impact.friction, Dimension::fraction);
-    for (const double value : {impact.tangential.velocity, impact.tangential.spin})
-        if (!std::isfinite(value))
-            throw InputError("tangential velocity and spin are " + shortest(impact.tangential.velocity) +
-                                 " m/s and " + shortest(impact.tangential.spin) + " rad/s",
-                             "finite numbers");
-}
-
 }  // namespace
+
+void require_tangential(const TangentialMotion& before, double friction) {
+    require_not_negative("friction", friction, Dimension::fraction);
+    if (std::isfinite(before.velocity) && std::isfinite(before.spin)) return;
+    throw InputError("tangential velocity and spin are " + shortest(before.velocity) + " m/s and " +
+                         shortest(before.spin) + " rad/s",
+                     "finite numbers");
+}
 
 double rolling_impulse(double effective_mass, double slip) {
     return 2.0 / 7.0 * effective_mass * std::abs(slip);
@@ -89,7 +87,8 @@ ObliqueResult solve_oblique_impact(const ObliqueImpact& impact) {
 }
 
 ObliqueResult oblique_result(const ObliqueImpact& impact, const ImpactResult& solved) {
-    check(impact);
+    validate(impact.normal);
+    require_tangential(impact.tangential, impact.friction);
     const Impact& normal = impact.normal;
     const double mass = normal.contact.mass;
     ObliqueResult result{.normal = solved, .tangential = {}};

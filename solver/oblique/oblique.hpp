@@ -81,6 +81,9 @@ struct ObliqueResult {
     ObliqueEnergy after{};
 };
 
+/// @throws InputError for friction below 0 and for what is not finite
+void require_tangential(const TangentialMotion& before, double friction);
+
 /// Friction impulse that ends a slip: 2/7 of the effective mass times the slip [N s]. Solid spheres resist
 /// slip by 1/m* + R^2/I of each = (7/2)/m*.
 [[nodiscard]] double rolling_impulse(double effective_mass, double slip);

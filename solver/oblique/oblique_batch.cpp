@@ -5,7 +5,6 @@
 #include <limits>
 #include <string>
 
-#include "core/quantities/checks.hpp"
 #include "core/text/error.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/batch/problems.hpp"
@@ -43,9 +42,7 @@ void solve_tangential(const ImpactBatch& normal, const double* restitution, std:
     const auto solve = [&](std::size_t i) {
         const double mu = at(tangential.friction, i);
         const TangentialMotion before{at(tangential.velocity, i), at(tangential.spin, i)};
-        require_not_negative("friction", mu, Dimension::fraction);
-        if (!std::isfinite(before.velocity) || !std::isfinite(before.spin))
-            throw InputError("tangential velocity or spin is not finite", "finite numbers");
+        require_tangential(before, mu);
         const auto set = [i](double* column, double value) {
             if (column != nullptr) column[i] = value;
         };
