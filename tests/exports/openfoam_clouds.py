@@ -145,12 +145,32 @@ def output_of(case, program):
 
 def run(case, programs):
     for program in programs:
-        ran = subprocess.run([program], cwd=case, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
-        with open(os.path.join(case, "log." + program), "w") as file:
+        ran = subprocess.run(program.split(), cwd=case, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+        with open(os.path.join(case, "log." + program.split()[0]), "w") as file:
             file.write(ran.stdout)
         if ran.returncode != 0:
             return "%s: %s" % (program, ran.stdout[-1500:])
     return None
+
+
+def check_ranks(work, exported, fail):
+    """The parcels of expected.json on two ranks; those at an angle cross from one to the other."""
+    os.environ.setdefault("WM_PROJECT_DIR", "/usr/share/openfoam")
+    folder = os.path.join(work, "openfoam-ranks")
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(exported, folder, ignore=shutil.ignore_patterns("0.0*", "postProcessing"))
+    case = os.path.join(folder, "check")
+    replaced(os.path.join(case, "system/blockMeshDict"), (r"\(1 1 1\) simple", "(8 1 1) simple"))
+    with open(os.path.join(case, "system/decomposeParDict"), "w") as file:
+        file.write("FoamFile { version 2.0; format ascii; class dictionary; object decomposeParDict; }\n"
+                   "numberOfSubdomains 2; method simple; simpleCoeffs { n (2 1 1); delta 0.001; }\n")
+    root = "--allow-run-as-root " if os.geteuid() == 0 else ""
+    problem = run(case, ("blockMesh", "decomposePar", "mpirun %s--oversubscribe -n 2 icoUncoupledKinematicParcelFoam -parallel"
+                         % root, "reconstructPar"))
+    ran = subprocess.run(["python3", "compare.py"], cwd=folder, stdout=subprocess.PIPE, universal_newlines=True)
+    print("openfoam  two ranks: %s" % ran.stdout.strip().splitlines()[-1], flush=True)
+    if problem or ran.returncode != 0:
+        fail("openfoam on two ranks: %s" % (problem or ran.stdout))
 
 
 def check(work, exported, fail):

@@ -29,7 +29,10 @@ def main():
         with open(path) as file:
             records += list(csv.DictReader(file))
     place = os.path.join(FOLDER, "check/0.001/lagrangian/kinematicCloud")
-    left = dict(zip([int(x[0]) for x in field(place + "/origId")], field(place + "/U"))) if os.path.isdir(place) else {}
+    left = {}    # velocities in the end, by the rank that injected a parcel and its number there
+    if os.path.isdir(place):
+        origins = zip(*([int(x[0]) for x in field("%s/%s" % (place, name))] for name in ("origProcId", "origId")))
+        left = dict(zip(origins, field(place + "/U")))
     nowhere = [float("nan")] * 3
     tolerance = float(sys.argv[1]) if len(sys.argv) > 1 else expected["tolerance"]
     failures = 0
@@ -42,7 +45,7 @@ def main():
                 and abs(float(row["velocity [m/s]"]) / v - 1) < 1e-6
                 and abs(float(row["tangential_velocity [m/s]"]) - v_t) < 1e-6 * (v + v_t)]
         found = float(mine[0]["restitution [1]"]) if mine else float("nan")
-        away = left.get(int(mine[0]["origId"]), nowhere) if mine else nowhere
+        away = left.get((int(mine[0]["origProc"]), int(mine[0]["origId"])), nowhere) if mine else nowhere
         flight = abs(away[2]) / v
         agrees = (len(mine) == 1 and (found > 0) == (impact["outcome"] == "rebound") and abs(found - e) <= tolerance
                   and abs(flight - found) <= 1e-9

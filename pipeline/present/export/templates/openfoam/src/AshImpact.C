@@ -537,6 +537,7 @@ template<class CloudType>
 void Foam::AshImpact<CloudType>::info(Ostream& os)
 {
     PatchInteractionModel<CloudType>::info(os);
+    if (returnReduce(sum(nStuck_) > 0, orOp<bool>())) stuck();   // on every rank, so that the field can be reconstructed
     labelList nStuck(nStuck_);
     scalarList massStuck(massStuck_);
     labelList nRebound(nRebound_);
