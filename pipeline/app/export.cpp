@@ -206,9 +206,8 @@ void run_export_command(const CommandOptions& options, const TableImage& image, 
     ExportSubject subject = subject_of(options, code);
     read_ranges(options, subject);
     if (options.has("--friction")) {
-        if (code.no_contact.empty())
-            throw InputError("the folder for this code has no tangential force", "openfoam, fluent")
-                .at("--friction");
+        if (subject.partner)
+            throw InputError("two spheres have no friction in an export", "a wall").at("--friction");
         subject.friction = options.number("--friction", Dimension::fraction);
         at_place("--friction",
                  [&] { require_not_negative("friction", subject.friction, Dimension::fraction); });
@@ -259,7 +258,8 @@ void add_export(const CommandLine& line, const CommandBody& body) {
     command.add_contact_options(false);
     command.add_damping_option();
     command.add("--velocity", "Q", "one more impact to check");
-    command.add("--friction", "MU", "coefficient of Coulomb friction, for openfoam, fluent; default: none");
+    command.add("--friction", "MU",
+                "coefficient of Coulomb friction on a wall; default: that of the run's case, else none");
     command.add("--from-diameter", "Q", "smallest size; default: that of the sphere or samples");
     command.add("--to-diameter", "Q", "largest size; default: that of the sphere or samples");
     command.add("--to-velocity", "Q", "largest velocity; default: 10 v_c, at least 10 m/s");

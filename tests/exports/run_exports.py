@@ -66,7 +66,7 @@ def cases():
         yield "table", law, options + CONSTANT + SIZES + ["0"]
         yield "fluent", law, options + CONSTANT + SIZES + ["1"]
         yield "openfoam", law, options + CONSTANT + SIZES + ["0"]
-    for code in ("openfoam", "fluent"):
+    for code in ("openfoam", "fluent", "table", "lammps", "liggghts", "yade"):
         yield code, "oblique", DMT + CONSTANT + ["--friction", "0.2"]
     yield "openfoam", "followed", follow
     yield "openfoam", "measured-sizes", measured_sizes
@@ -287,7 +287,7 @@ def check_refusals():
             ("openfoam", ["--law", "maugis-dugdale", "--tabor", "2"] + ASH + ADHESION + CONSTANT + SIZES + ["2"],
              "--cohesion-range"),
             ("liggghts", DMT + CONSTANT + ["--soften", "1000"], "--to-velocity"),
-            ("lammps", DMT + CONSTANT + ["--friction", "0.2"], "no tangential force"),
+            ("lammps", DMT + PARTNER + PAIR_DAMPING + ["--friction", "0.2"], "two spheres have no friction"),
             ("openfoam", DMT + CONSTANT + ["--friction", "-0.2"], "friction is -0.2"),
             ("openfoam", DMT + CONSTANT + SOFT, "--soften"), ("fluent", DMT + CONSTANT + SOFT, "--soften"),
             ("table", DMT + CONSTANT + ["--to-velocity", "1 mm/s"], "--to-velocity")):
@@ -515,6 +515,7 @@ def main():
     if (not CODES or "lammps" in CODES) and installed("lammps"):
         check_cloud()
     if (not CODES or "openfoam" in CODES) and installed("openfoam") and not failures:
+        openfoam_clouds.check_ranks(WORK, os.path.join(WORK, "openfoam-oblique"), fail)
         openfoam_clouds.check(WORK, os.path.join(WORK, "openfoam-hertz"), fail)
         if os.path.isdir(openfoam_clouds.EXAMPLES):
             openfoam_clouds.check_bed(WORK, beads(), fail)

@@ -103,6 +103,9 @@ const DemModel& wall_model(const ExportSubject& subject, const DemCode& code) {
     if (model != nullptr && !model->refusal.empty())
         throw InputError(std::string(model->refusal), "hertz, dmt, brach-dunn, sjkr").at("--law");
     const auto reason = added_forces_refusal(subject);
+    // Friction acts on the force of the model, which with friction has to be the repulsion alone.
+    if (!reason && model != nullptr && model->attracts && subject.friction > 0)
+        return *model_of(code.walls, Law::named("hertz"));
     if (!reason && model != nullptr) return *model;
     throw InputError(fmt::format("{}: {}", code.name, reason.value_or("its walls lack the law")),
                      "hertz, dmt, brach-dunn, sjkr with zero-overlap; any damping law");
@@ -134,9 +137,11 @@ double pair_damping(const ExportSubject& subject) {
     return ash_at(subject, subject.from_diameter).damping(0);
 }
 
-/// Whether the model of a wall has the damping itself: one coefficient for every size and velocity.
+/// Whether the model of a wall has the damping itself: one coefficient for every size and velocity, and no
+/// friction, which would act on the damping, too.
 bool damps_itself(const DemModel& model, const ExportSubject& subject) {
-    return subject.damping_law == model.damping && !subject.depends_on_velocity() && subject.exponent == 0;
+    return subject.damping_law == model.damping && subject.friction == 0 && !subject.depends_on_velocity() &&
+           subject.exponent == 0;
 }
 
 AddedForces added_to(const DemModel& model, const ExportSubject& subject) {
@@ -162,6 +167,8 @@ ExportFile impact_variables(const ExportSubject& subject) {
     list("diameter", [](const ExpectedImpact& each) { return exact(each.diameter); });
     list("mass", [&](const ExpectedImpact& each) { return exact(particle_mass(subject, each.diameter)); });
     list("velocity", [](const ExpectedImpact& each) { return exact(each.velocity); });
+    if (subject.friction > 0)
+        list("sideways", [](const ExpectedImpact& each) { return exact(each.tangential_velocity); });
     list("contact_time", [&](const ExpectedImpact& each) {
         return exact(each.contact_time.value_or(hertz_time(subject, each)));
     });
@@ -258,6 +265,14 @@ ExportFolder deck_folder(const ExportSubject& subject, const DemCode& code, cons
     values["position"] = pair ? "z[1]-z[2]" : "z[1]";
     values["speed"] = pair ? "vz[1]-vz[2]" : "vz[1]";
     values["place"] = pair ? "partner_z" : "ash_wall_z";
+    const bool rubs = subject.friction > 0;
+    values["sideways"] = rubs ? "${sideways}" : "0";
+    values["sideways_name"] = rubs ? "sideways " : "";
+    values["along"] = rubs
+                          ? "compute          ash_spin all property/atom omegay\n"
+                            "variable         along equal vx[1]\nvariable         spin equal -c_ash_spin[1]\n"
+                          : "";
+    values["along_names"] = rubs ? " v_along v_spin" : "";
     ExportFolder folder{
         {"README.md", filled(pair ? "common/README_pair.md" : "common/README_dem.md", values)},
         impact_variables(subject),
@@ -289,6 +304,11 @@ std::string lammps_conversion(const DemModel& model, std::string_view body, std:
     return fmt::format(
         "`{}`: E = 2 E* with nu = 0, since {} takes {} as effective modulus; surface energy gamma = w/2",
         model.name, body, modulus);
+}
+
+/// K_t of a tangential spring K_t a [Pa]; the normal stiffness is 2 E* a.
+double tangential_modulus(const ExportSubject& subject) {
+    return tangential_stiffness_ratio * 2 * subject.reference().contact.contact_modulus;
 }
 
 ExportFolder lammps_pair_folder(const ExportSubject& subject) {
@@ -381,12 +401,16 @@ ExportFolder lammps_folder(const ExportSubject& subject, const TableImage& /*ima
             "ash_wall_z.\n# `damping velocity` must stand there: the default, viscoelastic, is another law. "
             "E = 2 E* and nu = 0: the\n# effective modulus of a wall is E/(2(1 - nu)) in this version. Its "
             "surface energy is w/2.\nfix              ash_wall all wall/gran granular {} tangential "
-            "linear_nohistory 0 0 damping velocity zplane ${{ash_wall_z}} NULL\n",
-            subject.law.name(), lammps_model(model, subject.reference().contact, damping)) +
+            "{} damping velocity zplane ${{ash_wall_z}} NULL\n",
+            subject.law.name(), lammps_model(model, subject.reference().contact, damping),
+            subject.friction > 0
+                ? fmt::format("mindlin {} 0 {}", exact(tangential_modulus(subject)), exact(subject.friction))
+                : "linear_nohistory 0 0") +
         added_force_lines(subject, added);
     std::vector<std::string> conversions{lammps_conversion(model, "its wall", "E/(2(1 - nu))"),
                                          "R* is the radius of the sphere: the wall is flat"};
     if (damping > 0) conversions.emplace_back("`damping velocity` with eta in kg/s: F_d = -eta v, as here");
+    if (subject.friction > 0) conversions.push_back(friction_conversion(subject));
     TemplateValues values = deck_values(subject);
     values["cloud_words"] = "`in.cloud` throws many sizes at that wall. ";
     return deck_folder(
@@ -401,28 +425,40 @@ ExportFolder lammps_folder(const ExportSubject& subject, const TableImage& /*ima
 ExportFolder liggghts_folder(const ExportSubject& subject, const TableImage& /*image*/) {
     if (subject.partner) return liggghts_pair_folder(subject);
     const DemModel& model = wall_model(subject, liggghts);
+    const bool rubs = subject.friction > 0;
     const AddedForces added = added_to(model, subject);
     const std::string file =
         softening_comment(subject) +
         fmt::format(
             "# Ash on the wall z = ash_wall_z: law {}, contact ends at zero overlap. Needs the variable "
             "ash_wall_z, and\n# ash_material.in before. The wall gives the Hertz repulsion alone.\n"
-            "fix              ash_wall all wall/gran model {} tangential off primitive type 1 zplane "
-            "${{ash_wall_z}}\n",
-            subject.law.name(), model.name) +
+            "fix              ash_wall all wall/gran model {} primitive type 1 zplane ${{ash_wall_z}}\n",
+            subject.law.name(),
+            rubs ? "hertz/stiffness tangential history" : fmt::format("{} tangential off", model.name)) +
         added_force_lines(subject, added);
     TemplateValues values = deck_values(subject);
     values["cloud_words"] = "";
+    values["stiffness"] = "";
+    if (rubs)
+        values["stiffness"] = fmt::format(
+            "# The repulsion of `hertz` by its stiffness, and a spring along the wall.\n"
+            "fix              ash_normal all property/global kn peratomtypepair 1 {}\n"
+            "fix              ash_tangential all property/global kt peratomtypepair 1 {}\n"
+            "fix              ash_no_gamman all property/global gamman peratomtypepair 1 0\n"
+            "fix              ash_no_gammat all property/global gammat peratomtypepair 1 0\n",
+            exact(4.0 / 3.0 * subject.reference().contact.contact_modulus),
+            exact(tangential_modulus(subject)));
+    std::vector<std::string> conversions{
+        "`model hertz` with youngsModulus 2 E* and nu = 0 for sphere and wall: effective modulus E*",
+        "coefficientRestitution 1: no damping of the code's own, which would follow another law",
+        "R* is the radius of the sphere: the wall is flat"};
+    if (rubs) conversions.push_back(friction_conversion(subject));
     return deck_folder(
         subject, liggghts,
         {.contact = "neigh_modify     delay 0\ninclude          ash_material.in\n"
                     "fix              integrate all nve/sphere\ninclude          ash_wall.in\n",
          .files = {{"ash_material.in", filled("liggghts/ash_material.in", values)}, {"ash_wall.in", file}},
-         .conversions = added_force_conversions(
-             subject, added,
-             {"`model hertz` with youngsModulus 2 E* and nu = 0 for sphere and wall: effective modulus E*",
-              "coefficientRestitution 1: no damping of the code's own, which would follow another law",
-              "R* is the radius of the sphere: the wall is flat"})},
+         .conversions = added_force_conversions(subject, added, std::move(conversions))},
         values);
 }
 

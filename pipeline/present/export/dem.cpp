@@ -7,6 +7,7 @@
 
 #include "core/json/document.hpp"
 #include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "pipeline/present/export/folder.hpp"
 #include "solver/contact/sjkr.hpp"
 #include "solver/damping/brach_dunn.hpp"
@@ -374,12 +375,22 @@ std::vector<std::string> added_force_conversions(const ExportSubject& subject, A
     return lines;
 }
 
+std::string friction_conversion(const ExportSubject& subject) {
+    return fmt::format(
+        "friction {}: a spring along the wall, {} times as stiff as the contact normal to it, that slips "
+        "where its force "
+        "exceeds the friction of the repulsion; nothing resists rolling, so that a sphere that stays rolls "
+        "on",
+        shortest(subject.friction), shortest(tangential_stiffness_ratio));
+}
+
 ExportFile dem_expected(const ExportSubject& subject, const DemCheck& check) {
     Json more{{"log", "log.impacts"},
               {"powers", powers_of(subject, check)},
               {"end_powers", end_powers_of(force_powers(subject))},
               {"tolerance", check.tolerance}};
     if (check.free_flight) more["end"] = "free-flight";
+    if (subject.friction > 0) more["tangential_tolerance"] = dem_tangential_tolerance;
     return expected_json(subject, check.code, more);
 }
 
@@ -406,19 +417,21 @@ ExportFolder yade_folder(const ExportSubject& subject, const TableImage& /*image
         subject.partner
             ? "call `ash_forces(pairs)` before each step, with the pairs (ash, partner) of bodies."
             : "call `ash_forces()` before each step; the wall is z = 0.";
+    values["tangential_ratio"] = exact(tangential_stiffness_ratio);
     values["command"] = "yade -n -x impacts.py >yade.log 2>&1 || { tail -n 20 yade.log >&2; exit 1; }";
+    std::vector<std::string> conversions{
+        subject.partner
+            ? "repulsion: YADE's Hertz-Mindlin; young = 2 E*, nu = 0 for both spheres"
+            : "repulsion: YADE's Hertz-Mindlin; its wall has R* = R/2, young = 2 sqrt(2) E*, nu = 0",
+        own ? "damping: YADE's `betan` = c/sqrt(6), which is Tsuji's damping cut at zero total force"
+            : "attraction and damping: own forces by O.forces.setPermF before each step while in "
+              "contact, up to zero overlap"};
+    if (subject.friction > 0) conversions.push_back(friction_conversion(subject));
     return {{"README.md", filled("yade/README.md", values)},
             {"impacts.py", filled("yade/impacts.py", values)},
             {"run.sh", filled("common/run_dem.sh", values)},
             unchanged("common/compare.py"),
-            assumptions(
-                subject,
-                {subject.partner
-                     ? "repulsion: YADE's Hertz-Mindlin; young = 2 E*, nu = 0 for both spheres"
-                     : "repulsion: YADE's Hertz-Mindlin; its wall has R* = R/2, young = 2 sqrt(2) E*, nu = 0",
-                 own ? "damping: YADE's `betan` = c/sqrt(6), which is Tsuji's damping cut at zero total force"
-                     : "attraction and damping: own forces by O.forces.setPermF before each step while in "
-                       "contact, up to zero overlap"}),
+            assumptions(subject, conversions),
             dem_expected(subject, {.code = "yade", .tolerance = 1e-5, .damping_lags = own})};
 }
 

@@ -22,7 +22,6 @@
 #include "pipeline/present/export/laboratory.hpp"
 #include "solver/dem/softening.hpp"
 #include "solver/motion/regime.hpp"
-#include "solver/oblique/oblique.hpp"
 
 namespace ashimpact {
 
@@ -239,6 +238,16 @@ TemplateValues common_values(const ExportSubject& subject) {
                                      shortest(subject.stiff->factor), readable_number(stretch_of(subject)))
                        : ""},
         {"softening_comment", softening_comment(subject)},
+        {"friction", exact(subject.friction)},
+        {"tangential",
+         subject.friction > 0
+             ? fmt::format(
+                   "Along the wall: Coulomb friction {}, by a spring {} times as stiff as the contact. "
+                   "Nothing resists rolling: what stays rolls on.",
+                   shortest(subject.friction), shortest(tangential_stiffness_ratio))
+             : "Tangential forces are off (`--friction MU` sets them); the normal direction does not depend "
+               "on "
+               "them."},
         {"version", std::string(program_version())},
         {"diameter", exact(subject.reference().diameter)},
         {"density", exact(subject.reference().density)},
@@ -256,8 +265,7 @@ ExportFile assumptions(const ExportSubject& subject, const std::vector<std::stri
     std::string text = "# Assumptions and conversions\n\n## The numbers and where they come from\n\n";
     for (const std::string& origin : subject.origins) text += "- " + origin + "\n";
     text += fmt::format(
-        "- {}{}: {}\n- damping: {}\n{}- law {}, contact ends at {}; one normal impact on {}, no rotation, no "
-        "friction\n",
+        "- {}{}: {}\n- damping: {}\n{}- law {}, contact ends at {}; one impact on {}, {}\n",
         range_words(subject),
         subject.one_size() || subject.sizes.size() > 1 ? "" : ", E*, w and density the same for all of them",
         geometry_words(subject), damping_words(stiffened(subject)),
@@ -265,8 +273,10 @@ ExportFile assumptions(const ExportSubject& subject, const std::vector<std::stri
             ? "- sizes beyond the measured ones have the damping of the nearest one at the same v/v_c, times "
               "(d/d_0)^n\n"
             : "",
-        subject.law.name(), name_of(subject.detachment),
-        subject.partner ? "the other sphere" : "a flat wall");
+        subject.law.name(), name_of(subject.detachment), subject.partner ? "the other sphere" : "a flat wall",
+        subject.friction > 0 ? "along it a rigid sphere with Coulomb friction " + shortest(subject.friction) +
+                                   " and without spin before"
+                             : "normal, no rotation, no friction");
     text += "\n## What they became\n\n";
     if (subject.stiff)
         for (const std::string& line : softening_lines(subject)) text += "- " + line + "\n";
@@ -290,25 +300,43 @@ void require_inside_model(const ExportSubject& subject) {
 
 namespace {
 
-/// Adds a normal rebound of middle velocity at several angles, with friction on a wall.
+/// Adds a normal rebound of middle velocity at several angles, and a capture at one, with friction on a wall.
 void add_oblique(const ExportSubject& subject, std::vector<ExpectedImpact>& impacts) {
     if (!(subject.friction > 0) || subject.partner) return;
     std::vector<ExpectedImpact> rebounds;
-    for (const ExpectedImpact& each : impacts)
-        if (each.outcome == Outcome::rebound && each.diameter == impacts.front().diameter)
+    std::optional<ExpectedImpact> capture;
+    for (const ExpectedImpact& each : impacts) {
+        if (each.diameter != impacts.front().diameter) continue;
+        if (each.outcome == Outcome::rebound)
             rebounds.push_back(each);
-    if (rebounds.empty()) return;
-    ExpectedImpact each = rebounds[rebounds.size() / 2];
-    ObliqueImpact impact{
-        .normal = impact_at(subject, each.diameter, each.velocity),
-        .bodies = {.sphere = {each.diameter / 2, particle_mass(subject, each.diameter)}, .partner = {}},
-        .friction = subject.friction};
-    for (const double degrees : {10, 25, 40, 55, 70}) {
-        each.tangential_velocity = each.velocity * std::tan(degrees * std::numbers::pi / 180);
-        impact.tangential.velocity = each.tangential_velocity;
-        each.rebound_tangential_velocity = solve_oblique_impact(impact).tangential.after.velocity;
-        impacts.push_back(each);
+        else
+            capture = each;
     }
+    const auto add = [&](ExpectedImpact each, double degrees) {
+        each.tangential_velocity = each.velocity * std::tan(degrees * std::numbers::pi / 180);
+        each.oblique = solve_oblique_impact(
+            {.normal = impact_at(subject, each.diameter, each.velocity),
+             .bodies = {.sphere = {each.diameter / 2, particle_mass(subject, each.diameter)}, .partner = {}},
+             .tangential = {.velocity = each.tangential_velocity},
+             .friction = subject.friction});
+        impacts.push_back(std::move(each));
+    };
+    if (!rebounds.empty())
+        for (const double degrees : {10, 25, 40, 55, 70}) add(rebounds[rebounds.size() / 2], degrees);
+    if (capture) add(*capture, 40);
+}
+
+/// Adds what a code has to return of an oblique impact; of a capture its regime alone.
+void add_oblique_json(const ExpectedImpact& impact, Json& json) {
+    const ObliqueResult& oblique = *impact.oblique;
+    json["tangential_velocity"] = quantity_json(impact.tangential_velocity, Dimension::velocity);
+    json["regime"] = name_of(oblique.tangential.regime);
+    if (!oblique.rebound_angle) return;
+    const TangentialMotion& after = oblique.tangential.after;
+    json["rebound_tangential_velocity"] = quantity_json(after.velocity, Dimension::velocity);
+    json["tangential_restitution"] = quantity_json(oblique.tangential_restitution, Dimension::fraction);
+    json["rebound_angle"] = quantity_json(oblique.rebound_angle, Dimension::angle);
+    json["spin"] = quantity_json(after.spin, Dimension::angular_velocity);
 }
 
 }  // namespace
@@ -393,12 +421,7 @@ ExportFile expected_json(const ExportSubject& subject, std::string_view code, co
              {"outcome", name_of(impact.outcome)},
              {"restitution", quantity_json(impact.restitution, Dimension::fraction)},
              {"contact_time", quantity_json(impact.contact_time, Dimension::time)}});
-        if (impact.rebound_tangential_velocity) {
-            document["impacts"].back()["tangential_velocity"] =
-                quantity_json(impact.tangential_velocity, Dimension::velocity);
-            document["impacts"].back()["rebound_tangential_velocity"] =
-                quantity_json(*impact.rebound_tangential_velocity, Dimension::velocity);
-        }
+        if (impact.oblique) add_oblique_json(impact, document["impacts"].back());
         if (!subject.laboratory.empty())
             document["impacts"].back()["measured_restitution"] =
                 quantity_json(impact.measured, Dimension::fraction);

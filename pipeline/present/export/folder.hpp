@@ -13,6 +13,7 @@
 #include "core/json/document.hpp"
 #include "pipeline/present/export/impact_table.hpp"
 #include "pipeline/present/export/subject.hpp"
+#include "solver/oblique/oblique.hpp"
 
 namespace ashimpact {
 
@@ -53,12 +54,12 @@ struct ExpectedImpact {
     double diameter;  ///< [m]
     double velocity;  ///< [m/s]
     Outcome outcome;
-    double restitution;                     ///< 0 for a capture [1]
-    std::optional<double> measured{};       ///< e of the laboratory there; none: not known [1]
-    std::optional<double> contact_time;     ///< none for a capture [s]
-    std::optional<double> maximum_overlap;  ///< [m]
-    double tangential_velocity = 0;         ///< along the wall before the impact; 0 of a normal one [m/s]
-    std::optional<double> rebound_tangential_velocity{};  ///< of an oblique one that rebounds [m/s]
+    double restitution;                      ///< 0 for a capture [1]
+    std::optional<double> measured{};        ///< e of the laboratory there; none: not known [1]
+    std::optional<double> contact_time;      ///< none for a capture [s]
+    std::optional<double> maximum_overlap;   ///< [m]
+    double tangential_velocity = 0;          ///< along the wall before the impact; 0 of a normal one [m/s]
+    std::optional<ObliqueResult> oblique{};  ///< what an oblique one does along the wall; none: a normal one
 };
 
 /// Refuses a size of the expected impacts whose critical velocity is outside the model. @throws InputError
@@ -136,6 +137,13 @@ struct AddedForces {
 /// What these forces cannot do on a wall, in words; none: they can.
 [[nodiscard]] std::optional<std::string> added_forces_refusal(const ExportSubject& subject);
 
+/// Stiffness along a wall over that normal to it, where there is friction: large, so that a sphere slides or
+/// rolls almost as a rigid one [1].
+inline constexpr double tangential_stiffness_ratio = 100;
+
+/// The conversion of the friction, for assumptions.md.
+[[nodiscard]] std::string friction_conversion(const ExportSubject& subject);
+
 /// How the runs of a code are compared.
 struct DemCheck {
     std::string_view code;
@@ -143,6 +151,10 @@ struct DemCheck {
     bool damping_lags = false;  ///< it sees the velocity half a step back: first order in the time step
     bool free_flight = false;   ///< the contact ends away from first touch, where the velocity stays the same
 };
+
+/// Error that codes with a finite tangential stiffness may have of v_t' and spin, of the greater of each and
+/// its change [1].
+inline constexpr double dem_tangential_tolerance = 0.01;
 
 /// expected.json with the powers of the time step in the error of the restitution.
 [[nodiscard]] ExportFile dem_expected(const ExportSubject& subject, const DemCheck& check);

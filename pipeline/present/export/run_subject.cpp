@@ -344,6 +344,7 @@ ExportSubject subject_of_run(const RunChoice& choice) {
         if (const auto& partner = sample.contact.partner)
             subject.partner = {partner->radius.value, partner->mass.value};
     }
+    if (run.data.friction && !subject.partner) subject.friction = run.data.friction->value();
     std::ranges::sort(subject.sizes, {}, &AshSize::diameter);
     std::ranges::sort(subject.laboratory, {}, &Laboratory::diameter);
     require_two_diameters(subject.sizes);

@@ -183,17 +183,20 @@ ExportFile critical_velocity_csv(const ImpactTable& table) {
 }
 
 ExportFile table_csv(const ExportSubject& subject, const ImpactTable& table) {
+    const bool rubs = subject.friction > 0;
+    const bool attracts = table.attraction.size() > 0;
     std::string csv = fmt::format(
-        "diameter [m],t [1],velocity [m/s],outcome,restitution [1],contact_time [s],damping [{}]\n",
-        unit_of(subject.damping_law));
+        "diameter [m],t [1],velocity [m/s],outcome,restitution [1],contact_time [s],damping [{}]{}\n",
+        unit_of(subject.damping_law), rubs ? ",attraction [1]" : "");
     for (Eigen::Index i = 0; i < table.velocity.rows(); ++i)
         for (Eigen::Index j = 0; j < table.velocity.cols(); ++j) {
             const double time = table.contact_time(i, j);
-            csv += fmt::format("{},{},{},{},{},{},{}\n", exact(table.diameter[static_cast<std::size_t>(i)]),
+            csv += fmt::format("{},{},{},{},{},{},{}{}\n", exact(table.diameter[static_cast<std::size_t>(i)]),
                                exact(table.t[static_cast<std::size_t>(j)]), exact(table.velocity(i, j)),
                                table.restitution(i, j) > 0 ? "rebound" : "capture",
                                exact(table.restitution(i, j)), std::isfinite(time) ? exact(time) : "",
-                               exact(table.damping(i, j)));
+                               exact(table.damping(i, j)),
+                               rubs ? "," + exact(attracts ? table.attraction(i, j) : 0) : "");
         }
     return {"table.csv", csv};
 }
@@ -211,6 +214,9 @@ ExportFolder table_folder(const ExportSubject& subject, const TableImage& image)
     values["from_velocity_exact"] = exact(table.from_velocity);
     values["to_velocity_exact"] = exact(table.to_velocity);
     values["captures"] = table.captures ? "True" : "False";
+    values["along"] = subject.friction > 0 ? "`ash_table.oblique()` gives e_t and spin at an angle; "
+                                             "\"attraction\": time integral of it over m v.\n"
+                                           : "";
     values["error"] = fmt::format("{:.1g}", table.largest_error);
     return {{"README.md", filled("table/README.md", values)},
             critical_velocity_csv(table),

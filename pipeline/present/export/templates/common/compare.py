@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 """Compares what the code made of the impacts with expected.json. Usage: python3 compare.py [LOG]
 
-The log holds, for each run, a line "impact NUMBER RESOLUTION TIME_STEP" and rows "step position velocity".
+The log holds, for each run, a line "impact NUMBER RESOLUTION TIME_STEP" and rows "step position velocity",
+with friction "step position velocity along spin".
 The contact ends where the sphere is back at the height at which it touched: extrapolated over the overlap. Where adhesion holds
 on beyond that ("end": "free-flight" in expected.json), it has ended if the velocity no longer changes. A code
 with a finite time step is off by a series in that step; each restitution is extrapolated to step zero.
 Exit status 0: all agree, 1: some do not."""
 import json
+import math
 import sys
 
 
@@ -18,8 +20,11 @@ def read_log(path):
             words = line.split()
             if len(words) == 4 and words[0] == "impact" and words[1].isdigit():
                 runs.append((int(words[1]), int(words[2]), float(words[3]), []))
-            elif runs and len(words) == 3 and words[0].isdigit():
-                runs[-1][3].append((int(words[0]), float(words[1]), float(words[2])))
+            elif runs and len(words) in (3, 5) and words[0].isdigit():
+                try:
+                    runs[-1][3].append((int(words[0]), *map(float, words[1:])))
+                except ValueError:    # a line in words
+                    pass
     return runs
 
 
@@ -58,6 +63,15 @@ def at_step_zero(steps, values, powers):
     return rows[0][size] / rows[0][0]
 
 
+def along(impact, rows):
+    """(e_t, rebound angle [deg], spin) of the code, and how far v_t' and spin are off, relative to each or to its change."""
+    _, _, away, found, spin = rows[-1]
+    before, after, turned = (impact[key]["value"] for key in
+                             ("tangential_velocity", "rebound_tangential_velocity", "spin"))
+    off = max(abs(found - after) / max(abs(after), abs(before - after)), abs(spin / turned - 1))
+    return found / before, math.degrees(math.atan2(found, away)), spin, off
+
+
 def main():
     with open("expected.json") as file:
         expected = json.load(file)
@@ -76,10 +90,17 @@ def main():
             found = at_step_zero([h for h, _ in ends], [v / velocity for _, v in ends], expected["powers"])
         difference = found - impact["restitution"]["value"]
         agrees = outcome == impact["outcome"] and abs(difference) <= expected["tolerance"]
+        sideways = ""
+        if "spin" in impact and found > 0:
+            *numbers, off = along(impact, mine[-1][3])
+            agrees = agrees and off <= expected["tangential_tolerance"]
+            sideways = "   e_t %.5f for %.5f, rebound %.3f for %.3f deg, spin %.6g for %.6g rad/s" % (
+                numbers[0], impact["tangential_restitution"]["value"], numbers[1],
+                math.degrees(impact["rebound_angle"]["value"]), numbers[2], impact["spin"]["value"])
         failures += not agrees
         print("%9.4g %11.6g   %-8s %13.9f %15.9f   %10.1e%s"
               % (1e6 * impact["diameter"]["value"], velocity, outcome, impact["restitution"]["value"], found,
-                 difference, "" if agrees else "   differs: expected " + impact["outcome"]))
+                 difference, sideways + ("" if agrees else "   differs: expected " + impact["outcome"])))
     print("%d of %d impacts agree within %g" % (len(expected["impacts"]) - failures, len(expected["impacts"]),
                                                 expected["tolerance"]))
     return 1 if failures or not expected["impacts"] else 0

@@ -1,10 +1,11 @@
-"""Restitution of ash by diameter and normal velocity, from critical_velocity.csv and table.csv beside this file."""
+"""Restitution of ash by diameter and normal velocity, and with friction rebounds at an angle, from critical_velocity.csv and table.csv beside this file."""
 import bisect
 import csv
 import math
 import os
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
+FRICTION = @friction@    # of the export
 FROM_VELOCITY, TO_VELOCITY, CAPTURES = @from_velocity_exact@, @to_velocity_exact@, @captures@
 
 
@@ -20,7 +21,7 @@ DIAMETERS = [row[0] for row in SIZES]
 TABLE = rows_of("table.csv")
 NODES = len(TABLE) // len(DIAMETERS)
 STEP = float(TABLE[1][1])
-RESTITUTIONS = [[float(row[4]) for row in TABLE[i * NODES:(i + 1) * NODES]] for i in range(len(DIAMETERS))]
+RESTITUTION, ATTRACTION = 4, 7    # columns of TABLE; the second is there with friction
 
 
 def interval(diameter):
@@ -42,8 +43,8 @@ def start_velocity(diameter):
                     + s * (1 - s) * width * ((1 - s) * low[3] - s * high[3]))
 
 
-def restitution(diameter, velocity):
-    """e, 0 for a capture."""
+def looked_up(column, diameter, velocity):
+    """A column of the table, 0 for a capture."""
     if not FROM_VELOCITY <= velocity <= TO_VELOCITY:
         raise ValueError("velocity %g m/s; the table holds %g to %g m/s" % (velocity, FROM_VELOCITY, TO_VELOCITY))
     start = start_velocity(diameter)
@@ -53,5 +54,22 @@ def restitution(diameter, velocity):
     j = min(int(place), NODES - 2)
     b = place - j
     i, a, _ = interval(diameter)
-    along = [(1 - b) * row[j] + b * row[j + 1] for row in RESTITUTIONS[i:i + 2]]
+    along = [(1 - b) * float(TABLE[k + j][column]) + b * float(TABLE[k + j + 1][column])
+             for k in range(i * NODES, min(i + 2, len(DIAMETERS)) * NODES, NODES)]
     return along[0] if len(along) == 1 else (1 - a) * along[0] + a * along[1]
+
+
+def restitution(diameter, velocity):
+    """e, 0 for a capture."""
+    return looked_up(RESTITUTION, diameter, velocity)
+
+
+def oblique(diameter, velocity, along, spin=0.0):
+    """Normal velocity, velocity along the wall and spin after an impact; None for a capture. The spin adds to the slip."""
+    e = restitution(diameter, velocity)
+    if e == 0.0:
+        return None
+    push = (1 + e + looked_up(ATTRACTION, diameter, velocity)) * velocity    # impulse over mass
+    slip = along + spin * diameter / 2
+    impulse = math.copysign(min(FRICTION * push, 2 / 7 * abs(slip)), slip) if slip else 0.0
+    return e * velocity, along - impulse, spin - 5 * impulse / diameter

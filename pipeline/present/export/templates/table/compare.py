@@ -17,6 +17,12 @@ def main():
         found = ash_table.restitution(diameter, velocity)
         difference = found - impact["restitution"]["value"]
         agrees = (found > 0) == (impact["outcome"] == "rebound") and abs(difference) <= expected["tolerance"]
+        if "spin" in impact:
+            v_t = impact["tangential_velocity"]["value"]
+            _, along, spin = ash_table.oblique(diameter, velocity, v_t) or (0.0, 0.0, 0.0)
+            scale = expected["tangential_tolerance"] * (velocity + v_t)
+            agrees = (agrees and abs(along - impact["rebound_tangential_velocity"]["value"]) <= scale
+                      and abs(spin - impact["spin"]["value"]) * diameter / 5 <= scale)
         failures += not agrees
         print("%9.4g %11.6g   %-8s %13.9f %15.9f   %10.1e%s"
               % (1e6 * diameter, velocity, impact["outcome"], impact["restitution"]["value"], found, difference,

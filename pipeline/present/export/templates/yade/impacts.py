@@ -15,6 +15,8 @@ MEMORY = {}    # velocity of approach of each sphere, or of each pair by the num
 ADHESION_DAMPING_RATIO = @adhesion_damping_ratio@    # zeta_A/zeta_H of brach-dunn-damping
 PARTNER = @partner@    # radius and mass of the sphere that the ash meets; None: the wall z = 0
 DAMPING_RATIO = @damping_ratio@    # YADE's own `betan`; None: the damping is that of ash_force()
+FRICTION = @friction@    # Coulomb's coefficient, on the wall
+TANGENTIAL_RATIO = @tangential_ratio@    # stiffness along the wall over that normal to it, with friction
 YOUNG_MODULUS = (2 * math.sqrt(2) if PARTNER is None else 2) * CONTACT_MODULUS
 RESOLUTIONS = (2000, 3000, 4500, 6750, 10000)    # steps a contact
 
@@ -101,10 +103,13 @@ def ash_forces(pairs=()):
         forces[partner.id] -= force
     for number, force in forces.items():
         O.forces.setPermF(number, force)
+    if FRICTION > 0:
+        for contact in O.interactions:
+            contact.phys.kso = TANGENTIAL_RATIO * 1.5 * contact.phys.kno
 
 
 def ash_material(density=DENSITY):
-    return FrictMat(young=YOUNG_MODULUS, poisson=0, density=density, frictionAngle=0)
+    return FrictMat(young=YOUNG_MODULUS, poisson=0, density=density, frictionAngle=math.atan(FRICTION))
 
 
 def ash_engines():
@@ -131,7 +136,7 @@ def hertz_time(diameter, velocity):
     return 3.21806546 * (mass ** 2 / (stiffness ** 2 * velocity)) ** 0.2
 
 
-def impact(log, number, diameter, velocity, contact_time, captured):
+def impact(log, number, diameter, velocity, sideways, contact_time, captured):
     for resolution in RESOLUTIONS[::4] if captured else RESOLUTIONS:    # a capture is not extrapolated
         O.reset()
         O.materials.append(ash_material())
@@ -146,7 +151,7 @@ def impact(log, number, diameter, velocity, contact_time, captured):
         if DAMPING_RATIO is None:
             first = attraction(effective(diameter / 2, ash.state.mass)[0], 0) + damping(ash, 0) * velocity
         # YADE's velocities are those of half a step ago.
-        ash.state.vel = Vector3(0, 0, -velocity - first / ash.state.mass * O.dt / 2)
+        ash.state.vel = Vector3(sideways, 0, -velocity - first / ash.state.mass * O.dt / 2)
         if pairs:
             other.state.vel = Vector3(0, 0, first / other.state.mass * O.dt / 2)
         touching = ash.state.pos[2] - other.state.pos[2]
@@ -157,7 +162,8 @@ def impact(log, number, diameter, velocity, contact_time, captured):
             ash_forces(pairs)
             O.step()
             if not captured or step % 50 == 0:
-                log.write("%d %.17g %.17g\n" % (step, height, 0.5 * (before + ash.state.vel[2] - other.state.vel[2])))
+                log.write("%d %.17g %.17g %.17g %.17g\n" % (step, height, 0.5 * (before + ash.state.vel[2] - other.state.vel[2]),
+                                                       ash.state.vel[0], -ash.state.angVel[1]))
             if before > 0 and height > 0 and not captured:
                 break       # it has left
 
@@ -169,4 +175,5 @@ with open("log.impacts", "w") as log:
         captured = one["outcome"] == "capture"
         diameter, velocity = one["diameter"]["value"], one["velocity"]["value"]
         contact_time = one["contact_time"]["value"] if not captured else hertz_time(diameter, velocity)
-        impact(log, number, diameter, velocity, contact_time, captured)
+        sideways = one.get("tangential_velocity", {"value": 0.0})["value"]
+        impact(log, number, diameter, velocity, sideways, contact_time, captured)
