@@ -2,6 +2,7 @@
 #include "pipeline/app/sweep/spec/spec.hpp"
 
 #include <atomic>
+#include <numbers>
 #include <set>
 #include <thread>
 
@@ -81,6 +82,10 @@ const Spoiled spoiled_specs[]{
     {R"(/variables/radius/geometric_standard_deviation = 1e300 ; /variables/radius/minimum = "1 um" ; )"
      R"(/variables/radius/maximum = "100 um")",
      "/variables/radius/geometric_standard_deviation: is 1e+300; allowed: a number above 1, at most 1e6"},
+    {R"(/impact/angle = "90 deg")", "/impact/angle: angle is 1.57"},
+    {R"(/variables/angle = {"distribution": "uniform", "from": 0, "to": "95 deg"})",
+     "rad; allowed: 0 to below 90 degrees, from the normal"},
+    {"/impact/angle = -0.1", "/impact/angle: angle is -0.1 rad"},
     {R"(- /sensitivity ; /sampling = {"method": "grid"})",
      "/variables/velocity: a grid takes no distribution"},
     {R"(/sampling = {"method": "grid", "samples": 10})", R"(/sampling/samples: means nothing for "grid")"},
@@ -300,6 +305,16 @@ TEST_CASE("damping as a power of the radius is that of each impact") {
     CHECK_THROWS_AS(static_cast<void>(read_sweep_spec(json.dump())), InputError);
     json["impact"]["damping_over_sizes"] = "other";
     CHECK_THROWS_AS(static_cast<void>(read_sweep_spec(json.dump())), InputError);
+}
+
+TEST_CASE("at an angle the velocity normal to the wall counts") {
+    Json json = least_spec();
+    json["variables"] = {{"angle", {{"values", {0, "60 deg"}}}}};
+    json["impact"]["velocity"] = 2;
+    const ImpactColumns impacts(read_sweep_spec(json.dump()).spec, {{0, std::numbers::pi / 3}}, 2);
+    REQUIRE(impacts.velocity.size() == 2);
+    CHECK(impacts.velocity[0] == 2);
+    CHECK(impacts.velocity[1] == doctest::Approx(1).epsilon(1e-14));
 }
 
 TEST_CASE("every parameter of a law is an input of its own, by its name") {

@@ -184,6 +184,9 @@ ImpactColumns::ImpactColumns(const SweepSpec& spec, const std::vector<std::vecto
                    std::pow(radius / spec.damping_over_sizes->radius, spec.damping_over_sizes->power);
         }));
     velocity = column(ImpactInput::velocity);
+    if (is_given(spec, ImpactInput::angle))
+        velocity = keep(combined(velocity, column(ImpactInput::angle),
+                                 [](double total, double angle) { return total * std::cos(angle); }));
     if (velocity.size() != count) velocity = keep(spread(velocity, count));
     mass = masses(ImpactInput::mass, ImpactInput::density, effective_radius);
     if (is_given(spec, ImpactInput::partner_radius)) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "core/quantities/checks.hpp"
+#include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/app/sweep/spec/spec.hpp"
 #include "solver/contact/law_parameters.hpp"
@@ -20,7 +22,7 @@ struct InputEntry {
     bool may_be_zero = false;
 };
 
-constexpr std::array<InputEntry, 11> own_inputs{{{"radius", Dimension::length},
+constexpr std::array<InputEntry, 12> own_inputs{{{"radius", Dimension::length},
                                                  {"density", Dimension::density},
                                                  {"mass", Dimension::mass},
                                                  {"contact_modulus", Dimension::pressure},
@@ -30,7 +32,8 @@ constexpr std::array<InputEntry, 11> own_inputs{{{"radius", Dimension::length},
                                                  {"velocity", Dimension::velocity},
                                                  {"partner_radius", Dimension::length},
                                                  {"partner_density", Dimension::density},
-                                                 {"partner_mass", Dimension::mass}}};
+                                                 {"partner_mass", Dimension::mass},
+                                                 {"angle", Dimension::angle, true}}};
 
 /// All inputs by their values: the own ones, then the parameters of contact laws.
 const std::vector<InputEntry>& inputs() {
@@ -246,6 +249,8 @@ void require_allowed(ImpactInput input, double value, Dimension dimension) {
     const auto place = static_cast<std::size_t>(input);
     if (place >= own_inputs.size())
         return require_allowed(law_parameters()[place - own_inputs.size()], value);
+    if (input == ImpactInput::angle && !(value < std::numbers::pi / 2))
+        throw InputError("angle is " + shortest(value) + " rad", "0 to below 90 degrees, from the normal");
     (may_be_zero(input) ? require_not_negative : require_positive)(name_of(input), value, dimension);
 }
 

@@ -34,7 +34,8 @@ enum class ImpactInput {
     velocity,
     partner_radius,
     partner_density,
-    partner_mass
+    partner_mass,
+    angle  ///< from the normal; `velocity` is then that of the sphere
 };
 
 /// Number of inputs, parameters of contact laws among them.
