@@ -127,6 +127,8 @@ struct Case {
     std::optional<Wall> wall{};              ///< elasticity of the other body
     std::optional<PartnerSphere> partner{};  ///< the other body is this sphere; none: it is a flat wall
     std::optional<Stated> roughness{};  ///< rms of both surfaces, see roughness_reduction(); none: smooth [m]
+    std::optional<Stated>
+        friction{};  ///< Coulomb's coefficient, of impacts at an angle; none: not stated [1]
     Temperatures temperature{};
     std::vector<Sample> samples{};
     std::vector<LawChoice> laws{};

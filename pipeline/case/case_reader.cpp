@@ -306,6 +306,11 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
         at_place(roughness->pointer(),
                  [&] { require_not_negative("rms roughness", data.roughness->value(), Dimension::length); });
     }
+    if (const auto friction = document.find("friction")) {
+        data.friction = read_stated(*friction, Dimension::fraction);
+        at_place(friction->pointer(),
+                 [&] { require_not_negative("friction", data.friction->value(), Dimension::fraction); });
+    }
     if (const auto temperature = document.find("temperature"))
         data.temperature = read_temperatures(*temperature);
     Defaults defaults{.particle = document.find("particle"),

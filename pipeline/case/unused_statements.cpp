@@ -100,6 +100,7 @@ constexpr std::array case_statements{
     CaseStatement{"camera", "", of_camera},
     CaseStatement{"published", "", of_published},
     CaseStatement{"detachments", "", of_detachments},
+    CaseStatement{"friction", "", without_restitution},
     CaseStatement{"damping_law", "", without_restitution, "\"constant\""},
     CaseStatement{"histories", "points", without_restitution, "49"},
     CaseStatement{"histories", "critical_excess", without_restitution, "0.001"},

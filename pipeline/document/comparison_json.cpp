@@ -145,6 +145,25 @@ void fields(auto& io, Is<TemperatureLimits> auto& limits) {
     io.unless_empty("by_size", limits.by_size);
 }
 
+constexpr FieldColumn<ObliqueRebound> oblique_columns[]{
+    {"angle", &ObliqueRebound::angle, Dimension::angle},
+    {"restitution", &ObliqueRebound::restitution, Dimension::fraction},
+    {"tangential_restitution", &ObliqueRebound::tangential_restitution, Dimension::fraction},
+    {"rebound_angle", &ObliqueRebound::rebound_angle, Dimension::angle}};
+
+void fields(auto& io, Is<ObliqueCurve> auto& curve) {
+    io("multiple", curve.multiple);
+    io("velocity", curve.velocity, Dimension::velocity);
+    io("captured_from", curve.captured_from, Dimension::angle);
+    io.object("rebounds", [&](auto& inner) { inner.columns(curve.rebounds, oblique_columns, false); });
+}
+
+void fields(auto& io, Is<ObliqueCurves> auto& oblique) {
+    io("law", oblique.law);
+    io("friction", oblique.friction);
+    io("curves", oblique.curves);
+}
+
 template <class Io>
 void fields(Io& io, Is<SampleComparison> auto& sample) {
     LawColumns laws = columns_of(sample.laws);
@@ -170,6 +189,7 @@ void fields(Io& io, Is<SampleComparison> auto& sample) {
     io.unless_empty("published", sample.published);
     io.unless_empty("glass", sample.glass);
     io.unless_empty("temperature_limits", sample.temperature);
+    io.unless_empty("oblique", sample.oblique);
     if constexpr (Io::reads) sample.laws = laws_of(laws);
 }
 

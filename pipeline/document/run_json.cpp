@@ -348,6 +348,7 @@ static void fields(FieldWriter& io, const Case& data) {
     io("name", data.name);
     io("mixture_rule", data.mixture_rule);
     io.unless_empty("roughness", data.roughness, Dimension::length);
+    io.unless_empty("friction", data.friction, Dimension::fraction);
     if (data.temperature.particle || data.temperature.wall)
         io.object("temperature", [&](FieldWriter& temperature) {
             temperature.unless_empty("particle", data.temperature.particle, Dimension::temperature);

@@ -7,6 +7,7 @@
 
 #include "core/quantities/quantity.hpp"
 #include "pipeline/run/comparison/glass.hpp"
+#include "pipeline/run/comparison/oblique.hpp"
 #include "pipeline/run/comparison/reported_velocity.hpp"
 #include "pipeline/run/comparison/reproduction.hpp"
 #include "pipeline/run/comparison/temperature.hpp"
@@ -317,6 +318,8 @@ ComparisonResult comparison_stage(const Run& run, StageRecord& record) {
         if (reporting) sample.reported = reported_of(of, *reporting, no_damping.at(of.sample.name));
         sample.temperature = temperature_limits(
             {data.temperature, of.modulus, of.contact, of.velocities.laws, sample.reported});
+        sample.oblique = oblique_curves(
+            {data, of.contact, of.velocities.laws, run.histories.samples[i].curves, sample.reported});
         if (sample.temperature)
             for (const auto& [law, finding] : temperature_notes(*sample.temperature))
                 record.note(finding, sample.name, law);
@@ -324,6 +327,7 @@ ComparisonResult comparison_stage(const Run& run, StageRecord& record) {
     if (std::ranges::any_of(run.modulus.samples,
                             [](const SampleModulus& each) { return each.glass.has_value(); }))
         record.citations.insert(record.citations.end(), {"giordano2008, Table 1", "urbain1981"});
+    if (data.friction) record.citations.emplace_back("walton1993");
     const auto effects = glass_effects(run, result.samples);
     for (std::size_t i = 0; i < effects.size(); ++i) result.samples[i].glass = effects[i];
     result.reproduction = reproduction_of(run, result.samples);

@@ -224,6 +224,8 @@ TEST_CASE("a statement of a case that changes nothing is named with the reason; 
               "/fit/direct_order changes nothing, as it is of earlier versions"},
              {"- /samples/0/restitution ; - /camera ; /histories = {\"points\": 9}",
               "/histories/points changes nothing, as no sample has restitution data"},
+             {"- /samples/0/restitution ; - /camera ; /friction = 0.2",
+              "/friction changes nothing, as no sample has restitution data"},
              {"/published = \"dong2013\"",
               "/published changes nothing, as it has values of none of the samples"},
              {R"(/phases = [{"name": "opal", "density": "2 g/cm3", "young_modulus": "50 GPa"}])",

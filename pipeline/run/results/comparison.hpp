@@ -16,6 +16,7 @@
 #include "pipeline/run/results/damping.hpp"
 #include "pipeline/run/results/histories.hpp"
 #include "pipeline/run/results/note.hpp"
+#include "pipeline/run/results/oblique.hpp"
 #include "pipeline/run/results/reported.hpp"
 #include "pipeline/run/results/sizes.hpp"
 #include "pipeline/run/results/temperature.hpp"
@@ -90,6 +91,7 @@ struct SampleComparison {
     std::optional<PublishedBeside> published{};
     std::optional<GlassEffect> glass{};              ///< where the case has oxides
     std::optional<TemperatureLimits> temperature{};  ///< where it has oxides or a temperature
+    std::optional<ObliqueCurves> oblique{};          ///< where it has a friction
 };
 
 /// The impact of a sample by a law at one of the equal velocities.

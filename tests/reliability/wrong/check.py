@@ -40,8 +40,8 @@ NEXT_STAGE = {"0-case": "modulus", "1-modulus": "contact", "2-contact": "analyti
 
 
 # Keys whose readers tests/materials/glass, tests/pipeline and the tests of law parameters cover.
-TESTED_ELSEWHERE = {"oxides", "oxides_decimal", "oxides_sample", "oxides_sheet", "glass", "glass_density", "temperature",
-                    "adhesion_damping", "adhesion_damping_ratio"}
+TESTED_ELSEWHERE = {"oxides", "oxides_decimal", "oxides_sample", "oxides_sheet", "glass", "glass_density", "temperature", "friction",
+                    "angle", "adhesion_damping", "adhesion_damping_ratio"}
 
 
 class Corpus:

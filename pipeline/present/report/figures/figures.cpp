@@ -209,6 +209,7 @@ const std::vector<FigureMaker>& figure_makers() {
         {"sizes", sizes_figure, {contact_artifact, restitution_artifact, damping_artifact}},
         {"histories", histories_figure, {contact_artifact, histories_artifact}},
         {"energy", energy_figure, {histories_artifact}},
+        {"oblique", oblique_figure, {comparison_artifact}, has_oblique},
         {"temperature", temperature_figure, {comparison_artifact}, has_temperatures},
     };
     return makers;

@@ -85,7 +85,11 @@ class RunData {
 [[nodiscard]] Figure energy_figure(const RunData& run);
 [[nodiscard]] Figure critical_velocity_figure(const RunData& run);
 [[nodiscard]] Figure sensitivity_figure(const RunData& run);
+[[nodiscard]] Figure oblique_figure(const RunData& run);
 [[nodiscard]] Figure temperature_figure(const RunData& run);
+
+/// Whether a run has rebounds at an angle, so that there is a figure of them.
+[[nodiscard]] bool has_oblique(const RunData& run);
 
 /// Whether a run knows the viscosity of a glass, so that there is a figure of it.
 [[nodiscard]] bool has_temperatures(const RunData& run);
