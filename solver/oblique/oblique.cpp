@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "core/quantities/checks.hpp"
-#include "core/text/error.hpp"
-#include "core/text/text.hpp"
 #include "solver/motion/trajectory.hpp"
 
 namespace ashimpact {
@@ -36,10 +34,10 @@ ObliqueEnergy energy_of(const ContactBodies& bodies, double mass, double normal,
 
 void require_tangential(const TangentialMotion& before, double friction) {
     require_not_negative("friction", friction, Dimension::fraction);
-    if (std::isfinite(before.velocity) && std::isfinite(before.spin)) return;
-    throw InputError("tangential velocity and spin are " + shortest(before.velocity) + " m/s and " +
-                         shortest(before.spin) + " rad/s",
-                     "finite numbers");
+    // Of any sign, and not too great to compute energies with.
+    require_not_negative("magnitude of the tangential velocity", std::abs(before.velocity),
+                         Dimension::velocity);
+    require_not_negative("magnitude of the spin", std::abs(before.spin), Dimension::angular_velocity);
 }
 
 double rolling_impulse(double effective_mass, double slip) {

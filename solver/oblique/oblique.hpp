@@ -81,7 +81,7 @@ struct ObliqueResult {
     ObliqueEnergy after{};
 };
 
-/// @throws InputError for friction below 0 and for what is not finite
+/// @throws InputError for friction below 0 and for numbers that are not finite, or too great to compute with
 void require_tangential(const TangentialMotion& before, double friction);
 
 /// Friction impulse that ends a slip: 2/7 of the effective mass times the slip [N s]. Solid spheres resist

@@ -95,6 +95,9 @@ def cases():
             yield code, "softened-far", (DMT + ["--damping-law", "tsuji", "--damping", "0.5", "--soften", "1e5",
                                                 "--to-velocity", "15 cm/s"])
             yield code, "softened-pair", DMT + PARTNER + PAIR_DAMPING + ["--soften", "100", "--to-velocity", "1 m/s"]
+    yield "lammps", "softened-oblique", DMT + CONSTANT + SOFT + ["--friction", "0.2"]
+    yield "lammps", "oblique-tsuji", HERTZ + ["--damping-law", "tsuji", "--damping", "0.5", "--friction", "0.4"]
+    yield "yade", "oblique-tsuji", HERTZ + ["--damping-law", "tsuji", "--damping", "0.5", "--friction", "0.4"]
     yield "yade", "softened-en", (HERTZ + ["--damping-law", "tsuji", "--damping", "0.5", "--detachment", "zero-force"]
                                   + SOFT)
     for law in ("hertz", "dmt", "jkr"):
@@ -288,6 +291,8 @@ def check_refusals():
              "--cohesion-range"),
             ("liggghts", DMT + CONSTANT + ["--soften", "1000"], "--to-velocity"),
             ("lammps", DMT + PARTNER + PAIR_DAMPING + ["--friction", "0.2"], "two spheres have no friction"),
+            ("yade", HERTZ + ["--damping-law", "tsuji", "--damping", "0.5", "--detachment", "zero-force", "--friction", "0.2"],
+             "zero-overlap with --friction"),
             ("openfoam", DMT + CONSTANT + ["--friction", "-0.2"], "friction is -0.2"),
             ("openfoam", DMT + CONSTANT + SOFT, "--soften"), ("fluent", DMT + CONSTANT + SOFT, "--soften"),
             ("table", DMT + CONSTANT + ["--to-velocity", "1 mm/s"], "--to-velocity")):

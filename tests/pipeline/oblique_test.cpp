@@ -63,15 +63,19 @@ TEST_CASE("comparison.json: rebounds at an angle with the friction of the case")
             CHECK((e_t < 5.0 / 7 + 1e-12 || (e_t < slid && slid - e_t < 0.1)));
         }
     }
-    // At 4 v_c the damping is the measured one, along the curve e(v_in) of the model, not that of v_c.
-    const ObliqueRebound& steep = curves.back().rebounds.front();
+    // The damping is the measured one, along the curve e(v_in) of the model, not that of v_c.
     const ModelCurve& model = run.histories.samples[0].curves.find(law)->impacts;
-    REQUIRE(model.size() > 1);
-    double nearest = 1;
-    for (const CurveImpact& impact : model)
-        if (std::abs(impact.velocity / curves.back().velocity - 1) < 0.1)
-            nearest = std::min(nearest, std::abs(impact.restitution - steep.restitution));
-    CHECK(nearest < 0.02);
+    std::size_t compared = 0;
+    for (const ObliqueCurve& curve : curves)
+        for (const ObliqueRebound& rebound : curve.rebounds)
+            for (std::size_t i = 1; i < model.size(); ++i) {
+                const double normal = curve.velocity * std::cos(rebound.angle);
+                if (normal < model[i - 1].velocity || normal > model[i].velocity) continue;
+                CHECK(rebound.restitution > model[i - 1].restitution - 0.01);
+                CHECK(rebound.restitution < model[i].restitution + 0.01);
+                ++compared;
+            }
+    CHECK(compared > 20);
 }
 
 TEST_CASE("a friction changes no other number of a run, and is read back") {

@@ -9,7 +9,6 @@
 #include "core/quantities/checks.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
-#include "core/text/text.hpp"
 #include "pipeline/document/results_json.hpp"
 
 namespace ashimpact {
@@ -38,7 +37,7 @@ std::optional<double> read_angle(const CommandOptions& options) {
     if (!options.has("--angle")) return std::nullopt;
     const double angle = options.number("--angle", Dimension::angle);
     if (angle >= 0 && angle < std::numbers::pi / 2) return angle;
-    throw InputError(options["--angle"] + " is " + shortest(angle / degree) + " degrees from the normal",
+    throw InputError(fmt::format("{} is {:.10g} degrees from the normal", options["--angle"], angle / degree),
                      "0 to below 90 degrees, such as \"45 deg\"; a number alone is in radians")
         .at("--angle");
 }

@@ -297,6 +297,10 @@ bool takes_betan(const ExportSubject& subject) {
     if (tsuji && subject.law.name() == betan.law && subject.detachment == betan.end) {
         if (subject.exponent != 0)
             throw InputError("YADE: one `betan` is for every size", "--damping-exponent 0");
+        if (subject.friction > 0)
+            throw InputError(
+                "YADE: its `betan` ends at zero force, where the spring along the wall is still loaded",
+                "--detachment zero-overlap with --friction");
         return true;
     }
     if (const auto reason = added_forces_refusal(subject))

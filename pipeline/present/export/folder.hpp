@@ -139,7 +139,7 @@ struct AddedForces {
 
 /// Stiffness along a wall over that normal to it, where there is friction: large, so that a sphere slides or
 /// rolls almost as a rigid one [1].
-inline constexpr double tangential_stiffness_ratio = 100;
+inline constexpr double tangential_stiffness_ratio = 400;
 
 /// The conversion of the friction, for assumptions.md.
 [[nodiscard]] std::string friction_conversion(const ExportSubject& subject);

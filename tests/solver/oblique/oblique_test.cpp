@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <sstream>
@@ -204,6 +205,15 @@ TEST_CASE("oblique: limits of rolling, sliding and no slip") {
     impact.friction = -0.1;
     CHECK(contains(input_error_of([&] { return solve_oblique_impact(impact).normal.steps; }),
                    "friction is -0.1"));
+    impact.friction = 0.1;
+    for (const double wrong : {1e300, -std::numeric_limits<double>::infinity()}) {
+        impact.tangential = {.velocity = wrong};
+        CHECK(contains(input_error_of([&] { return solve_oblique_impact(impact).normal.steps; }),
+                       "magnitude of the tangential velocity is "));
+        impact.tangential = {.spin = wrong};
+        CHECK(contains(input_error_of([&] { return solve_oblique_impact(impact).normal.steps; }),
+                       "magnitude of the spin is "));
+    }
 }
 
 TEST_CASE("oblique: friction with adhesion against a stiff tangential spring in time") {

@@ -67,7 +67,7 @@ Figure oblique_figure(const RunData& run) {
             "captured.",
             display_name(law.name()), friction);
         figure.panels.emplace_back(oblique_panel(sample, "tangential restitution",
-                                                 {.label = "e_t", .from = 0, .to = 1},
+                                                 {.label = "e_t", .from = 0.6, .to = 1},
                                                  &ObliqueRebound::tangential_restitution));
         figure.panels.emplace_back(oblique_panel(sample, "rebound angle", angle_axis("rebound angle"),
                                                  &ObliqueRebound::rebound_angle));
