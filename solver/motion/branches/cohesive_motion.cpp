@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "solver/contact/mechanics.hpp"
+#include "solver/motion/branches/creep.hpp"
 
 namespace ashimpact {
 
@@ -25,6 +26,31 @@ CohesiveState end_of(const CohesiveZone& zone, Detachment detachment) {
     }
     return zone.pull_off();
 }
+
+/// Radius of convergence, under a name that does not read as a contact radius.
+template <class Real>
+Extended convergence(const Series<Real>& terms) {
+    return static_cast<Extended>(radius(terms));
+}
+
+/// The series about @p start, whose first terms keep their digits.
+template <class Real>
+MotionExpansion<Extended> from_start(const MotionState<Extended>& start, const MotionExpansion<Real>& x,
+                                     Extended step) {
+    MotionExpansion<Extended> result{};
+    const auto take = [](const Series<Real>& series, Extended first, Series<Extended>& to) {
+        std::ranges::copy(series, to.begin());
+        to[0] = first;
+    };
+    take(x.position, start.position, result.position);
+    take(x.velocity, start.velocity, result.velocity);
+    take(x.time, start.time, result.time);
+    take(x.dissipation, start.dissipation, result.dissipation);
+    result.step = step;
+    return result;
+}
+
+}  // namespace
 
 /// The static law of a touching state as power series of any parameter, from that of the contact radius:
 /// order by order, each new coefficient from those before it. Names as in CohesiveZone. The first
@@ -102,31 +128,6 @@ class SeriesOfZone {
     Terms radius_squared_{}, spread_{};
 };
 
-/// Radius of convergence, under a name that does not read as a contact radius.
-template <class Real>
-Extended convergence(const Series<Real>& terms) {
-    return static_cast<Extended>(radius(terms));
-}
-
-/// The series about @p start, whose first terms keep their digits.
-template <class Real>
-MotionExpansion<Extended> from_start(const MotionState<Extended>& start, const MotionExpansion<Real>& x,
-                                     Extended step) {
-    MotionExpansion<Extended> result{};
-    const auto take = [](const Series<Real>& series, Extended first, Series<Extended>& to) {
-        std::ranges::copy(series, to.begin());
-        to[0] = first;
-    };
-    take(x.position, start.position, result.position);
-    take(x.velocity, start.velocity, result.velocity);
-    take(x.time, start.time, result.time);
-    take(x.dissipation, start.dissipation, result.dissipation);
-    result.step = step;
-    return result;
-}
-
-}  // namespace
-
 CohesiveMotion::CohesiveMotion(const CohesiveZone& zone, const ScaledDamping<Extended>& damping,
                                Detachment detachment, Precision precision)
     : zone_(zone),
@@ -197,15 +198,6 @@ Extended TouchingBranch::damping(Extended q) const {
     return damping_(q) + per_attraction_(q) * (a * a * a - force(q));
 }
 
-template <class Real>
-Real TouchingBranch::damping_term(const PowerSeries<Real>& powers, const Series<Real>& attraction,
-                                  Series<Real>& share, std::size_t n) const {
-    const Real own = composed(damping_, powers, n);
-    if (!follows_attraction_) return own;
-    share[n] = composed(per_attraction_, powers, n);
-    return own + product_coefficient(share, attraction, n);
-}
-
 Extended TouchingBranch::coordinate(const CohesiveState& state) const {
     const Extended a = state.contact_radius();
     return rooted_ ? std::sqrt(a) : a;
@@ -222,80 +214,102 @@ Extended TouchingBranch::slope(Extended q) const {
     return rooted_ ? 2 * q * by_radius : by_radius;
 }
 
+/// The equation of motion about a state as series of any parameter: coefficient by coefficient, from those of
+/// the position. The first coefficients come from the zone and have its digits, the others those of Real.
+template <class Real>
+class TouchingBranch::Terms {
+  public:
+    Terms(const TouchingBranch& branch, const CohesiveState& state)
+        : branch_(&branch), zone_(branch.zone_, state) {}
+
+    /// Computes coefficient @p n; @p position is known up to n.
+    void advance(const Series<Real>& position, std::size_t n) {
+        const auto product = [n](const Series<Real>& a, const Series<Real>& b) {
+            return product_coefficient(a, b, n);
+        };
+        const bool rooted = branch_->rooted_;
+        radius_[n] = rooted ? product(position, position) : position[n];
+        zone_.advance(radius_, n);
+        slope[n] = rooted ? 2 * product(position, zone_.overlap_by_radius) : zone_.overlap_by_radius[n];
+        branch_->powers_.advance(powers_, position, n);
+        damping[n] = composed(branch_->damping_, powers_, n);
+        if (branch_->follows_attraction_) {
+            share_[n] = composed(branch_->per_attraction_, powers_, n);
+            damping[n] += product(share_, zone_.attraction);
+        }
+        stiffness[n] = product(slope, zone_.force);
+        drag[n] = product(slope, damping);
+    }
+    /// Makes ready for coefficient n + 1: @p velocity, the derivative of the position, is known up to n.
+    void follow(const Series<Real>& position, const Series<Real>& velocity, std::size_t n) {
+        rate_[n] = branch_->rooted_ ? 2 * product_coefficient(position, velocity, n) : velocity[n];
+        zone_.follow(rate_, n);
+    }
+    [[nodiscard]] const Series<Real>& force() const { return zone_.force; }
+
+    Series<Real> slope{};      ///< delta'
+    Series<Real> damping{};    ///< eta
+    Series<Real> stiffness{};  ///< delta' F
+    Series<Real> drag{};       ///< delta' eta
+
+  private:
+    const TouchingBranch* branch_;
+    SeriesOfZone<Real> zone_;
+    PowerSeries<Real> powers_{};
+    Series<Real> radius_{};
+    Series<Real> rate_{};   ///< of the contact radius
+    Series<Real> share_{};  ///< of the attraction in the damping
+};
+
 MotionExpansion<Extended> TouchingBranch::expand(const MotionState<Extended>& state, int sense) const {
-    auto x = precision_ == Precision::extended ? expanded<Extended>(state) : expanded<double>(state);
-    x.step *= sense;
-    return x;
+    return precision_ == Precision::extended ? expanded<Extended>(state, sense)
+                                             : expanded<double>(state, sense);
 }
 
 template <class Real>
-MotionExpansion<Extended> TouchingBranch::expanded(const MotionState<Extended>& start) const {
-    using Terms = Series<Real>;
+MotionExpansion<Extended> TouchingBranch::expanded(const MotionState<Extended>& start, int sense) const {
+    const MotionState<Real> begin{.position = static_cast<Real>(start.position),
+                                  .velocity = static_cast<Real>(start.velocity)};
+    const CohesiveState contact = state(start.position);
     MotionExpansion<Real> x{};
-    x.position[0] = static_cast<Real>(start.position);
-    x.velocity[0] = static_cast<Real>(start.velocity);
-    SeriesOfZone<Real> zone(zone_, state(start.position));
-    PowerSeries<Real> powers{};
-    Terms radius{};
-    Terms rate{};  // of the contact radius
-    Terms slope{};
-    Terms eta{};
-    Terms share{};  // of the attraction in it
-    Terms drag_force{};
-    Terms total{};
-    Terms power{};
-    for (std::size_t n = 0; n + 1 < radius.size(); ++n) {
-        const auto product = [n](const Terms& a, const Terms& b) { return product_coefficient(a, b, n); };
-        radius[n] = rooted_ ? product(x.position, x.position) : x.position[n];
-        rate[n] = rooted_ ? 2 * product(x.position, x.velocity) : x.velocity[n];
-        zone.advance(radius, n);
-        slope[n] = rooted_ ? 2 * product(x.position, zone.overlap_by_radius) : zone.overlap_by_radius[n];
-        powers_.advance(powers, x.position, n);
-        eta[n] = damping_term(powers, zone.attraction, share, n);
-        drag_force[n] = product(eta, x.velocity);
-        total[n] = zone.force[n] + drag_force[n];
-        power[n] = product(slope, drag_force);
+    x.position[0] = begin.position;
+    x.velocity[0] = begin.velocity;
+    Terms<Real> terms(*this, contact);
+    terms.advance(x.position, 0);
+    if (sense > 0 && may_creep(begin, terms.stiffness[0], terms.drag[0]))
+        if (const auto creep = expand_creep(begin, [&] { return Terms<Real>(*this, contact); }))
+            return from_start(start, *creep, static_cast<Extended>(creep->step));
+    Series<Real> braking{};  // delta' eta v
+    for (std::size_t n = 0; n + 1 < x.position.size(); ++n) {
+        terms.advance(x.position, n);
         const Real factor = Real(1) / static_cast<Real>(n + 1);
+        braking[n] = product_coefficient(terms.drag, x.velocity, n);
         x.position[n + 1] = factor * x.velocity[n];
-        x.velocity[n + 1] = -factor * product(slope, total);
-        x.time[n + 1] = factor * slope[n];
-        x.dissipation[n + 1] = factor * product(power, x.velocity);
-        zone.follow(rate, n);
+        x.velocity[n + 1] = -factor * (terms.stiffness[n] + braking[n]);
+        x.time[n + 1] = factor * terms.slope[n];
+        x.dissipation[n + 1] = factor * product_coefficient(braking, x.velocity, n);
+        terms.follow(x.position, x.velocity, n);
     }
     // Fast enough, the motion hardly feels the contact, and time is the series that converges least. What
     // counts of it is a part of the time that a unit length takes.
-    Terms time = x.time;
+    Series<Real> time = x.time;
     time[0] = 1 / (1 + std::abs(x.velocity[0]));
     const Extended within = std::min({convergence(x.position), convergence(x.velocity), convergence(time)});
-    return from_start(start, x, within / (std::numbers::e_v<Extended> * std::numbers::e_v<Extended>));
+    return from_start(start, x, sense * within / (std::numbers::e_v<Extended> * std::numbers::e_v<Extended>));
 }
 
 TouchingBranch::Statics TouchingBranch::statics(Extended q) const {
-    using Terms = Series<Extended>;
-    Statics result{};
-    SeriesOfZone<Extended> zone(zone_, state(q));
-    PowerSeries<Extended> powers{};
-    Terms place{};  // q itself
+    Terms<Extended> terms(*this, state(q));
+    Series<Extended> place{};  // q itself
     place[0] = q;
     place[1] = 1;
-    Terms radius{};
-    Terms rate{};
-    Terms share{};
-    Terms twice{};
-    twice[0] = 2 * q;
-    twice[1] = 2;
+    Series<Extended> one{};
+    one[0] = 1;
     for (std::size_t n = 0; n < place.size(); ++n) {
-        radius[n] = rooted_ ? product_coefficient(place, place, n) : place[n];
-        rate[n] = rooted_ ? twice[n] : Extended(n == 0 ? 1 : 0);
-        zone.advance(radius, n);
-        result.force[n] = zone.force[n];
-        result.slope[n] =
-            rooted_ ? product_coefficient(twice, zone.overlap_by_radius, n) : zone.overlap_by_radius[n];
-        powers_.advance(powers, place, n);
-        result.damping[n] = damping_term(powers, zone.attraction, share, n);
-        if (n + 1 < place.size()) zone.follow(rate, n);
+        terms.advance(place, n);
+        if (n + 1 < place.size()) terms.follow(place, one, n);
     }
-    return result;
+    return {.slope = terms.slope, .force = terms.force(), .damping = terms.damping};
 }
 
 }  // namespace ashimpact

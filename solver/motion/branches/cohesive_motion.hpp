@@ -51,12 +51,10 @@ class TouchingBranch {
     [[nodiscard]] Statics statics(Extended q) const;
 
   private:
-    /// Coefficient @p n of eta, from those up to n of the powers of q and of the attraction.
     template <class Real>
-    [[nodiscard]] Real damping_term(const PowerSeries<Real>& powers, const Series<Real>& attraction,
-                                    Series<Real>& share, std::size_t n) const;
+    class Terms;
     template <class Real>
-    [[nodiscard]] MotionExpansion<Extended> expanded(const MotionState<Extended>& start) const;
+    [[nodiscard]] MotionExpansion<Extended> expanded(const MotionState<Extended>& start, int sense) const;
 
     CohesiveZone zone_;
     bool rooted_;  ///< q = sqrt(a)

@@ -6,89 +6,47 @@
 #include <limits>
 #include <numbers>
 
+#include "solver/motion/branches/creep.hpp"
 #include "solver/numeric/number.hpp"
 
 namespace ashimpact {
 
 namespace {
 
-/// Step of a uniform motion, whose series converge everywhere: the coordinate doubles or becomes 0.
+/// The polynomials of a piece as series.
 template <class Real>
-Real uniform_step(const MotionState<Real>& state) {
-    using std::abs;
-    const Real distance = state.position != Real(0) ? abs(state.position) : Real(1);
-    return state.velocity != Real(0) ? distance / abs(state.velocity) : Real(1);
-}
+class PieceTerms {
+  public:
+    explicit PieceTerms(const MotionPiece<Real>& piece) : piece_(&piece) {}
 
-/// Ratio from which on a return is a creep: of the rate at which the damping draws all velocities together to
-/// that at which the coordinate changes.
-constexpr int creep = 1000;
-/// Relative distance from the velocity of the creep within which a return is taken for one. What is left of
-/// it dies out before it has moved the coordinate by a part in @c creep of that.
-constexpr double creep_distance = 1e-12;
-constexpr int creep_passes = 8;  ///< each adds a factor of some 50 to the accuracy of that velocity
-
-/// A return that has forgotten how it began: the damping balances the force but for a small acceleration,
-///
-///     v = -(delta' F + dv/dtheta)/(delta' eta),
-///
-/// which is iterated from dv/dtheta = 0. Its series hold over steps in which the coordinate changes by a part
-/// of itself, those of the equation of motion only over the time in which the damping acts. None if the
-/// return is not so stiff, or not yet there. The return of a Hertz contact by damping in proportion to its
-/// force is the uniform motion in which the two cancel.
-template <class Real>
-std::optional<MotionExpansion<Real>> expand_creep(const MotionPiece<Real>& piece,
-                                                  const MotionState<Real>& state) {
-    using std::abs;
-    const Real drag = piece.drag(state.position);
-    if (!(state.velocity < Real(0) && drag * state.position > Real(creep) * -state.velocity))
-        return std::nullopt;
-    const Real balance = -piece.stiffness(state.position) / drag;
-    if (abs(state.velocity - balance) > abs(balance) / Real(10)) return std::nullopt;
-    MotionExpansion<Real> x{};
-    x.position[0] = state.position;
-    x.time[0] = state.time;
-    x.dissipation[0] = state.dissipation;
-    PowerSeries<Real> powers;
-    Series<Real> drag_series;
-    Series<Real> braking;  // delta' eta v
-    Series<Real> acceleration{};
-    const std::size_t order = x.position.size() - 1;
-    for (int pass = 0; pass < creep_passes; ++pass) {
-        for (std::size_t n = 0; n <= order; ++n) {
-            piece.powers.advance(powers, x.position, n);
-            drag_series[n] = composed(piece.drag, powers, n);
-            braking[n] = -(composed(piece.stiffness, powers, n) + acceleration[n]);
-            Real rest = braking[n];
-            for (std::size_t k = 0; k < n; ++k) rest -= x.velocity[k] * drag_series[n - k];
-            x.velocity[n] = rest / drag_series[0];
-            if (n < order) x.position[n + 1] = x.velocity[n] / static_cast<Real>(n + 1);
-        }
-        for (std::size_t n = 0; n < order; ++n)
-            acceleration[n] = static_cast<Real>(n + 1) * x.velocity[n + 1];
+    void advance(const Series<Real>& position, std::size_t n) {
+        piece_->powers.advance(powers_, position, n);
+        slope[n] = composed(piece_->slope, powers_, n);
+        stiffness[n] = composed(piece_->stiffness, powers_, n);
+        drag[n] = composed(piece_->drag, powers_, n);
     }
-    if (abs(state.velocity - x.velocity[0]) > Real(creep_distance) * abs(x.velocity[0])) return std::nullopt;
-    for (std::size_t n = 0; n < order; ++n) {
-        const Real factor = Real(1) / static_cast<Real>(n + 1);
-        x.time[n + 1] = factor * composed(piece.slope, powers, n);
-        x.dissipation[n + 1] = factor * product_coefficient(braking, x.velocity, n);
-    }
-    const Real convergence = std::min(radius(x.position), radius(x.velocity));
-    constexpr Real e = std::numbers::e_v<Real>;
-    x.step =
-        convergence == std::numeric_limits<Real>::infinity() ? uniform_step(state) : convergence / (e * e);
-    return x;
-}
+    void follow(const Series<Real>& /*position*/, const Series<Real>& /*velocity*/, std::size_t /*n*/) {}
 
-/// The motion as if @p piece had no borders: the step may end beyond them. @param may_creep whether a stiff
+    Series<Real> slope;
+    Series<Real> stiffness;
+    Series<Real> drag;
+
+  private:
+    const MotionPiece<Real>* piece_;
+    PowerSeries<Real> powers_;
+};
+
+/// The motion as if @p piece had no borders: the step may end beyond them. @param creeps whether a stiff
 /// return may be followed as a creep, in which the small total force that ends some contacts is lost
 template <class Real>
 MotionExpansion<Real> expand_on(const MotionPiece<Real>& piece, const MotionState<Real>& state, int sense,
-                                bool may_creep) {
-    if (sense > 0 && may_creep)
-        if (const auto creeping = expand_creep(piece, state)) return *creeping;
+                                bool creeps) {
+    const Real q = state.position;
+    if (sense > 0 && creeps && may_creep(state, piece.stiffness(q), piece.drag(q)))
+        if (const auto creeping = expand_creep(state, [&] { return PieceTerms<Real>(piece); }))
+            return *creeping;
     MotionExpansion<Real> x{};
-    x.position[0] = state.position;
+    x.position[0] = q;
     x.velocity[0] = state.velocity;
     x.time[0] = state.time;
     x.dissipation[0] = state.dissipation;

@@ -369,6 +369,25 @@ TEST_CASE("two terms on a cohesive zone: limits of DMT and JKR, ledger, v_c") {
     CHECK(parts_outcomes(weak, found.impacts.front().velocity, 1e-9L));
 }
 
+TEST_CASE("a stiff return on a cohesive zone has forgotten how fast it began") {
+    for (const Extended lambda : {0.1L, 0.7L, 3.0L}) {
+        for (const double adhesive : {0.0, 0.1}) {
+            CAPTURE(static_cast<double>(lambda));
+            const CohesiveMotion zone(CohesiveZone(lambda), two_terms(0.02, adhesive), Detachment::pull_off,
+                                      Precision::extended);
+            const auto rebound = [&](Extended velocity) {
+                const Orbit<Extended> orbit = follow(zone, velocity);
+                CHECK(orbit.outcome == Outcome::rebound);
+                CHECK(orbit.steps < 1000);
+                return orbit.end.velocity;
+            };
+            const Extended slow = rebound(1e5L);
+            for (const Extended velocity : {1e7L, 1e9L, 1e13L})
+                CHECK(std::abs(static_cast<double>(rebound(velocity) / slow - 1)) < 1e-12);
+        }
+    }
+}
+
 TEST_CASE("two terms: v_c parts capture and rebound, the ledger of a yielded contact closes") {
     for (const double adhesive : {0.1, 3.0}) {
         for (const Motion<Extended>& motion :
