@@ -16,6 +16,7 @@
 #include "pipeline/document/values_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/text/result_text.hpp"
+#include "pipeline/run/dampings.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 #include "solver/inference/measured_damping.hpp"
 #include "solver/motion/damping_inversion.hpp"
@@ -150,7 +151,8 @@ std::string contact_time_text(const InvertedImpact& impact) {
     return impact.restitution > 0 ? "-" : "captured";
 }
 
-std::string result_text(const MeasuredDamping& result, const MeasurementSet& set) {
+std::string result_text(const MeasuredDamping& result, const MeasurementSet& set,
+                        const std::optional<DampingStudy>& dampings) {
     TextTable impacts({"#", "v_in [m/s]", "e_n", "at most", "damping [kg/s]", "contact time [ns]"});
     constexpr std::size_t most_rows = 12;
     const std::size_t stride = (result.impacts.size() + most_rows - 1) / most_rows;
@@ -179,7 +181,8 @@ std::string result_text(const MeasuredDamping& result, const MeasurementSet& set
         stride > 1 ? fmt::format("every {} of {} rows\n", stride, result.impacts.size()) : std::string{};
     const std::string text = list.text(0);
     return impacts.text() + rows + "\n" + text + uncertainty_legend(text) +
-           "Intervals are of 95 % and hold for the contact as given.\n";
+           "Intervals are of 95 % and hold for the contact as given.\n" +
+           (dampings ? "\n" + dampings_text(dampings->comparison) : "");
 }
 
 /// `damping --impacts FILE`: intervals are those of the impacts; the contact counts as exactly known.
@@ -194,6 +197,8 @@ void run_measured_damping_command(const CommandOptions& options, std::ostream& o
     if (options.has("--velocity-scale-uncertainty"))
         how.estimate.scale_uncertainty = read_scale_uncertainty(options);
     const MeasuredDamping result = analyse_impacts(choice.law, choice.detachment, choice.contact, set, how);
+    const auto dampings = study_dampings({choice.law, choice.detachment}, {{choice.contact, set.points}},
+                                         {options["--impacts"]});
     std::vector<Finding> doubts = options.doubts();
     for (const auto* option : {"--size-scatter", "--velocity-scale-uncertainty"})
         if (options.has(option) && !result.estimate)
@@ -205,8 +210,9 @@ void run_measured_damping_command(const CommandOptions& options, std::ostream& o
         }
     warn_of(result.findings, options["--impacts"]);
     Json json = measured_damping_json(result, set);
+    json["dampings"] = dampings ? dampings_json(dampings->comparison) : Json(nullptr);
     add_notes(json, doubts);
-    out << (options.has("--json") ? write_json(json, Digits::seventeen) : result_text(result, set));
+    out << (options.has("--json") ? write_json(json, Digits::seventeen) : result_text(result, set, dampings));
 }
 
 void run_damping_command(const CommandOptions& options, std::ostream& out) {

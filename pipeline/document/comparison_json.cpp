@@ -284,6 +284,10 @@ void fields(Io& io, Is<ComparisonResult> auto& result) {
 template Json to_json(const ComparisonResult& result, DampingLaw law);
 template ComparisonResult from_json(const View& result, DampingLaw law);
 
+Json dampings_json(const DampingComparison& comparison) {
+    return to_json(comparison, DampingLaw::constant);
+}
+
 void fields(auto& io, Is<StageMomentum> auto& stage) {
     io("duration", stage.duration, Dimension::time);
     io("static_impulse", stage.static_impulse, Dimension::impulse);

@@ -75,6 +75,9 @@ extern template ComparisonResult from_json(const View& result, DampingLaw law);
 /// What the impacts support: critical damping and velocity with their intervals, and what they rest on.
 [[nodiscard]] Json damping_estimate_json(const DampingEstimate& estimate);
 
+/// Which damping law explains the impacts, as in comparison.json.
+[[nodiscard]] Json dampings_json(const DampingComparison& comparison);
+
 /// The paper's extrapolation and the estimate compared.
 [[nodiscard]] Json comparison_json(const FitComparison& comparison);
 

@@ -497,10 +497,16 @@ TEST_CASE("damping --impacts: a bound with its number, and no chi^2 where the no
     const Json json = json_of(sandbox, arguments + "impacts.csv" + contact);
     CHECK(json["extrapolated"]["chi_squared"].is_null());
     CHECK(json["extrapolated"]["probability"].is_null());
+    // Which damping explains them, as a run says it.
+    CHECK(text.out == containing("Which damping explains the impacts, by brach-dunn: constants for all"));
+    CHECK(json["dampings"]["law"] == "brach-dunn");
+    REQUIRE(json["dampings"]["laws"].size() == 5);
+    for (const Json& damping : json["dampings"]["laws"]) CHECK(damping["misfit"] > 0.0);
 
     sandbox.write("captured.csv", "velocity [m/s],rebound_velocity [m/s]\n0.9,0\n1.2,0\n");
     const auto captured = ashimpact_program(sandbox, arguments + "captured.csv" + contact);
     CHECK(captured.out == containing("v_c > 1.2 m/s: every impact was captured"));
+    CHECK(captured.out != containing("Which damping"));
     sandbox.write("rebounds.csv", "velocity [m/s],rebound_velocity [m/s]\n1.9,0.3\n2.2,0.5\n");
     const auto rebounds = ashimpact_program(sandbox, arguments + "rebounds.csv" + contact);
     CHECK(rebounds.out == containing("v_c < 1.9 m/s: no impact was captured"));
