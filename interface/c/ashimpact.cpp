@@ -370,6 +370,11 @@ ashimpact_status ashimpact_open(const char* law, const char* detachment, const c
     });
 }
 
+const char* ashimpact_method(const ashimpact_model* model) {
+    if (model == nullptr) return nullptr;
+    return name_of(method_of_many(model->choice.law, model->choice.damping_law)).data();  // a literal
+}
+
 void ashimpact_close(ashimpact_model* model) {
     delete model;
 }

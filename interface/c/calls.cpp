@@ -253,7 +253,9 @@ void solve_impacts(const Call& call, const ImpactOutputs& outputs) {
     const BatchOptions options{.threads = call.threads,
                                .turning_point = turning_point,
                                .contact_time = normal.contact_time != nullptr,
-                               .method = turning_point ? BatchMethod::integration : BatchMethod::table};
+                               .method = outputs.method  ? *outputs.method
+                                         : turning_point ? BatchMethod::integration
+                                                         : method_of_many(law, damping_law)};
     in_chunks(call, {Parameter::velocity}, [&](ColumnReader& reader, std::size_t first, std::size_t size) {
         const ImpactBatch batch{law,
                                 detachment,

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -109,10 +110,11 @@ struct DampingOutputs {
 struct ImpactOutputs {
     BatchOutputs normal{};
     TangentialOutputs tangential{};
+    std::optional<BatchMethod> method{};  ///< none: method_of_many(), unless turning points are wanted
 };
 
-/// Solves impacts: from tables, unless approach time or maximum overlap are needed. Results at an angle need
-/// friction, and the tangential velocity or the spin.
+/// Solves impacts, by default from tables unless approach time or maximum overlap are needed. Results at an
+/// angle need friction, and the tangential velocity or the spin.
 /// @throws InputError, ConvergenceError, like the next two, naming the first problem of several that fails
 void solve_impacts(const Call& call, const ImpactOutputs& outputs);
 /// Solves critical velocities [m/s]: 0 if no impact is captured, infinity if every impact is.

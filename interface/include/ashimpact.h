@@ -96,6 +96,11 @@ ASHIMPACT_API ashimpact_status ashimpact_open(const char* law, const char* detac
                                               const char* damping_law, const ashimpact_parameter* parameters,
                                               size_t count, ashimpact_model** model, ashimpact_error* error);
 
+/* How the model's restitutions and contact times are found: "table", from a table of the law's impacts, or
+ * "integration", each impact by itself, which takes some hundred times as long. The errors are the same.
+ * Approach times and greatest overlaps always are integrated. NULL for no model. */
+ASHIMPACT_API const char* ashimpact_method(const ashimpact_model* model);
+
 ASHIMPACT_API void ashimpact_close(ashimpact_model* model); /* gives a model back; NULL is allowed */
 
 /* Restitution e_n(d, v) of a sphere on a flat wall; 0 for a capture [1].

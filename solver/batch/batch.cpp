@@ -249,6 +249,10 @@ Answer closed_form(const CriticalVelocityProblem& problem) {
 
 }  // namespace
 
+bool has_tables(Law law, DampingLaw damping_law) {
+    return batch::has_kernels(law, damping_law);
+}
+
 std::vector<ParameterColumn> single_columns(const ParameterValues<double>& values) {
     std::vector<ParameterColumn> columns;
     for (const auto& entry : values)

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "core/quantities/names.hpp"
 #include "solver/batch/columns.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/damping_inversion.hpp"
@@ -20,8 +23,21 @@ enum class BatchMethod {
     integration,  ///< each impact is integrated
     table,  ///< e and contact time come from a table of the law's impacts. Its parts are integrated when they
             ///< are first needed, then kept. Impacts next to the edge of capture are integrated. Faster from
-            ///< about 100,000 impacts on.
+            ///< about 100,000 impacts on. Refused where has_tables() is false.
 };
+
+template <>
+struct Names<BatchMethod> {
+    static constexpr std::string_view kind = "method";
+    static constexpr std::array<std::string_view, 2> all{"integration", "table"};
+};
+
+/// Whether there are tables of a contact law with a damping law: both have kernels.
+[[nodiscard]] bool has_tables(Law law, DampingLaw damping_law);
+/// The method for the many impacts of a contact law: table where there is one.
+[[nodiscard]] inline BatchMethod method_of_many(Law law, DampingLaw damping_law) {
+    return has_tables(law, damping_law) ? BatchMethod::table : BatchMethod::integration;
+}
 
 struct BatchOptions {
     int threads = 1;            ///< 0: one for each core
@@ -71,8 +87,8 @@ struct BatchOutputs {
 ///
 /// No bit of a result depends on the other impacts, on their number or order, or on the number of threads.
 /// Instruction sets differ within the bound above.
-/// @throws InputError for inadmissible input, naming the first impact it concerns; ConvergenceError unless
-/// failures are kept
+/// @throws InputError for inadmissible input, naming the first impact it concerns, and for tables of a law
+/// that has none; ConvergenceError unless failures are kept
 [[nodiscard]] ImpactBatchResult solve_impacts(const ImpactBatch& batch, const BatchOptions& options = {});
 
 /// As above, into an existing result. Columns of the right length are reused without allocation.

@@ -275,6 +275,10 @@ std::int64_t solve_in_chunks(const Problems& batch, int threads,
 
 RestitutionTable* table_for(BatchMethod method, const Problems& problems) {
     if (method == BatchMethod::integration) return nullptr;
+    if (!has_tables(problems.law, problems.damping_law))
+        throw InputError("method 'table': law '" + std::string(problems.law.name()) + "' with damping law '" +
+                             std::string(name_of(problems.damping_law)) + "' has no table",
+                         "integration");
     return &restitution_table(problems.law, problems.detachment, problems.damping_law);
 }
 

@@ -62,7 +62,7 @@ std::int64_t solve_in_chunks(
     const Problems& batch, int threads,
     const std::function<std::int64_t(const Problems& chunk, std::size_t first)>& solve);
 
-/// The table of a batch's impacts; null with BatchMethod::integration.
+/// The table of a batch's impacts; null with BatchMethod::integration. @throws InputError if there is none
 [[nodiscard]] RestitutionTable* table_for(BatchMethod method, const Problems& problems);
 
 /// Whether the kernel has decided an impact, and its end is possible: 0 < e < 1 if damped, and a positive

@@ -25,6 +25,9 @@ Truths = npt.NDArray[np.bool_]
 NumbersLike = Union[float, npt.ArrayLike]
 Function = TypeVar("Function", bound=Callable[..., Any])
 
+_MANY = 100_000
+"""Impacts from which on making a table saves time."""
+
 
 @dataclass(frozen=True)
 class Impacts:
@@ -37,9 +40,9 @@ class Impacts:
     captured: Truths
     """Whether the particle stays on the wall."""
     approach_time: Optional[Numbers]
-    """First touch to greatest overlap; NaN if that is never reached; None with method="table" [s]."""
+    """First touch to greatest overlap; NaN if that is never reached; None if not asked for or with method="table" [s]."""
     maximum_overlap: Optional[Numbers]
-    """Greatest overlap, or its limit if that is never reached; None with method="table" [m]."""
+    """Greatest overlap, or its limit if that is never reached; None if not asked for or with method="table" [m]."""
     tangential_restitution: Optional[Numbers] = None
     """e_t = v_t'/v_t; 0 for a capture, NaN without v_t. This and what follows: None for normal impacts [1]."""
     rebound_angle: Optional[Numbers] = None
@@ -52,6 +55,8 @@ class Impacts:
     """Impulse of friction over that normal to the wall; NaN for a capture [1]."""
     regime: Optional[npt.NDArray[np.str_]] = None
     """sliding, rolling, none or captured."""
+    method: str = "integration"
+    """How the restitutions were found: integration or table."""
 
     def to_pandas(self) -> "pandas.DataFrame":
         """The impacts as a table, one a row, units in the headings. Needs pandas."""
@@ -338,7 +343,8 @@ def impacts(
     tangential_velocity: Optional[NumbersLike] = None,
     spin: Optional[NumbersLike] = None,
     friction: Optional[NumbersLike] = None,
-    method: str = "integration",
+    method: str = "auto",
+    turning_point: bool = True,
     threads: int = 0,
     **parameters: Optional[NumbersLike],
 ) -> Impacts:
@@ -362,8 +368,10 @@ def impacts(
         tangential_velocity: along the wall [m/s].
         spin: positive where it adds to the slip of a positive tangential velocity [rad/s].
         friction: coefficient of Coulomb friction, needed with the three before [1].
-        method: integration, or table, some ten times as fast from 100,000 impacts on; a table has neither
-            approach times nor overlaps.
+        method: integration; table, some ten times as fast from 100,000 impacts on, which has neither approach times nor
+            overlaps and does not exist for every law; or auto, table for so many impacts without a turning point if the
+            law has one, else integration. What was used is in the result.
+        turning_point: whether to compute approach times and greatest overlaps.
         threads: 0 for one a core; no bit of a result depends on it.
         {law parameters}
 
@@ -373,14 +381,17 @@ def impacts(
 
     Warns (UserWarning) of numbers far from what particles of ash and walls have, such as a radius of 44 m.
     """
-    if str(method) not in ("integration", "table"):
-        raise _core.InputError(f"unknown method '{method}'; allowed: integration, table")
+    if str(method) not in ("auto", "integration", "table"):
+        raise _core.InputError(f"unknown method '{method}'; allowed: auto, integration, table")
     arguments = {**locals(), **parameters}
     oblique = _take_tangential(arguments)
     call, shape = _call(arguments, "velocity", "damping", *oblique)
-    columns = {
-        name: column.reshape(shape) for name, column in call.impacts(str(method) == "integration", bool(oblique)).items()
-    }
+    used = str(method)
+    if used == "auto":
+        worth = not turning_point and np.prod(shape, dtype=np.int64) >= _MANY and call.has_tables()
+        used = "table" if worth else "integration"
+    solved = call.impacts(used, bool(turning_point) and used == "integration", bool(oblique))
+    columns = {name: column.reshape(shape) for name, column in solved.items()}
     regime = np.array(_core.sliding_regimes())[columns.pop("regime").astype(np.intp)] if oblique else None
     approach_time, maximum_overlap = columns.pop("approach_time", None), columns.pop("maximum_overlap", None)
     return Impacts(
@@ -388,6 +399,7 @@ def impacts(
         approach_time=approach_time,
         maximum_overlap=maximum_overlap,
         regime=regime,
+        method=used,
         **columns,
     )
 

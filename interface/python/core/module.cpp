@@ -71,6 +71,11 @@ class PythonCall {
     PythonCall(const PythonCall&) = delete;
     PythonCall& operator=(const PythonCall&) = delete;
 
+    /// Whether impacts may come from tables.
+    [[nodiscard]] bool has_tables() const {
+        return ashimpact::has_tables(call_.choice.law, call_.choice.damping_law);
+    }
+
     /// An array for a result.
     [[nodiscard]] Array column() const { return Array(static_cast<py::ssize_t>(call_.count)); }
 
@@ -89,14 +94,14 @@ class PythonCall {
 
 /// Columns by name: restitution, contact_time; approach_time and maximum_overlap where the turning point is
 /// asked for; those along the wall where the impacts are oblique.
-py::dict impacts(const PythonCall& call, bool turning_point, bool oblique) {
+py::dict impacts(const PythonCall& call, const std::string& method, bool turning_point, bool oblique) {
     py::dict columns;
     const auto column = [&](const char* name) {
         Array values = call.column();
         columns[name] = values;
         return values.mutable_data();
     };
-    ImpactOutputs outputs;
+    ImpactOutputs outputs{.method = named<BatchMethod>(method)};
     outputs.normal.restitution = column("restitution");
     outputs.normal.contact_time = column("contact_time");
     if (turning_point) {
@@ -224,6 +229,7 @@ PYBIND11_MODULE(_core, module) {
     py::class_<PythonCall>(module, "Call")
         .def(py::init<const std::string&, const std::optional<std::string>&, const std::string&,
                       const py::dict&, std::size_t, int>())
+        .def("has_tables", &PythonCall::has_tables)
         .def("impacts", &impacts)
         .def("critical_velocities", &velocities)
         .def("dampings", &dampings);

@@ -54,7 +54,7 @@ class Chunk {
         into.failed.counts.resize(spec.laws.size());
         for (std::size_t i = 0; i < spec.laws.size(); ++i) {
             const ImpactModel model{spec.laws[i].law, spec.laws[i].detachment, spec.damping_law};
-            const ResultColumns results = solver(model, impacts, plan_.wanted());
+            const ResultColumns results = solver(model, impacts, plan_.wanted(model.law));
             add_statistics(results, impacts, into.sums.laws[i], into.counts[i]);
             add_failures(results, i, into.failed);
             for (const Observable observable : spec.table)
@@ -254,12 +254,12 @@ std::size_t SweepPlan::points_in(std::uint64_t chunk) const {
     return std::min<std::uint64_t>(chunk_points_, design_.points() - first_point(chunk));
 }
 
-WantedResults SweepPlan::wanted() const {
-    // The method depends on the number of points alone: one more observable must not change other results.
-    const bool tabulated = design_.points() >= tabulated_from;
+WantedResults SweepPlan::wanted(Law law) const {
+    // The method depends on no observable: one more must not change other results.
+    const bool many = design_.points() >= tabulated_from;
     return {.contact_time = has_observable(spec(), Observable::contact_time),
             .maximum_overlap = has_observable(spec(), Observable::maximum_overlap),
-            .method = tabulated ? BatchMethod::table : BatchMethod::integration};
+            .method = many ? method_of_many(law, spec().damping_law) : BatchMethod::integration};
 }
 
 std::vector<TableColumn> SweepPlan::table_columns() const {

@@ -52,7 +52,8 @@ class SweepPlan {
     /// Solved impacts of the whole sweep.
     [[nodiscard]] std::uint64_t impacts() const { return rows() * spec().laws.size(); }
 
-    [[nodiscard]] WantedResults wanted() const;
+    /// What the impacts of a law are solved for, and how.
+    [[nodiscard]] WantedResults wanted(Law law) const;
     /// Columns of the full table; empty if the spec has no table.
     [[nodiscard]] std::vector<TableColumn> table_columns() const;
 

@@ -203,6 +203,7 @@ class LawResult {
     [[nodiscard]] Json json(const LawChoice& choice) const {
         Json law{{"law", choice.law.name()},
                  {"detachment", name_of(choice.detachment)},
+                 {"method", name_of(plan_.wanted(choice.law).method)},
                  {"impacts", counts_.front().total()},
                  {"captured", counts_.front().total() - counts_.front().zeros()},
                  {"not_converged", failed_},

@@ -240,6 +240,31 @@ class Impacts(unittest.TestCase):
             np.testing.assert_array_equal(part.contact_time, one.contact_time[50_000:])
         self.assertIsNone(all_cores.maximum_overlap)
 
+    def test_the_method_used_is_in_the_result(self):
+        many = dict(radius=np.full(100_000, 22e-6), velocity=2.0, **{**ASH, "damping": 1e-5})
+        asked_for_less = ashimpact.impacts(turning_point=False, **many)
+        self.assertEqual(asked_for_less.method, "table")
+        self.assertIsNone(asked_for_less.approach_time)
+        table = ashimpact.impacts(method="table", **many)
+        self.assertEqual(table.method, "table")
+        np.testing.assert_array_equal(asked_for_less.restitution, table.restitution)
+        few = ashimpact.impacts(turning_point=False, **dict(many, radius=22e-6))
+        self.assertEqual(few.method, "integration")
+        self.assertIsNone(few.maximum_overlap)
+        everything = ashimpact.impacts(radius=22e-6, velocity=2.0, **ASH)
+        self.assertEqual(everything.method, "integration")
+        self.assertIsNotNone(everything.maximum_overlap)
+        for without in (
+            dict(law="maugis-dugdale", tabor=1.0),
+            dict(law="thornton-ning", yield_pressure=5e9),
+            dict(damping_law="brach-dunn-damping", damping=0.2, adhesion_damping=0.1),
+        ):
+            with self.subTest(**without):
+                one = dict(radius=22e-6, velocity=2.0, **{**ASH, **without})
+                self.assertEqual(ashimpact.impacts(**one).method, "integration")
+                with self.assertRaisesRegex(ashimpact.InputError, "has no table; allowed: integration"):
+                    ashimpact.impacts(method="table", **one)
+
     def test_dampings_come_back(self):
         radius = np.geomspace(5e-6, 50e-6, 20)
         contact = {key: value for key, value in ASH.items() if key != "damping"}
@@ -290,7 +315,7 @@ class Impacts(unittest.TestCase):
             (dict(law="\udc80"), "hertz, dmt"),
             (dict(damping_law=["tsuji"]), "constant, contact-radius, tsuji, hunt-crossley"),
             (dict(detachment=["pull-off"]), "zero-overlap"),
-            (dict(method=["table"]), "integration, table"),
+            (dict(method=["table"]), "auto, integration, table"),
             (dict(threads=True), "threads is True"),
             (dict(threads=1.5), "threads is 1.5"),
             (dict(threads=-1), "threads is -1"),

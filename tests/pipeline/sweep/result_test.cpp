@@ -60,6 +60,7 @@ TEST_CASE("a sweep finds the known Sobol indices of the Ishigami function, with 
             {"sampling", {{"method", method}, {"samples", 1 << 16}, {"seed", 11}}},
             {"sensitivity", {"restitution"}}};
         const Json artifact = artifact_of(spec, ishigami);
+        CHECK(artifact["result"]["laws"][0]["method"] == "integration");
         const Json& indices = artifact["result"]["laws"][0]["sensitivity"][0]["indices"];
         const std::array<double, 3> first{0.3139, 0.4424, 0};
         const std::array<double, 3> total{0.5576, 0.4424, 0.2437};
@@ -214,3 +215,16 @@ TEST_CASE("capture against a variable of many values, in sixteen parts of equall
 }
 
 }  // namespace ashimpact
+
+TEST_CASE("many impacts come from tables, where the law and the damping law have one") {
+    const auto method = [](double samples, const Json& impact) {
+        Json spec = test::full_spec(samples);
+        spec["impact"].update(impact);
+        return name_of(SweepPlan(spec.dump()).wanted(Law::named("dmt")).method);
+    };
+    const Json two_terms{
+        {"damping_law", "brach-dunn-damping"}, {"damping", 0.2}, {"adhesion_damping_ratio", 1}};
+    CHECK(method(1 << 10, Json::object()) == "integration");
+    CHECK(method(1 << 19, Json::object()) == "table");
+    CHECK(method(1 << 19, two_terms) == "integration");
+}

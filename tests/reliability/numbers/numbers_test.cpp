@@ -187,7 +187,9 @@ void check_batches(const Many& many, NumbersReport& report) {
     const ImpactBatchResult plain = solve_batch(many, {.threads = 0, .turning_point = false});
     const ImpactBatchResult turning = solve_batch(many, {.threads = 0, .turning_point = true});
     const ImpactBatchResult table =
-        solve_batch(many, {.threads = 0, .turning_point = false, .method = BatchMethod::table});
+        solve_batch(many, {.threads = 0,
+                           .turning_point = false,
+                           .method = method_of_many(many.impacts[0].law, many.impacts[0].damping.law)});
     for (std::size_t i = 0; i < many.impacts.size(); ++i) {
         const auto at = static_cast<Eigen::Index>(i);
         const Impact& impact = many.impacts[i];
