@@ -56,8 +56,10 @@ ExportSubject subject_of_options(const CommandOptions& options) {
                                    "from the command line{}",
                                    readable(choice.contact.work_of_adhesion, "J/m2"),
                                    options.has("--roughness") ? ", lowered by --roughness" : "")};
-    if (damping_choice.requested)
+    if (damping_choice.requested) {
         subject.origins.push_back(requested_words(*damping_choice.requested, damping));
+        subject.velocity = damping_choice.requested->velocity;  // where the user compares first
+    }
     if (choice.partner) subject.partner = {choice.partner->radius, choice.partner->mass};
     if (damping.coefficient == 0 && is_damped(damping, choice.contact.parameters))
         throw InputError("is 0 where another coefficient of the damping acts", "above 0").at("--damping");
@@ -117,7 +119,7 @@ void read_ranges(const CommandOptions& options, ExportSubject& subject) {
     if (options.has("--to-velocity")) {
         subject.to_velocity = options.positive("--to-velocity", Dimension::velocity);
     }
-    if (subject.velocity && subject.to_velocity && *subject.velocity > *subject.to_velocity)
+    if (options.has("--velocity") && subject.to_velocity && *subject.velocity > *subject.to_velocity)
         throw InputError("lies beyond --to-velocity", "up to " + readable(*subject.to_velocity, "m/s"))
             .at("--velocity");
 }
@@ -257,9 +259,8 @@ void add_export(const CommandLine& line, const CommandBody& body) {
     command.add_flag("--follow-velocity", "of a run: damping along the measured e(v_in), the default");
     command.add_contact_options(false);
     command.add_damping_option();
-    command.add("--velocity", "Q", "one more impact to check");
-    command.add("--friction", "MU",
-                "coefficient of Coulomb friction on a wall; default: that of the run's case, else none");
+    command.add("--velocity", "Q", "one more impact to check; default: that of --at");
+    command.add("--friction", "MU", "coefficient of Coulomb friction, for openfoam, fluent; default: none");
     command.add("--from-diameter", "Q", "smallest size; default: that of the sphere or samples");
     command.add("--to-diameter", "Q", "largest size; default: that of the sphere or samples");
     command.add("--to-velocity", "Q", "largest velocity; default: 10 v_c, at least 10 m/s");

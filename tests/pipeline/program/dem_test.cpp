@@ -137,6 +137,21 @@ TEST_CASE("contact lists the constants of a softened contact") {
         check_refused(sandbox, contact + " --soften " + wrong, "--soften: ");
 }
 
+TEST_CASE("the folder of a requested restitution is compared at its velocity, softened too") {
+    const Sandbox sandbox;
+    const std::string lammps = "export lammps --law dmt --damping-law hunt-crossley" + dem_ash +
+                               " --damping-restitution 0.3 --at '2 m/s' -o d --soften ";
+    succeeded(sandbox, lammps + "100");
+    bool compared = false;
+    for (const Json& impact : sandbox.json("d/expected.json")["impacts"])
+        if (si_value(impact["velocity"]) == 2.0) {
+            compared = true;
+            CHECK(si_value(impact["restitution"]) == doctest::Approx(0.296).epsilon(1e-3));
+        }
+    CHECK(compared);
+    check_refused(sandbox, lammps + "10000", "at 2 m/s the contact of 88 um softened 10000 times overlaps by");
+}
+
 TEST_CASE("exports refuse a softening that no contact follows or that goes too far") {
     const Sandbox sandbox;
     const std::string lammps = "export lammps --law dmt --damping '0.0141 kg/s' -o d" + dem_ash;
