@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <ctime>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -23,6 +24,8 @@ namespace ashimpact::bench {
 namespace {
 
 constexpr std::int64_t peak_rounds = 2'000'000;
+constexpr Eigen::Index tabulated_impacts = 16384;
+constexpr Eigen::Index single_impacts = 512;
 
 std::string name_of(const ImpactBatch& batch) {
     return std::string(batch.law.name()) + ' ' + std::string(ashimpact::name_of(batch.damping_law));
@@ -39,7 +42,7 @@ void for_each_law(const std::function<void(const LawImpacts&)>& measure) {
     for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
         for (const DampingLaw damping : all_values<DampingLaw>) {
             if (!batch::has_kernels(law, damping)) continue;  // the scalar solver
-            const Population many = population(law, law.default_detachment(), damping, 16384);
+            const Population many = population(law, law.default_detachment(), damping, tabulated_impacts);
             measure({many, many.impacts.batch(), static_cast<double>(many.restitution.size())});
         }
     }
@@ -98,9 +101,9 @@ void print_integrated_laws(const Options& options) {
     });
 }
 
-void print_tabulated_laws(const Options& options) {
-    fmt::print("\n{:<30}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "tables, best set", "impacts/s", "worst",
-               "made in, s", "dampings/s", "v_c/s");
+void print_tabulated_laws(const Options& options, double unit) {
+    fmt::print("\n{:<30}{:>12}{:>12}{:>12}{:>12}{:>12}{:>8}\n", "tables, best set", "impacts/s", "worst",
+               "made in, s", "dampings/s", "v_c/s", "/ GSL");
     for_each_law([&](const LawImpacts& many) {
         const auto& [population, batch, count] = many;
         ImpactBatchResult result;
@@ -118,9 +121,57 @@ void print_tabulated_laws(const Options& options) {
               }}},
             options);
         const Errors errors = errors_of(result.restitution, population.restitution);
-        fmt::print("{:<30}{:>12.0f}{:>12.1e}{:>12.2f}{:>12.0f}{:>12.0f}\n", name_of(batch),
-                   rates.at("impacts"), errors.worst, making, rates.at("dampings"), rates.at("critical"));
+        fmt::print("{:<30}{:>12.0f}{:>12.1e}{:>12.2f}{:>12.0f}{:>12.0f}{:>8.0f}\n", name_of(batch),
+                   rates.at("impacts"), errors.worst, making, rates.at("dampings"), rates.at("critical"),
+                   rates.at("impacts") / unit);
     });
+}
+
+void print_single_laws(const Options& options, double unit) {
+    struct Row {
+        Law law;
+        DampingLaw damping;
+        double yield_pressure = std::numeric_limits<double>::infinity();
+    };
+    fmt::print("\n{:<30}{:>12}{:>12}{:>12}{:>8}\n", "one by one", "impacts/s", "dampings/s", "v_c/s",
+               "/ GSL");
+    for (const Row& row : {Row{Law::of<Hertz>(), DampingLaw::brach_dunn},
+                           {Law::of<Dmt>(), DampingLaw::brach_dunn},
+                           {Law::of<BrachDunn>(), DampingLaw::brach_dunn},
+                           {Law::of<Jkr>(), DampingLaw::brach_dunn},
+                           {Law::of<MaugisDugdale>(), DampingLaw::constant},
+                           {Law::of<ThorntonNing>(), DampingLaw::constant, 2e9}}) {
+        const bool two_terms = row.damping == DampingLaw::brach_dunn;
+        Population some = population(two_terms ? row.law : Law::of<Jkr>(),
+                                     two_terms ? row.law.default_detachment() : Detachment::pull_off,
+                                     two_terms ? DampingLaw::hunt_crossley : row.damping, single_impacts);
+        some.impacts.law = row.law;
+        some.impacts.damping_law = row.damping;
+        const Eigen::ArrayXd yield_pressure = Eigen::ArrayXd::Constant(1, row.yield_pressure);
+        const auto& own = some.impacts;
+        const ImpactBatch batch{own.law,
+                                own.detachment,
+                                own.damping_law,
+                                {own.mass, own.effective_radius, own.contact_modulus, own.work_of_adhesion,
+                                 yield_pressure, own.batch().contact.parameters},
+                                own.damping,
+                                own.velocity};
+        ImpactBatchResult result;
+        solve_impacts(batch, result);
+        some.restitution.assign(result.restitution.begin(), result.restitution.end());
+        const LawImpacts all{some, batch, static_cast<double>(single_impacts)};
+        const auto rates = rates_of(
+            {{"impacts", all.count, [&] { solve_impacts(batch, result); }},
+             {"dampings", all.count, [&] { find_dampings(all, BatchMethod::integration); }},
+             {"critical", all.count,
+              [&] {
+                  benchmark::DoNotOptimize(critical_velocities(
+                      {batch.law, batch.detachment, batch.damping_law, batch.contact, batch.damping}));
+              }}},
+            options);
+        fmt::print("{:<30}{:>12.0f}{:>12.0f}{:>12.0f}{:>8.2f}\n", name_of(batch), rates.at("impacts"),
+                   rates.at("dampings"), rates.at("critical"), rates.at("impacts") / unit);
+    }
 }
 
 }  // namespace ashimpact::bench

@@ -8,8 +8,11 @@ namespace ashimpact::bench {
 
 /// Prints for every law and damping law what it does from tables: impacts, their worst error, what making the
 /// tables took over the range of those impacts (only where none has been made), dampings and critical
-/// velocities.
-void print_tabulated_laws(const Options& options);
+/// velocities. @param unit impacts/s of GSL
+void print_tabulated_laws(const Options& options, double unit);
+
+/// Prints the same of laws and damping laws without kernels, whose impacts go one by one, turns included.
+void print_single_laws(const Options& options, double unit);
 
 /// Prints the same impacts integrated, and what share of the core's peak they take.
 void print_integrated_laws(const Options& options);

@@ -44,6 +44,14 @@ void print_row(const std::string& name, double rate, const Errors& errors, doubl
                rate / unit);
 }
 
+/// Impacts/s by GSL rk8pd 1e-10, of DMT with constant damping.
+double gsl_rate(const Options& options) {
+    const Population few = population(Law::of<Dmt>(), Detachment::zero_overlap, DampingLaw::constant, 512);
+    std::vector<double> found(few.restitution.size());
+    return rates_of({{"GSL", static_cast<double>(found.size()), one_by_one(few, gsl_rk8pd, found)}}, options)
+        .at("GSL");
+}
+
 /// The tables of methods: DMT with constant damping, and viscoelastic spheres without adhesion.
 void compare_methods(const Options& options) {
     const Population many = population(Law::of<Dmt>(), Detachment::zero_overlap, DampingLaw::constant, 16384);
@@ -124,7 +132,9 @@ void run(const Options& options) {
                options.repetitions);
     measure_start_up(options);  // first: this process is small as yet, and quick to fork
     pin_to_one_core();
-    print_tabulated_laws(options);  // while there are no tables
+    const double unit = gsl_rate(options);
+    print_tabulated_laws(options, unit);  // while there are no tables
+    print_single_laws(options, unit);
     compare_methods(options);
     print_integrated_laws(options);
     print_seams(options);
