@@ -322,7 +322,7 @@ TEST_CASE("an elastic-plastic law goes through the scalar solver") {
     CHECK(result.scalar == impacts.size());
     CHECK(
         input_error_of([&] { return solve_impacts(batch, {.method = BatchMethod::table}); }) ==
-        "method 'table': law 'thornton-ning' with damping law 'constant' has no table; allowed: integration");
+        "method 'table': law 'thornton-ning' with damping law 'hunt-crossley' has no table; allowed: integration");
     // Whatever the columns held before, such as possible turns.
     Eigen::ArrayXd approach_time = Eigen::ArrayXd::Constant(impacts.size(), 1e-300);
     Eigen::ArrayXd maximum_overlap = Eigen::ArrayXd::Constant(impacts.size(), 1e-9);
