@@ -150,7 +150,8 @@ TEST_CASE("the folder of a requested restitution is compared at its velocity, so
             CHECK(si_value(impact["restitution"]) == doctest::Approx(0.296).epsilon(1e-3));
         }
     CHECK(compared);
-    check_refused(sandbox, lammps + "10000", "at 2 m/s the contact of 88 um softened 10000 times overlaps by");
+    check_refused(sandbox, lammps + "10000",
+                  "at 2 m/s the contact of 88 um softened 10000 times overlaps by");
 }
 
 TEST_CASE("exports refuse a softening that no contact follows or that goes too far") {

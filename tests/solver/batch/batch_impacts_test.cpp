@@ -320,9 +320,9 @@ TEST_CASE("an elastic-plastic law goes through the scalar solver") {
                       impacts.velocity};
     const ImpactBatchResult result = solve_impacts(batch);
     CHECK(result.scalar == impacts.size());
-    CHECK(
-        input_error_of([&] { return solve_impacts(batch, {.method = BatchMethod::table}); }) ==
-        "method 'table': law 'thornton-ning' with damping law 'hunt-crossley' has no table; allowed: integration");
+    CHECK(input_error_of([&] { return solve_impacts(batch, {.method = BatchMethod::table}); }) ==
+          "method 'table': law 'thornton-ning' with damping law 'hunt-crossley' has no table; allowed: "
+          "integration");
     // Whatever the columns held before, such as possible turns.
     Eigen::ArrayXd approach_time = Eigen::ArrayXd::Constant(impacts.size(), 1e-300);
     Eigen::ArrayXd maximum_overlap = Eigen::ArrayXd::Constant(impacts.size(), 1e-9);
