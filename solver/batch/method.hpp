@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "core/quantities/names.hpp"
+#include "solver/contact/law.hpp"
+#include "solver/damping/damping.hpp"
+
+namespace ashimpact {
+
+/// How the impacts of a batch are solved; both keep the bound of solve_impacts().
+enum class BatchMethod {
+    integration,  ///< each impact is integrated
+    table,  ///< e and contact time come from a table of the law's impacts. Its parts are integrated when they
+            ///< are first needed, then kept. Impacts next to the edge of capture are integrated. Faster from
+            ///< about 100,000 impacts on. Refused where has_tables() is false.
+};
+
+template <>
+struct Names<BatchMethod> {
+    static constexpr std::string_view kind = "method";
+    static constexpr std::array<std::string_view, 2> all{"integration", "table"};
+};
+
+/// Whether there are tables of a contact law with a damping law: both have kernels.
+[[nodiscard]] bool has_tables(Law law, DampingLaw damping_law);
+/// The method for the many impacts of a contact law: table where there is one.
+[[nodiscard]] inline BatchMethod method_of_many(Law law, DampingLaw damping_law) {
+    return has_tables(law, damping_law) ? BatchMethod::table : BatchMethod::integration;
+}
+
+}  // namespace ashimpact
