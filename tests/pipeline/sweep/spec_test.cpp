@@ -375,8 +375,8 @@ TEST_CASE("points are numbered through chunks; the last one has what is left") {
     CHECK(plan.first_point(6) == 6 * 2048);
     CHECK(plan.rows() == 56'000);
     CHECK(plan.impacts() == 112'000);
-    CHECK(plan.wanted().contact_time);
-    CHECK_FALSE(plan.wanted().maximum_overlap);
+    CHECK(plan.wanted(Law::named("hertz")).contact_time);
+    CHECK_FALSE(plan.wanted(Law::named("hertz")).maximum_overlap);
 }
 
 TEST_CASE("every block that is assigned comes back once") {
