@@ -177,7 +177,8 @@ void run_command_line(CLI::App& program, int argc, const char* const* argv, cons
         return;
     }
     check_common_options(program);
-    constexpr std::array<std::string_view, 6> writing{"run", "sweep", "init", "export", "report", "figure"};
+    constexpr std::array<std::string_view, 7> writing{"run",    "sweep",  "init",   "export",
+                                                      "report", "figure", "deposit"};
     const std::string command = program.get_subcommands().front()->get_name();
     perform(action, std::find(writing.begin(), writing.end(), command) != writing.end(), messages);
 }
@@ -238,6 +239,7 @@ void set_up_commands(CLI::App& program, Action& action, const CommandBody& sweep
     add_sweep(line, sweep);
     add_report_commands(line);
     add_export(line, exporter);
+    add_deposit(line);
     add_calibrate(line);
     add_cross_check(line);
     add_document_commands(line);

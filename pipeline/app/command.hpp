@@ -75,6 +75,7 @@ void add_run(const CommandLine& line);
 void add_modulus(const CommandLine& line);
 void add_contact_commands(const CommandLine& line);
 void add_damping(const CommandLine& line);
+void add_deposit(const CommandLine& line);
 void add_sweep(const CommandLine& line, const CommandBody& body);
 void add_report_commands(const CommandLine& line);
 void add_export(const CommandLine& line, const CommandBody& body);

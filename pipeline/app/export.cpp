@@ -124,21 +124,6 @@ void read_ranges(const CommandOptions& options, ExportSubject& subject) {
             .at("--velocity");
 }
 
-/// Options of an impact beside a run: a run has them all but the law.
-void refuse_contact_options(const CommandOptions& options) {
-    const auto refuse = [](const std::string& name) {
-        throw InputError("the run has it", "a run, or the options of an impact").at(name);
-    };
-    for (const char* name :
-         {"--radius", "--diameter", "--density", "--mass", "--partner-radius", "--partner-diameter",
-          "--partner-density", "--partner-mass", "--roughness", "--contact-modulus", "--work-of-adhesion",
-          "--yield-pressure", "--damping", "--damping-restitution", "--detachment"})
-        if (options.has(name)) refuse(name);
-    for (const LawParameter& parameter : law_parameters())
-        if (options.has(option_of(parameter))) refuse(option_of(parameter));
-    if (options["--damping-law"] != name_of(DampingLaw::constant)) refuse("--damping-law");
-}
-
 /// The subject with the damping of one velocity, and a line on that.
 ExportSubject with_one_damping(const ExportSubject& subject, double velocity) {
     ExportSubject constant = with_damping_at(subject, velocity);

@@ -235,6 +235,20 @@ std::vector<Finding> CommandOptions::doubts() const {
     return all;
 }
 
+void refuse_contact_options(const CommandOptions& options) {
+    const auto refuse = [](const std::string& name) {
+        throw InputError("the run has it", "a run, or the options of an impact").at(name);
+    };
+    for (const char* name :
+         {"--radius", "--diameter", "--density", "--mass", "--partner-radius", "--partner-diameter",
+          "--partner-density", "--partner-mass", "--roughness", "--contact-modulus", "--work-of-adhesion",
+          "--yield-pressure", "--damping", "--damping-restitution", "--detachment"})
+        if (options.has(name)) refuse(name);
+    for (const LawParameter& parameter : law_parameters())
+        if (options.has(option_of(parameter))) refuse(option_of(parameter));
+    if (options["--damping-law"] != name_of(DampingLaw::constant)) refuse("--damping-law");
+}
+
 ContactChoice read_contact(const CommandOptions& options) {
     const Law law = at_place("--law", [&] { return Law::named(options["--law"]); });
     const Detachment detachment = read_detachment(options["--detachment"], law);

@@ -76,6 +76,9 @@ struct Answer {
 [[nodiscard]] std::string dampings_text(const DampingComparison& comparison,
                                         std::size_t width = output_width());
 
+/// "60 to 130 um"
+[[nodiscard]] std::string size_range_text(const SizeRange& range);
+
 /// What the critical velocities by size say: where the assumptions on damping agree, or on what the others
 /// rest. Empty if there are none.
 [[nodiscard]] std::string sizes_sentence(const ComparisonResult& result);

@@ -62,16 +62,6 @@ std::vector<SizeBasis> assumptions_of(const ComparisonResult& result) {
     return list;
 }
 
-/// "60 to 130 um"
-std::string size_range_text(const SizeRange& range) {
-    const std::string from = readable(range.from, "m");
-    const std::string to = readable(range.to, "m");
-    if (from == to) return to;
-    const auto number = from.find(' ');
-    const bool same_unit = number != std::string::npos && to.ends_with(from.substr(number));
-    return (same_unit ? from.substr(0, number) : from) + " to " + to;
-}
-
 /// A number that orders velocities: 0 if nothing is captured, infinite if everything is.
 std::optional<double> ordered_velocity(const SizeVelocity& row) {
     switch (row.verdict) {
@@ -146,6 +136,15 @@ std::vector<RowsOfSize> shown_sizes(const ComparisonResult& result) {
 }
 
 }  // namespace
+
+std::string size_range_text(const SizeRange& range) {
+    const std::string from = readable(range.from, "m");
+    const std::string to = readable(range.to, "m");
+    if (from == to) return to;
+    const auto number = from.find(' ');
+    const bool same_unit = number != std::string::npos && to.ends_with(from.substr(number));
+    return (same_unit ? from.substr(0, number) : from) + " to " + to;
+}
 
 std::string dampings_text(const DampingComparison& comparison, std::size_t width) {
     TextTable table({"damping law", "constants", "misfit", "evidence", "v_c"}, 1);

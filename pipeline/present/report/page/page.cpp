@@ -319,6 +319,27 @@ std::string html_notes(const std::vector<std::string>& notes) {
     return html + "</ul>";
 }
 
+std::vector<std::string> escaped_texts(const Json& list) {
+    std::vector<std::string> texts;
+    for (const Json& text : list) texts.push_back(escaped(text.get<std::string>()));
+    return texts;
+}
+
+std::string html_provenance(const Json& artifact) {
+    const Json& from = artifact.at("provenance");
+    std::string html = fmt::format("<p>{} {}, revision <span class=\"hash\">{}</span>.</p>\n",
+                                   escaped(from.value("program", "")), escaped(from.value("version", "")),
+                                   escaped(from.value("revision", "")));
+    for (const Json& input : from.at("inputs"))
+        html += fmt::format("<p>{} <span class=\"hash\">{}</span></p>\n", html_name(input.value("file", "")),
+                            escaped(input.value("sha256", "")));
+    html += "<details open><summary>What was asked for</summary>" +
+            html_scroll("What was asked for", "<pre>" + escaped(write_json(from.at("options"))) + "</pre>",
+                        "scroll tall") +
+            "</details>\n" + html_notes(escaped_texts(artifact.at("citations")));
+    return html_section("provenance", "Provenance", html);
+}
+
 std::string html_contents(const std::vector<std::string_view>& figures) {
     std::string html = "<nav aria-label=\"Figures\">";
     for (const std::string_view id : figures) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/json/document.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/report/drawing/figure.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
@@ -61,6 +62,12 @@ inline constexpr std::string_view figures_folder = "figures";
 
 /// Links to figures and to the provenance.
 [[nodiscard]] std::string html_contents(const std::vector<std::string_view>& figures);
+
+/// Escaped texts of a JSON list.
+[[nodiscard]] std::vector<std::string> escaped_texts(const Json& list);
+
+/// Program, inputs, options and citations of an artifact that is no part of a run, as a section.
+[[nodiscard]] std::string html_provenance(const Json& artifact);
 
 /// A whole page: head with the strict content security policy, style and script.
 [[nodiscard]] std::string html_page(const std::string& title, const std::string& body);

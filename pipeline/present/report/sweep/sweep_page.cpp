@@ -162,28 +162,6 @@ std::string sweep_answers(const Json& result) {
     return html + "</ul>\n";
 }
 
-/// Escaped texts of a list.
-std::vector<std::string> escaped_texts(const Json& list) {
-    std::vector<std::string> texts;
-    for (const Json& text : list) texts.push_back(escaped(text.get<std::string>()));
-    return texts;
-}
-
-std::string sweep_provenance(const Json& artifact) {
-    const Json& from = artifact.at("provenance");
-    std::string html = fmt::format("<p>{} {}, revision <span class=\"hash\">{}</span>.</p>\n",
-                                   escaped(from.value("program", "")), escaped(from.value("version", "")),
-                                   escaped(from.value("revision", "")));
-    for (const Json& input : from.at("inputs"))
-        html += fmt::format("<p>{} <span class=\"hash\">{}</span></p>\n", html_name(input.value("file", "")),
-                            escaped(input.value("sha256", "")));
-    html += "<details open><summary>What was asked for</summary>" +
-            html_scroll("What was asked for", "<pre>" + escaped(write_json(from.at("options"))) + "</pre>",
-                        "scroll tall") +
-            "</details>\n" + html_notes(escaped_texts(artifact.at("citations")));
-    return html_section("provenance", "Provenance", html);
-}
-
 }  // namespace
 
 std::string sweep_page(const Json& artifact, const CaptureFractions& captured, const std::string& name) {
@@ -203,7 +181,7 @@ std::string sweep_page(const Json& artifact, const CaptureFractions& captured, c
     body += html_contents(ids) + html_section("figures", "Figures", drawn);
     if (!artifact.at("warnings").empty())
         body += html_section("warnings", "Warnings", html_notes(escaped_texts(artifact.at("warnings"))));
-    return html_page(name, body + sweep_provenance(artifact) + "</main>\n");
+    return html_page(name, body + html_provenance(artifact) + "</main>\n");
 }
 
 }  // namespace ashimpact::report

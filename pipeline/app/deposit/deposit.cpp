@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <limits>
+#include <ostream>
+
+#include <spdlog/spdlog.h>
+
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
+#include "materials/contact_properties.hpp"
+#include "pipeline/app/command.hpp"
+#include "pipeline/app/contact/damping_choice.hpp"
+#include "pipeline/app/deposit/sizes_choice.hpp"
+#include "pipeline/app/terminal.hpp"
+#include "pipeline/document/artifact.hpp"
+#include "pipeline/document/deposition_fields.hpp"
+#include "pipeline/document/edits.hpp"
+#include "pipeline/document/results_json.hpp"
+#include "pipeline/files/file.hpp"
+#include "pipeline/present/report/deposition/deposition_page.hpp"
+#include "pipeline/present/text/deposition_text.hpp"
+#include "pipeline/run/deposition.hpp"
+#include "pipeline/run/stage.hpp"
+#include "solver/batch/parallel.hpp"
+#include "solver/contact/maugis_dugdale.hpp"
+#include "solver/deposition/tube_flow.hpp"
+#include "solver/surrogate/rebound_table.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr int classes_of_sizes = 80;
+constexpr auto deposit_artifact = "deposit.json";
+constexpr double normal_temperature = 273.15;  ///< of "Nm3" [K]
+
+/// The load at the temperature of the gas: "10 g/m3", or at 0 C as plants state it, "35 g/Nm3" [kg/m3].
+double read_load(const CommandOptions& options, double gas_temperature) {
+    CommandOptions typed = options;
+    std::string& text = typed.text_of("--ash-load");
+    const auto normal = text.find("Nm3");
+    if (normal == std::string::npos) return typed.positive("--ash-load", Dimension::density);
+    text.erase(normal, 1);
+    return typed.positive("--ash-load", Dimension::density) * normal_temperature / gas_temperature;
+}
+
+TubeConditions read_tube(const CommandOptions& options) {
+    TubeConditions tube{.diameter = options.positive("--tube-diameter", Dimension::length),
+                        .velocity = options.positive("--gas-velocity", Dimension::velocity),
+                        .temperature = options.positive("--gas-temperature", Dimension::temperature)};
+    const Gas air = air_at(tube.temperature);
+    tube.density = air.density;
+    tube.viscosity = air.viscosity;
+    if (options.has("--gas-viscosity")) {
+        tube.viscosity = options.positive("--gas-viscosity", Dimension::viscosity);
+        tube.viscosity_given = true;
+    }
+    if (options.has("--ash-load")) tube.load = read_load(options, tube.temperature);
+    return tube;
+}
+
+/// Ash by the options of a contact: one law and its constants for every size.
+DepositingAsh ash_of_options(const CommandOptions& options, std::vector<SizeClass> classes) {
+    for (const char* option : {"--diameter", "--radius", "--mass"})
+        if (options.has(option)) throw InputError("the sizes are those of --sizes", "--density").at(option);
+    for (const char* option :
+         {"--partner-radius", "--partner-diameter", "--partner-density", "--partner-mass"})
+        if (options.has(option)) throw InputError("the partner is the tube", "no second sphere").at(option);
+    for (const char* option : {"--roughness", "--tabor"})
+        if (options.has(option))
+            throw InputError("goes with the size, and a tube meets many",
+                             std::string_view(option) == "--tabor"
+                                 ? "--cohesion-range or --cohesive-stress"
+                                 : "the w of rough surfaces by --work-of-adhesion")
+                .at(option);
+    if (options.has("--assumption"))
+        throw InputError("belongs to a run", "--damping-law, the law for every size").at("--assumption");
+    CommandOptions typed = options;
+    typed.text_of("--diameter") = shortest(classes.back().diameter());
+    const ContactChoice choice = read_contact(typed);
+    const Damping damping = read_damping_choice(typed, choice.contact).damping;
+    const double density = sphere_density(choice.sphere.radius, choice.sphere.mass);
+    const bool damped = is_damped(damping, choice.contact.parameters);
+    ClassVelocities velocities{.basis =
+                                   damped ? named<SizeBasis>(name_of(damping.law)) : SizeBasis::adhesion};
+    velocities.value = in_parallel(classes, [&](const SizeClass& size) {
+        ContactPair contact = choice.contact;
+        contact.effective_radius = size.diameter() / 2;
+        contact.mass = sphere_mass(contact.effective_radius, density);
+        const CriticalVelocity critical =
+            quick_critical_velocity({choice.law, choice.detachment, damping, contact});
+        if (critical.verdict == CaptureVerdict::never_captured) return 0.0;
+        return critical.value.value_or(std::numeric_limits<double>::infinity());
+    });
+    velocities.lower = velocities.upper = velocities.value;
+    std::vector<double> densities(classes.size(), density);
+    return {.law = choice.law,
+            .classes = std::move(classes),
+            .densities = std::move(densities),
+            .assumptions = {std::move(velocities)}};
+}
+
+/// What a result was computed from.
+struct DepositSource {
+    DepositingAsh ash{};
+    std::vector<InputFile> inputs{};
+    std::string run{};  ///< its identity; empty: none
+    bool rests_on_edit = false;
+};
+
+DepositSource source_of_run(const CommandOptions& options, std::vector<SizeClass> classes) {
+    refuse_contact_options(options);
+    if (options.has("--law"))
+        throw InputError("the run has it", "a run, or the options of an impact").at("--law");
+    const std::filesystem::path folder(options["run"]);
+    const Artifacts artifacts =
+        load_artifacts(folder, {case_artifact, contact_artifact, comparison_artifact});
+    DepositSource source;
+    for (const std::string_view file : {case_artifact, contact_artifact, comparison_artifact}) {
+        const Artifact& artifact = artifacts.at(file);
+        source.inputs.push_back({artifact.place, sha256(artifact.bytes)});
+        const Json& provenance = artifact.document->at("provenance");
+        source.rests_on_edit |= artifact.edited || provenance.value("edited", false);
+    }
+    source.run = run_of(*artifacts.at(comparison_artifact).document);
+    std::optional<SizeBasis> basis;
+    if (options.has("--assumption")) {
+        basis = at_place("--assumption", [&] { return named<SizeBasis>(options["--assumption"]); });
+        if (*basis == SizeBasis::measured)
+            throw InputError("holds within the measured sizes alone", "what v_c follows from elsewhere")
+                .at("--assumption");
+    }
+    const Run run = read_run(artifacts);
+    source.ash = at_place(FileName{artifacts.at(comparison_artifact).place},
+                          [&] { return ash_of_run(run, std::move(classes), basis); });
+    return source;
+}
+
+/// The options that were given, for the provenance.
+Json options_json(const CommandOptions& options) {
+    Json json = Json::object();
+    for (const char* name : {"--tube-diameter", "--gas-velocity", "--gas-temperature", "--gas-viscosity",
+                             "--sizes", "--ash-load", "--assumption", "--law", "--density",
+                             "--contact-modulus", "--work-of-adhesion", "--damping-law", "--damping"})
+        if (options.has(name)) json[std::string(name).substr(2)] = options[name];
+    return json;
+}
+
+/// Refuses to write over a file of that name that is no deposition.
+void require_own(const std::filesystem::path& file) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) return;
+    const Json earlier = Json::parse(read_file(file), nullptr, false);
+    if (earlier.is_object() && earlier.value("schema", "") == "deposit") return;
+    throw InputError("is there already, and no result of deposit", "another -o").at(FileName{file.string()});
+}
+
+void run_deposit_command(const CommandOptions& options, std::ostream& out) {
+    if (!options.has("run") && !options.has("--law"))
+        throw InputError("neither a run nor a contact is given",
+                         "RUN_DIR; or --law, --density and the other options of an impact")
+            .at("deposit");
+    const TubeConditions conditions = read_tube(options);
+    const std::filesystem::path folder(options["--output"]);
+    require_writable_folder(folder);
+    require_own(folder / deposit_artifact);
+    SizesChoice sizes = read_sizes(options["--sizes"], table_options(options));
+    warn_of(sizes.notes, sizes.file ? sizes.file->file : "--sizes");
+    TubeConditions tube = conditions;
+    tube.sizes = sizes.words;
+    std::vector<SizeClass> classes = sizes.sizes.classes(classes_of_sizes);
+    DepositSource source;
+    if (options.has("run"))
+        source = source_of_run(options, std::move(classes));
+    else
+        source.ash = ash_of_options(options, std::move(classes));
+    if (sizes.file) source.inputs.push_back(*sizes.file);
+
+    StageRecord record{.stage = "deposition", .file = deposit_artifact};
+    record.note(options.doubts(), "");
+    record.note(sizes.notes, "");
+    const DepositionResult result = deposition_on(tube, source.ash, record);
+    const Artifact artifact = sealed_artifact({.record = record,
+                                               .inputs = source.inputs,
+                                               .options = options_json(options),
+                                               .rests_on_edit = source.rests_on_edit},
+                                              to_json(result, DampingLaw::constant), source.run);
+    std::vector<FileContent> files{
+        {folder / deposit_artifact, artifact.bytes},
+        {folder / "deposit.html", report::deposition_page(result, *artifact.document)}};
+    for (const report::Figure& figure : report::deposition_figures(result))
+        files.push_back({folder / ("deposit-" + figure.id + ".csv"), report::csv_of(figure.numbers)});
+    write_files(files);
+    for (const Note& note : record.notes)
+        if (note.code == "deposition") spdlog::warn("warning: {}", note.text);
+    out << deposition_text(result) << "Written:";
+    for (const FileContent& file : files) out << ' ' << file.path.string();
+    out << '\n';
+}
+
+}  // namespace
+
+void add_deposit(const CommandLine& line) {
+    Command command = line.add(
+        "deposit", "What stays on a tube in a flow of ash: mass by size and around the tube",
+        "ashimpact deposit results --tube-diameter \"38 mm\" --gas-velocity \"12 m/s\" --gas-temperature "
+        "\"900 C\" "
+        "--sizes \"rosin-rammler: 20 um, 1.2\" --ash-load \"10 g/m3\" -o tube\n"
+        "  ashimpact deposit --law jkr --density \"2300 kg/m3\" --contact-modulus \"90 GPa\" "
+        "--work-of-adhesion "
+        "\"0.3 J/m2\" --damping-law tsuji --damping 0.5 --tube-diameter \"38 mm\" --gas-velocity \"12 m/s\" "
+        "--gas-temperature \"900 C\" --sizes \"20 um\" -o tube",
+        run_deposit_command);
+    command.add("run", "RUN_DIR", "folder of a finished run; else give the options of an impact");
+    command.add("--tube-diameter", "Q", "outside, \"38 mm\"")->required();
+    command.add("--gas-velocity", "Q", "far upstream, \"12 m/s\"")->required();
+    command.add("--gas-temperature", "Q", "\"900 C\"")->required();
+    command.add("--gas-viscosity", "Q", "default: that of air at the temperature");
+    command.add("--sizes", "SPEC", sizes_forms)->required();
+    command.add("--ash-load", "Q",
+                "mass of ash in the gas, \"10 g/m3\" at its temperature, \"35 g/Nm3\" at 0 C; without it "
+                "shares only");
+    command.add(
+        "--assumption", "NAME",
+        "of a run: what v_c follows from where sizes were not measured, tsuji; default: the first that the "
+        "impacts admit of contact-radius, tsuji, hunt-crossley, brach-dunn-damping, power-of-size, constant");
+    command.add_table_options();
+    command.add_contact_options(false);
+    command.add_damping_option();
+    command.add("-o,--output", "DIR", "folder to write")->required();
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "core/plausibility.hpp"
+#include "core/tables/text_lines.hpp"
+#include "core/tables/vocabulary.hpp"
+#include "core/tables/workbook/workbook.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
+#include "core/units/units.hpp"
+#include "pipeline/app/deposit/sizes_choice.hpp"
+
+namespace ashimpact {
+
+/// Columns of a sieve table.
+enum class SieveColumn { size, from, to, finer, coarser, retained, share };
+
+template <>
+struct Names<SieveColumn> {
+    static constexpr std::string_view kind = "sieve column";
+    static constexpr std::array<std::string_view, 7> all{"size",    "from",     "to",   "finer",
+                                                         "coarser", "retained", "share"};
+};
+
+namespace {
+
+constexpr TextLimits sieve_limits{.content = "a sieve table"};
+constexpr double sum_tolerance = 0.02;   ///< of shares from 1
+constexpr double end_tolerance = 0.005;  ///< of a share at the largest size from 1
+constexpr double finest_ratio = 0.5;     ///< what passes the finest sieve begins at so much of its size
+constexpr double notable_fines = 0.05;   ///< of the mass, finer than the finest sieve
+
+/// A heading cut into its name and its unit: "passing [%]", "size in um", "d (mm)".
+struct SieveHeading {
+    std::optional<SieveColumn> column{};
+    std::string unit{};
+};
+
+SieveHeading sieve_heading(const std::string& cell) {
+    static const WordLists words("sieve columns");
+    std::string name = cell;
+    SieveHeading heading;
+    const auto bracket = cell.find_last_of("[(");
+    const auto in = cell.rfind(" in ");
+    if (bracket != std::string::npos) {
+        const auto end = cell.find_first_of("])", bracket);
+        heading.unit = trimmed(std::string_view(cell).substr(bracket + 1, end - bracket - 1));
+        name = trimmed(std::string_view(cell).substr(0, bracket));
+    } else if (in != std::string::npos) {
+        heading.unit = trimmed(std::string_view(cell).substr(in + 4));
+        name = trimmed(std::string_view(cell).substr(0, in));
+    }
+    heading.column = meaning<SieveColumn>(words, name);
+    return heading;
+}
+
+/// A table with its numbers in SI, cumulative or by classes.
+class SieveTable {
+  public:
+    SieveTable(const TextLines& file, std::optional<DecimalMark> decimal) : marks_(decimal) {
+        std::vector<TextLine> lines = lines_with_content(file);
+        const auto heading = std::ranges::find_if(lines, [&](const TextLine& line) { return take(line); });
+        if (heading == lines.end())
+            refuse_line(
+                file.lines().front().number, "no line names the columns of a sieve table",
+                "\"size [um]\" with \"passing [%]\" or \"residue [%]\"; or \"from [um]\", \"to [um]\", "
+                "\"share [%]\"");
+        const std::vector<TextLine> below(heading + 1, lines.end());
+        for (const TextLine& line : below)
+            for_each_cell(line, separator_,
+                          [&](std::string_view cell, std::size_t k) { marks_.see(cell, k); });
+        for (const TextLine& line : below) add(cut_row(line, separator_));
+        last_line_ = below.empty() ? heading->number : below.back().number;
+    }
+
+    [[nodiscard]] ParticleSizes sizes(std::vector<Finding>& notes) const {
+        if (rows_.empty())
+            refuse_line(last_line_, "there are no rows below the heading", "a size and a share each");
+        return kind_ == SieveColumn::share ? by_classes() : cumulative(notes);
+    }
+
+  private:
+    struct ShareRow {
+        std::size_t line;
+        double from, to, share;  ///< from: of classes only [m, m, 1]
+    };
+
+    [[nodiscard]] std::optional<std::size_t> place(SieveColumn column) const {
+        for (std::size_t i = 0; i < columns_.size(); ++i)
+            if (columns_[i].column == column) return i;
+        return std::nullopt;
+    }
+
+    /// Whether the line is the heading, which it becomes.
+    bool take(const TextLine& line) {
+        separator_ = separator_of(line.text);
+        columns_.clear();
+        for (const std::string& cell : cut_row(line, separator_).cells)
+            columns_.push_back(sieve_heading(cell));
+        if (place(SieveColumn::retained))
+            refuse_line(line.number, "\"retained\" has two readings",
+                        "\"residue\" for all that is coarser; or \"from\", \"to\" and \"share\" for what "
+                        "lies on each "
+                        "sieve");
+        const bool sized = place(SieveColumn::size) || place(SieveColumn::to);
+        if (place(SieveColumn::share) && place(SieveColumn::from) && sized)
+            kind_ = SieveColumn::share;
+        else if (place(SieveColumn::finer) && sized)
+            kind_ = SieveColumn::finer;
+        else if (place(SieveColumn::coarser) && sized)
+            kind_ = SieveColumn::coarser;
+        else
+            return false;
+        for (const SieveColumn column : {SieveColumn::size, SieveColumn::from, SieveColumn::to})
+            if (const auto k = place(column); k && columns_[*k].unit.empty())
+                refuse_line(line.number, "a column of sizes has no unit", "such as \"size [um]\"");
+        if (place(kind_) != std::nullopt && columns_[*place(kind_)].unit == "%") scale_ = 0.01;
+        unit_given_ = !columns_[*place(kind_)].unit.empty();
+        return true;
+    }
+
+    [[nodiscard]] double number(const TableRow& row, std::size_t column) const {
+        const std::string place = at_cell(row.line, column);
+        const auto read = at_place(place, [&]() { return marks_.read(row.cells.at(column), column); });
+        if (!read) throw InputError("cannot read " + in_quotes(row.cells.at(column)), "a number").at(place);
+        return read->per_cent && !unit_given_ ? read->value / 100 : read->value;
+    }
+    [[nodiscard]] double length(const TableRow& row, SieveColumn column) const {
+        const std::size_t k = *place(column);
+        return at_place(at_cell(row.line, k),
+                        [&] { return to_si(number(row, k), columns_[k].unit, Dimension::length); });
+    }
+
+    void add(const TableRow& row) {
+        if (!row.cells.empty() && is_summary(row.cells.front())) return;
+        if (row.cells.size() < columns_.size())
+            refuse_line(row.line, counted(row.cells.size(), "cell"),
+                        std::to_string(columns_.size()) + " cells");
+        const double share = number(row, *place(kind_)) * scale_;
+        const double to = length(row, place(SieveColumn::to) ? SieveColumn::to : SieveColumn::size);
+        const double from = kind_ == SieveColumn::share ? length(row, SieveColumn::from) : 0;
+        if (!(to > 0) || from < 0 || from >= to)
+            refuse_line(row.line, "the sizes do not rise", "0 < from < to");
+        if (share < 0) refuse_line(row.line, "the share is negative", "zero or more");
+        const auto doubt = implausible(*plausible_range("diameter"), {to});
+        if (doubt && !doubt_) doubt_ = doubt;
+        rows_.push_back({row.line, from, to, share});
+    }
+
+    /// Shares without a unit are per cent if one exceeds what a fraction may be.
+    [[nodiscard]] double bare_scale(double greatest) const {
+        return !unit_given_ && greatest > 1 + sum_tolerance ? 0.01 : 1;
+    }
+
+    [[nodiscard]] ParticleSizes by_classes() const {
+        std::vector<ShareRow> rows = rows_;
+        std::ranges::sort(rows, {}, &ShareRow::to);
+        double sum = 0;
+        for (const ShareRow& row : rows) sum += row.share;
+        const double scale = bare_scale(sum);
+        if (std::abs(sum * scale - 1) > sum_tolerance)
+            refuse_line(rows.front().line, fmt::format("the shares add up to {:.4g} %", 100 * sum * scale),
+                        "98 to 102 %");
+        const double first = rows.front().from > 0 ? rows.front().from : finest_ratio * rows.front().to;
+        std::vector<double> diameters{first};
+        std::vector<double> finer{0};
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (i > 0 && std::abs(rows[i].from / rows[i - 1].to - 1) > 1e-6)
+                refuse_line(rows[i].line, "the class does not begin where the one below it ends",
+                            "classes without gaps");
+            diameters.push_back(rows[i].to);
+            finer.push_back(finer.back() + rows[i].share / sum);
+        }
+        finer.back() = 1;
+        return ParticleSizes::tabulated(std::move(diameters), std::move(finer));
+    }
+
+    [[nodiscard]] ParticleSizes cumulative(std::vector<Finding>& notes) const {
+        if (doubt_) notes.push_back(*doubt_);
+        std::vector<ShareRow> rows = rows_;
+        std::ranges::sort(rows, {}, &ShareRow::to);
+        double greatest = 0;
+        for (const ShareRow& row : rows) greatest = std::max(greatest, row.share);
+        const double scale = bare_scale(greatest);
+        std::vector<double> diameters;
+        std::vector<double> finer;
+        for (const ShareRow& row : rows) {
+            const double share = kind_ == SieveColumn::finer ? row.share * scale : 1 - row.share * scale;
+            if (!diameters.empty() && row.to == diameters.back())
+                refuse_line(row.line, "the size is there twice", "each size once");
+            if (share > 1 + 1e-9 || share < -1e-9 || (!finer.empty() && share < finer.back() - 1e-9))
+                refuse_line(row.line,
+                            kind_ == SieveColumn::finer ? "the share that is finer falls, or exceeds 100 %"
+                                                        : "the share that is coarser rises, or exceeds 100 %",
+                            "cumulative shares by mass from 0 to 100 %");
+            diameters.push_back(row.to);
+            finer.push_back(std::clamp(share, 0.0, 1.0));
+        }
+        if (finer.back() < 1 - end_tolerance)
+            refuse_line(rows.back().line,
+                        fmt::format("{:.3g} % is coarser than the largest size", 100 * (1 - finer.back())),
+                        "a last size that all is finer than");
+        finer.back() = 1;
+        if (finer.front() > 0) {
+            if (finer.front() > notable_fines)
+                notes.push_back(
+                    {"deposition", Severity::remark,
+                     fmt::format("{:.3g} % is finer than the smallest size of the table; it is taken "
+                                 "to lie above half of that size",
+                                 100 * finer.front())});
+            diameters.insert(diameters.begin(), finest_ratio * diameters.front());
+            finer.insert(finer.begin(), 0);
+        }
+        if (diameters.size() < 2)
+            refuse_line(last_line_, "there is one size", "two or more; one size as \"20 um\"");
+        return ParticleSizes::tabulated(std::move(diameters), std::move(finer));
+    }
+
+    NumberMarks marks_;
+    char separator_ = ',';
+    std::vector<SieveHeading> columns_{};
+    SieveColumn kind_ = SieveColumn::finer;
+    double scale_ = 1;
+    bool unit_given_ = false;
+    std::vector<ShareRow> rows_{};
+    std::optional<Finding> doubt_{};
+    std::size_t last_line_ = 1;
+};
+
+bool holds_sieve_table(const TextLines& file) {
+    try {
+        return SieveTable(file, std::nullopt), true;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+ParticleSizes read_sieve_table(std::string_view bytes, const TableOptions& options,
+                               std::vector<Finding>& notes) {
+    if (is_workbook(bytes)) {
+        const ChosenSheet sheet(bytes, {.name = options.sheet,
+                                        .option = "--sheet",
+                                        .code = "deposition",
+                                        .limits = sieve_limits,
+                                        .holds_table = holds_sieve_table});
+        notes.insert(notes.end(), sheet.findings().begin(), sheet.findings().end());
+        return sheet.read(
+            [&](const TextLines& lines) { return SieveTable(lines, options.decimal).sizes(notes); });
+    }
+    if (!options.sheet.empty())
+        throw InputError("a sheet is named, and the file is no spreadsheet", "an .xlsx or .ods")
+            .at("--sheet");
+    return SieveTable(TextLines(bytes, sieve_limits), options.decimal).sizes(notes);
+}
+
+}  // namespace ashimpact

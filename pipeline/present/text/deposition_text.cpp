@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/present/text/deposition_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "core/quantities/quantity.hpp"
+#include "core/text/text.hpp"
+#include "pipeline/present/text/result_text.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr std::size_t most_size_groups = 8;
+constexpr std::size_t arcs_together = 3;  ///< in a row: 15 degrees
+constexpr double shown_share = 5e-4;      ///< of the mass in a row
+constexpr double supported = 0.9;  ///< of the mass that arrives, from which the data support the answer
+
+std::string share_text(double share) {
+    return fmt::format("{:.3g}", 100 * share);
+}
+
+/// "12 %" or "12 % (3 to 40 %)".
+std::string spanned_text(const SpannedShare& share) {
+    return fmt::format("{} % ({} to {} %)", share_text(share.value), share_text(share.span.least),
+                       share_text(share.span.greatest));
+}
+
+std::string flux_number(double flux) {
+    return fmt::format("{:.3g}", flux * grams_an_hour);
+}
+
+std::string flux_cell(const std::optional<Quantity>& flux) {
+    return flux ? flux_number(flux->value) : "-";
+}
+
+/// Neighbouring classes together, weighted by mass or by what arrives of them.
+struct SizeGroup {
+    double from = 0, to = 0, mass = 0, arrives = 0, stays = 0, normal = 0, flux = 0;
+    const DepositedSize* middle = nullptr;
+    bool has_flux = false;
+};
+
+std::vector<SizeGroup> size_groups(const std::vector<DepositedSize>& sizes) {
+    std::vector<SizeGroup> groups;
+    const std::size_t together = (sizes.size() + most_size_groups - 1) / most_size_groups;
+    for (std::size_t i = 0; i < sizes.size(); i += together) {
+        const std::size_t end = std::min(sizes.size(), i + together);
+        SizeGroup group{.from = sizes[i].from, .to = sizes[end - 1].to, .middle = &sizes[(i + end) / 2]};
+        for (std::size_t k = i; k < end; ++k) {
+            const double arrives = sizes[k].mass_fraction * sizes[k].impaction_efficiency;
+            group.mass += sizes[k].mass_fraction;
+            group.arrives += arrives;
+            group.stays += arrives * sizes[k].stick_fraction.value;
+            group.normal += arrives * sizes[k].normal_velocity.value_or(0);
+            if (sizes[k].deposition_flux) group.flux += sizes[k].deposition_flux->value;
+            group.has_flux = sizes[k].deposition_flux.has_value();
+        }
+        if (group.mass >= shown_share) groups.push_back(group);
+    }
+    return groups;
+}
+
+std::string size_group_table(const DepositionResult& result, std::size_t width) {
+    TextTable table({"size", "mass %", "arrive %", "v_n [m/s]", "v_c [m/s]", "stay %", "g/(m2 h)"}, 1);
+    for (const SizeGroup& group : size_groups(result.sizes)) {
+        const bool any = group.arrives > 0;
+        const DepositedSize& middle = *group.middle;
+        const std::string threshold = middle.critical_velocity ? velocity_text(*middle.critical_velocity)
+                                      : middle.stick_fraction.value > 0 ? "all"
+                                                                        : "-";
+        table.add({group.from == group.to ? readable(group.from, "m")
+                                          : readable(group.from, "m") + " to " + readable(group.to, "m"),
+                   share_text(group.mass), share_text(group.arrives / group.mass),
+                   any ? velocity_text(group.normal / group.arrives) : "-", threshold,
+                   any ? share_text(group.stays / group.arrives) : "-",
+                   group.has_flux ? flux_number(group.flux) : "-"});
+    }
+    table.drop_empty_columns();
+    return table.text(0, width);
+}
+
+std::string angle_table(const DepositionResult& result, std::size_t width) {
+    TextTable table({"from the front", "arrives %", "stays %", "v_n [m/s]", "g/(m2 h)"}, 1);
+    for (std::size_t i = 0; i < result.angles.size(); i += arcs_together) {
+        const std::size_t end = std::min(result.angles.size(), i + arcs_together);
+        double arrives = 0;
+        double stays = 0;
+        double normal = 0;
+        double flux = 0;
+        for (std::size_t k = i; k < end; ++k) {
+            const DepositedArc& arc = result.angles[k];
+            arrives += arc.arrives;
+            stays += arc.stays;
+            normal += arc.arrives * arc.normal_velocity.value_or(0);
+            if (arc.deposition_flux) flux += arc.deposition_flux->value / static_cast<double>(end - i);
+        }
+        const double total = result.total.impaction_efficiency;
+        table.add({fmt::format("{:.0f} to {:.0f} deg", result.angles[i].from * 180 / std::numbers::pi,
+                               result.angles[end - 1].to * 180 / std::numbers::pi),
+                   total > 0 ? share_text(arrives / total) : "-", total > 0 ? share_text(stays / total) : "-",
+                   arrives > 0 ? velocity_text(normal / arrives) : "-",
+                   result.tube.load ? flux_number(flux) : "-"});
+    }
+    table.drop_empty_columns();
+    return table.text(0, width);
+}
+
+std::string assumption_table(const DepositionResult& result, std::size_t width) {
+    TextTable table({"assumption", "stay %", "interval of v_c", "g/(m2 h)"}, 1);
+    for (const AssumedDeposition& each : result.assumptions)
+        table.add({std::string(name_of(each.basis)), share_text(each.stays.value),
+                   each.stays.span.least == each.stays.span.greatest
+                       ? "-"
+                       : share_text(each.stays.span.least) + " to " + share_text(each.stays.span.greatest),
+                   flux_cell(each.deposition_flux)});
+    table.drop_empty_columns();
+    return table.text(0, width);
+}
+
+}  // namespace
+
+std::string flux_text(double flux) {
+    return flux_number(flux) + " g/(m2 h)";
+}
+
+std::vector<std::string> deposition_sentences(const DepositionResult& result) {
+    const DepositionTotal& total = result.total;
+    std::vector<std::string> sentences;
+    if (total.deposition_flux)
+        sentences.push_back(fmt::format(
+            "{} of ash stays on the clean tube ({} to {}), as a mean over its circumference; {:.3g} g/h on "
+            "each metre of tube.",
+            flux_text(total.deposition_flux->value), flux_number(total.least_flux->value),
+            flux_number(total.greatest_flux->value), total.deposition_rate->value * grams_an_hour));
+    sentences.push_back(fmt::format("Of the mass that flies at the tube {} % arrives; of that {} stays.",
+                                    share_text(total.impaction_efficiency),
+                                    spanned_text(total.stick_fraction)));
+    if (result.measured && total.supported_fraction < supported)
+        sentences.push_back(fmt::format(
+            "Outside of what the data support: {} % of the mass that arrives is of the measured sizes, {}. "
+            "For "
+            "the rest v_c is an assumption, here {}{}.",
+            share_text(total.supported_fraction), size_range_text(*result.measured), name_of(result.basis),
+            result.assumptions.size() > 1 ? "; the range in brackets covers those that the impacts admit"
+                                          : ""));
+    return sentences;
+}
+
+std::string deposition_scope() {
+    return "What this is not: it holds for the first layer on one clean tube in a potential flow. There is "
+           "no "
+           "turbulence, no thermophoresis, no gravity, no growth or shedding of a deposit, no neighbouring "
+           "tube, and no change of v_c by the temperatures of gas and tube. Particles are points; those that "
+           "rebound leave.";
+}
+
+std::string deposition_text(const DepositionResult& result, std::size_t width) {
+    std::string text;
+    for (const std::string& sentence : deposition_sentences(result))
+        text += wrapped(sentence, width, 2) + "\n";
+    const TubeConditions& tube = result.tube;
+    text += "\n" +
+            wrapped(fmt::format("Tube of {} in gas of {} at {}, {}, {}; ash: {}{}; v_c by {}.",
+                                readable(tube.diameter, "m"), readable(tube.velocity, "m/s"),
+                                readable(tube.temperature, "K"), readable(tube.viscosity, "Pa s"),
+                                readable(tube.density, "kg/m3"), tube.sizes,
+                                tube.load ? ", " + readable(*tube.load, "kg/m3") : "", result.law.name()),
+                    width, 2) +
+            "\n\n" + size_group_table(result, width) + "\n" + angle_table(result, width);
+    if (result.total.half_angle > 0)
+        text += fmt::format("Half of what stays lies within {:.0f} degrees of the front.\n",
+                            result.total.half_angle * 180 / std::numbers::pi);
+    if (result.assumptions.size() > 1)
+        text += "\nWhich assumption on v_c matters:\n\n" + assumption_table(result, width);
+    return text + "\n" + wrapped(deposition_scope(), width) + "\n";
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/run/deposition.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
+#include "pipeline/run/sizes.hpp"
+#include "solver/deposition/deposition.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr int arcs_of_quarter = 18;        ///< of 5 degrees
+constexpr double fine_particle = 2e-6;     ///< below, gas slips along particles [m]
+constexpr double greatest_reynolds = 800;  ///< of the drag law
+constexpr double interception = 0.05;      ///< particle over tube, from which its own size counts
+
+/// A row with numbers that order: infinite if everything is captured, 0 if nothing is.
+struct VelocityRow {
+    double diameter, value, lower, upper;
+};
+
+std::vector<VelocityRow> rows_of(const std::vector<SizeVelocity>& all, SizeBasis basis) {
+    std::vector<VelocityRow> rows;
+    for (const SizeVelocity& row : all) {
+        if (row.basis != basis || row.verdict == SizeVerdict::unknown) continue;
+        const double otherwise =
+            row.verdict == SizeVerdict::never_captured ? 0 : std::numeric_limits<double>::infinity();
+        const double value = row.velocity.value_or(otherwise);
+        rows.push_back({row.diameter, value, value, value});
+        if (row.interval && row.velocity) {
+            rows.back().lower = row.interval->lower.value_or(0);
+            rows.back().upper = row.interval->upper.value_or(std::numeric_limits<double>::infinity());
+        }
+    }
+    std::ranges::sort(rows, {}, &VelocityRow::diameter);
+    return rows;
+}
+
+/// On the power law of two rows, beyond them too; where one of them has none, that of the nearer.
+double on_power_law(const VelocityRow& a, const VelocityRow& b, double VelocityRow::*member,
+                    double diameter) {
+    const double part =
+        a.diameter == b.diameter ? 0 : std::log(diameter / a.diameter) / std::log(b.diameter / a.diameter);
+    const double first = a.*member;
+    const double second = b.*member;
+    if (first == second || !(first > 0 && second > 0 && std::isfinite(first) && std::isfinite(second)))
+        return part < 0.5 ? first : second;
+    return first * std::pow(second / first, part);
+}
+
+VelocityRow row_at(const std::vector<VelocityRow>& rows, double diameter) {
+    const auto above = static_cast<std::size_t>(
+        std::ranges::lower_bound(rows, diameter, {}, &VelocityRow::diameter) - rows.begin());
+    const std::size_t upper =
+        std::clamp<std::size_t>(above, std::min<std::size_t>(1, rows.size() - 1), rows.size() - 1);
+    const VelocityRow& a = rows[upper == 0 ? 0 : upper - 1];
+    const VelocityRow& b = rows[upper];
+    VelocityRow row{.diameter = diameter,
+                    .value = on_power_law(a, b, &VelocityRow::value, diameter),
+                    .lower = on_power_law(a, b, &VelocityRow::lower, diameter),
+                    .upper = on_power_law(a, b, &VelocityRow::upper, diameter)};
+    // Intervals of rows with and without one do not mix into an interval without the value.
+    row.lower = std::min(row.lower, row.value);
+    row.upper = std::max(row.upper, row.value);
+    return row;
+}
+
+constexpr std::array preferred{SizeBasis::contact_radius, SizeBasis::tsuji,         SizeBasis::hunt_crossley,
+                               SizeBasis::brach_dunn,     SizeBasis::power_of_size, SizeBasis::constant,
+                               SizeBasis::adhesion};
+
+/// The assumptions that a run has rows of, that of the answer first.
+std::vector<SizeBasis> assumptions_to_use(const std::vector<SizeVelocity>& rows,
+                                          const std::optional<SizeBasis>& basis) {
+    std::vector<SizeBasis> list;
+    std::vector<std::string> names;
+    for (const SizeBasis each : preferred) {
+        if (rows_of(rows, each).empty()) continue;
+        list.push_back(each);
+        names.emplace_back(name_of(each));
+    }
+    if (list.empty())
+        throw InputError("the run has critical velocities of its samples only",
+                         "a law with adhesion or damping")
+            .at("/result/by_size");
+    if (!basis) return list;
+    const auto named = std::ranges::find(list, *basis);
+    if (named == list.end())
+        throw InputError(fmt::format("the impacts of the run do not admit {}", name_of(*basis)),
+                         joined(names))
+            .at("--assumption");
+    std::rotate(list.begin(), named, named + 1);
+    return list;
+}
+
+/// Shares of all that flies at the tube which arrive and stay, under one assumption.
+struct Staying {
+    double arrives = 0, stays = 0, least = 0, greatest = 0;
+
+    [[nodiscard]] SpannedShare share() const {
+        if (!(arrives > 0)) return {};
+        return {stays / arrives, {least / arrives, greatest / arrives}};
+    }
+};
+
+Staying staying_under(const ClassVelocities& velocities, const std::vector<ClassImpaction>& classes,
+                      double gas_velocity) {
+    Staying sum;
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+        const double arrives = classes[i].size.share * classes[i].impaction.efficiency();
+        const auto stays = [&](double critical) {
+            return arrives * classes[i].stick_fraction(critical, gas_velocity);
+        };
+        sum.arrives += arrives;
+        sum.stays += stays(velocities.value[i]);
+        sum.least += stays(velocities.lower[i]);
+        sum.greatest += stays(velocities.upper[i]);
+    }
+    return sum;
+}
+
+/// The assumptions that span the answer: those on damping, else adhesion alone.
+bool spans(const DepositingAsh& ash, const ClassVelocities& velocities) {
+    return velocities.basis != SizeBasis::adhesion || ash.assumptions.size() == 1 ||
+           velocities.basis == ash.assumptions.front().basis;
+}
+
+std::vector<DepositedSize> deposited_sizes(const TubeConditions& tube, const DepositingAsh& ash,
+                                           const std::vector<ClassImpaction>& classes,
+                                           const std::optional<double>& mean_flux) {
+    std::vector<DepositedSize> sizes;
+    const ClassVelocities& answer = ash.assumptions.front();
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+        const ClassImpaction& each = classes[i];
+        const auto stick = [&](double critical) { return each.stick_fraction(critical, tube.velocity); };
+        DepositedSize size{.diameter = each.size.diameter(),
+                           .from = each.size.from,
+                           .to = each.size.to,
+                           .mass_fraction = each.size.share,
+                           .density = each.density,
+                           .stokes = each.particle.stokes,
+                           .effective_stokes = each.particle.effective_stokes(),
+                           .impaction_efficiency = each.impaction.efficiency()};
+        if (answer.value[i] > 0 && std::isfinite(answer.value[i])) size.critical_velocity = answer.value[i];
+        SpannedShare& stays = size.stick_fraction;
+        stays.value = stick(answer.value[i]);
+        stays.span = {stays.value, stays.value};
+        if (each.impaction.any()) {
+            size.normal_velocity = tube.velocity * each.mean_normal();
+            for (const ClassVelocities& other : ash.assumptions) {
+                if (!spans(ash, other)) continue;
+                stays.span.least = std::min(stays.span.least, stick(other.lower[i]));
+                stays.span.greatest = std::max(stays.span.greatest, stick(other.upper[i]));
+            }
+        }
+        if (mean_flux) {
+            const double arrives = *mean_flux * each.size.share * each.impaction.efficiency();
+            size.arrival_flux = Quantity{arrives, std::string(mass_flux_unit)};
+            size.deposition_flux = Quantity{arrives * stays.value, std::string(mass_flux_unit)};
+        }
+        sizes.push_back(std::move(size));
+    }
+    return sizes;
+}
+
+std::vector<DepositedArc> deposited_arcs(const TubeConditions& tube, const std::vector<ArcImpaction>& arcs) {
+    std::vector<DepositedArc> list;
+    for (const ArcImpaction& arc : arcs) {
+        DepositedArc each{.from = arc.from, .to = arc.to, .arrives = arc.arrives, .stays = arc.stays};
+        if (arc.arrives > 0) {
+            each.normal_velocity = arc.normal * tube.velocity;
+            each.incidence = arc.incidence;
+        }
+        if (tube.load) {  // on both sides, over a surface of D (to - from) per length
+            const double flux = *tube.load * tube.velocity / (arc.to - arc.from);
+            each.arrival_flux = Quantity{flux * arc.arrives, std::string(mass_flux_unit)};
+            each.deposition_flux = Quantity{flux * arc.stays, std::string(mass_flux_unit)};
+        }
+        list.push_back(std::move(each));
+    }
+    return list;
+}
+
+/// The angle within which half of what stays lies; 0 if nothing stays [rad].
+double half_angle(const std::vector<ArcImpaction>& arcs) {
+    double sum = 0;
+    for (const ArcImpaction& arc : arcs) sum += arc.stays;
+    double below = 0;
+    for (const ArcImpaction& arc : arcs) {
+        if (arc.stays > 0 && below + arc.stays >= sum / 2)
+            return arc.from + (sum / 2 - below) / arc.stays * (arc.to - arc.from);
+        below += arc.stays;
+    }
+    return 0;
+}
+
+void note_limits(const TubeConditions& tube, const std::vector<ClassImpaction>& classes,
+                 StageRecord& record) {
+    const auto share_of = [&](auto&& holds) {
+        double share = 0;
+        double arrives = 0;
+        for (const ClassImpaction& each : classes) {
+            const double mass = each.size.share * each.impaction.efficiency();
+            arrives += mass;
+            if (holds(each)) share += mass;
+        }
+        return arrives > 0 ? share / arrives : 0;
+    };
+    const auto note = [&](double share, const std::string& text) {
+        if (share > 1e-3)
+            record.note(Finding{"deposition", share > 0.1 ? Severity::doubt : Severity::remark,
+                                fmt::format("{:.2g} % of the mass that arrives {}", 100 * share, text)});
+    };
+    note(share_of([](const ClassImpaction& each) { return each.size.diameter() < fine_particle; }),
+         "is finer than 2 um, where the gas slips along particles and turbulence and heat move them");
+    note(share_of([](const ClassImpaction& each) { return each.particle.reynolds > greatest_reynolds; }),
+         "may exceed the Reynolds number of 800 up to which the drag law holds");
+    note(share_of(
+             [&](const ClassImpaction& each) { return each.size.diameter() > interception * tube.diameter; }),
+         "is of particles above 5 % of the tube, which meet it by their own size");
+}
+
+}  // namespace
+
+DepositingAsh ash_of_run(const Run& run, std::vector<SizeClass> classes,
+                         const std::optional<SizeBasis>& basis) {
+    const ComparisonResult& comparison = run.comparison;
+    if (!comparison.sizes || comparison.by_size.empty())
+        throw InputError("the run has no critical velocities by size",
+                         "a run with one, or the options of an impact")
+            .at("/result/by_size");
+    DepositingAsh ash{.law = comparison.sizes->law, .measured = comparison.sizes->measured};
+    const std::vector<VelocityRow> measured = rows_of(comparison.by_size, SizeBasis::measured);
+    for (const SizeBasis each : assumptions_to_use(comparison.by_size, basis)) {
+        const std::vector<VelocityRow> rows = rows_of(comparison.by_size, each);
+        ClassVelocities velocities{.basis = each};
+        for (const SizeClass& size : classes) {
+            const double diameter = size.diameter();
+            const bool known = diameter >= ash.measured->from && diameter <= ash.measured->to;
+            const VelocityRow row = row_at(known && !measured.empty() ? measured : rows, diameter);
+            velocities.value.push_back(row.value);
+            velocities.lower.push_back(row.lower);
+            velocities.upper.push_back(row.upper);
+        }
+        ash.assumptions.push_back(std::move(velocities));
+    }
+    for (const SizeClass& size : classes)
+        ash.densities.push_back(contact_of_size(run.contact, size.diameter()).density.value());
+    ash.classes = std::move(classes);
+    return ash;
+}
+
+DepositionResult deposition_on(const TubeConditions& tube, const DepositingAsh& ash, StageRecord& record) {
+    const CrossedTube crossed{
+        .diameter = tube.diameter, .velocity = tube.velocity, .gas = {tube.density, tube.viscosity}};
+    const std::vector<ClassImpaction> classes = impactions_on(crossed, ash.classes, ash.densities);
+    const ClassVelocities& answer = ash.assumptions.front();
+    const std::vector<ArcImpaction> arcs = arcs_of(classes, answer.value, tube.velocity, arcs_of_quarter);
+    // What flies at a length of tube, load U D, over its circumference, pi D.
+    const auto mean_flux =
+        tube.load ? std::optional(*tube.load * tube.velocity / std::numbers::pi) : std::nullopt;
+    const auto flux = [&](double share) -> std::optional<Quantity> {
+        if (!mean_flux) return std::nullopt;
+        return Quantity{*mean_flux * share, std::string(mass_flux_unit)};
+    };
+
+    DepositionResult result{.tube = tube,
+                            .law = ash.law,
+                            .basis = answer.basis,
+                            .measured = ash.measured,
+                            .sizes = deposited_sizes(tube, ash, classes, mean_flux),
+                            .angles = deposited_arcs(tube, arcs)};
+    DepositionTotal& total = result.total;
+    DepositionSpan span{std::numeric_limits<double>::infinity(), 0};
+    for (const ClassVelocities& each : ash.assumptions) {
+        const Staying staying = staying_under(each, classes, tube.velocity);
+        result.assumptions.push_back({each.basis, staying.share(), flux(staying.stays)});
+        if (each.basis == answer.basis) {
+            total.impaction_efficiency = staying.arrives;
+            total.stick_fraction = staying.share();
+            total.deposition_flux = flux(staying.stays);
+            if (tube.load)
+                total.deposition_rate = Quantity{*tube.load * tube.velocity * tube.diameter * staying.stays,
+                                                 std::string(mass_rate_unit)};
+        }
+        if (!spans(ash, each)) continue;
+        span.least = std::min(span.least, staying.share().span.least);
+        span.greatest = std::max(span.greatest, staying.share().span.greatest);
+    }
+    total.stick_fraction.span = span;
+    total.least_flux = flux(total.impaction_efficiency * span.least);
+    total.greatest_flux = flux(total.impaction_efficiency * span.greatest);
+    total.half_angle = half_angle(arcs);
+    for (const DepositedSize& size : result.sizes)
+        if (ash.measured && size.diameter >= ash.measured->from && size.diameter <= ash.measured->to &&
+            total.impaction_efficiency > 0)
+            total.supported_fraction +=
+                size.mass_fraction * size.impaction_efficiency / total.impaction_efficiency;
+    note_limits(tube, classes, record);
+    record.citations = {"Serafini 1954, NACA Report 1159 (drag beyond Stokes)",
+                        "Israel & Rosner 1982, doi 10.1080/02786828308958612 (effective Stokes number)",
+                        "U.S. Standard Atmosphere 1976 (viscosity of air)"};
+    return result;
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "pipeline/run/results/deposition.hpp"
+#include "pipeline/run/results/note.hpp"
+#include "pipeline/run/results/run.hpp"
+#include "solver/deposition/particle_sizes.hpp"
+
+namespace ashimpact {
+
+/// Critical velocity of each class [m/s]: infinite where all is captured, 0 where nothing is.
+struct ClassVelocities {
+    SizeBasis basis = SizeBasis::adhesion;
+    std::vector<double> value{}, lower{}, upper{};  ///< with the ends of the interval, where it is known
+};
+
+/// Particles as the deposition takes them.
+struct DepositingAsh {
+    Law law{};
+    std::vector<SizeClass> classes{};
+    std::vector<double> densities{};             ///< [kg/m3]
+    std::vector<ClassVelocities> assumptions{};  ///< the first is that of the answer
+    std::optional<SizeRange> measured{};         ///< sizes with a measured v_c
+};
+
+/// The ash of a run: density and v_c of each class. Within the measured sizes v_c is as measured. Elsewhere
+/// it follows from the rows of each assumption, between two of them on a power law, beyond them on that of
+/// the last two. @param basis the assumption of the answer; none: the first there is of contact-radius,
+/// tsuji, hunt-crossley, brach-dunn-damping, power-of-size, constant, adhesion-alone
+/// @throws InputError if the run has no v_c by size, or none by that assumption
+[[nodiscard]] DepositingAsh ash_of_run(const Run& run, std::vector<SizeClass> classes,
+                                       const std::optional<SizeBasis>& basis);
+
+/// What stays on a tube. The span of what stays reaches over all assumptions but that of adhesion alone,
+/// which is a lower bound, unless it is the only one.
+[[nodiscard]] DepositionResult deposition_on(const TubeConditions& tube, const DepositingAsh& ash,
+                                             StageRecord& record);
+
+}  // namespace ashimpact

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/deposition/deposition.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "solver/batch/parallel.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr int points_of_means = 32;  ///< offsets of equal distance
+
+/// The part of an interval of offsets within another.
+double overlap_of(const OffsetRange& range, double from, double to) {
+    return std::max(0.0, std::min(range.to, to) - std::max(range.from, from));
+}
+
+std::vector<OffsetRange> staying(const TubeImpaction& impaction, double critical, double gas_velocity) {
+    return impaction.any() ? impaction.slower_than(critical / gas_velocity) : std::vector<OffsetRange>{};
+}
+
+}  // namespace
+
+double ClassImpaction::stick_fraction(double critical, double gas_velocity) const {
+    double sum = 0;
+    for (const OffsetRange& range : staying(impaction, critical, gas_velocity)) sum += range.to - range.from;
+    return impaction.any() ? sum / impaction.efficiency() : 0;
+}
+
+double ClassImpaction::mean_normal() const {
+    if (!impaction.any()) return 0;
+    double sum = 0;
+    for (int i = 0; i < points_of_means; ++i)
+        sum += impaction.at_offset(impaction.efficiency() * (i + 0.5) / points_of_means).normal;
+    return sum / points_of_means;
+}
+
+std::vector<ClassImpaction> impactions_on(const CrossedTube& tube, const std::vector<SizeClass>& classes,
+                                          const std::vector<double>& densities) {
+    std::vector<std::pair<SizeClass, double>> items;
+    for (std::size_t i = 0; i < classes.size(); ++i) items.emplace_back(classes[i], densities[i]);
+    return in_parallel(items, [&](const std::pair<SizeClass, double>& item) {
+        const TubeParticle particle = tube.particle(item.first.diameter(), item.second);
+        return ClassImpaction{item.first, item.second, particle, TubeImpaction(particle)};
+    });
+}
+
+std::vector<ArcImpaction> arcs_of(const std::vector<ClassImpaction>& classes,
+                                  const std::vector<double>& critical, double gas_velocity, int count) {
+    std::vector<ArcImpaction> arcs(static_cast<std::size_t>(count));
+    const double width = std::numbers::pi / 2 / count;
+    for (std::size_t k = 0; k < arcs.size(); ++k) {
+        arcs[k].from = static_cast<double>(k) * width;
+        arcs[k].to = static_cast<double>(k + 1) * width;
+    }
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+        const TubeImpaction& impaction = classes[i].impaction;
+        if (!impaction.any()) continue;
+        const auto stays = staying(impaction, critical[i], gas_velocity);
+        double from = 0;
+        for (std::size_t k = 0; k < arcs.size(); ++k) {
+            const double to =
+                k + 1 == arcs.size() ? impaction.efficiency() : impaction.offset_of_angle(arcs[k].to);
+            if (!(to > from)) continue;
+            const double share = classes[i].size.share;
+            arcs[k].arrives += share * (to - from);
+            for (const OffsetRange& range : stays) arcs[k].stays += share * overlap_of(range, from, to);
+            const TubePassage middle = impaction.at_offset((from + to) / 2);
+            arcs[k].normal += share * (to - from) * middle.normal;
+            arcs[k].incidence += share * (to - from) * std::atan2(middle.tangent, middle.normal);
+            from = to;
+        }
+    }
+    for (ArcImpaction& arc : arcs) {
+        if (!(arc.arrives > 0)) continue;
+        arc.normal /= arc.arrives;
+        arc.incidence /= arc.arrives;
+    }
+    return arcs;
+}
+
+void ParticleCount::add(const FlyingParticle& particle) {
+    const auto above = std::ranges::lower_bound(
+        classes_, particle.diameter, {}, [](const ClassImpaction& each) { return each.size.diameter(); });
+    const auto upper = static_cast<std::size_t>(
+        std::min<std::ptrdiff_t>(above - classes_.begin(), std::ssize(classes_) - 1));
+    const std::size_t lower = above == classes_.begin() || above == classes_.end() ? upper : upper - 1;
+    const double small = classes_[lower].size.diameter();
+    const double large = classes_[upper].size.diameter();
+    const double part = lower == upper ? 0 : std::log(particle.diameter / small) / std::log(large / small);
+    const auto between = [&](double a, double b) { return (1 - part) * a + part * b; };
+    const TubeImpaction& first = classes_[lower].impaction;
+    const TubeImpaction& second = classes_[upper].impaction;
+    const double most = between(first.efficiency(), second.efficiency());
+    if (!(particle.offset < most)) return;
+    ++arrived_;
+    const double share = particle.offset / most;
+    const auto normal = [&](const TubeImpaction& impaction) {
+        return impaction.any() ? impaction.at_offset(share * impaction.efficiency()).normal : 0;
+    };
+    const double critical = lower == upper || std::isinf(critical_[lower]) || std::isinf(critical_[upper])
+                                ? critical_[part < 0.5 ? lower : upper]
+                                : between(critical_[lower], critical_[upper]);
+    if (gas_velocity_ * between(normal(first), normal(second)) < critical) ++stayed_;
+}
+
+}  // namespace ashimpact

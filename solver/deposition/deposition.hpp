@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "solver/deposition/impaction.hpp"
+#include "solver/deposition/particle_sizes.hpp"
+#include "solver/deposition/tube_flow.hpp"
+
+namespace ashimpact {
+
+/// A tube across a flow of gas.
+struct CrossedTube {
+    double diameter = 0;  ///< [m]
+    double velocity = 0;  ///< of the gas far upstream [m/s]
+    Gas gas{};
+    SphereDrag drag{};
+
+    [[nodiscard]] TubeParticle particle(double size, double density) const {
+        return {.stokes = density * size * size * velocity / (9 * gas.viscosity * diameter),
+                .reynolds = gas.density * size * velocity / gas.viscosity,
+                .drag = drag};
+    }
+};
+
+/// What becomes of the particles of one class. Shares are of the mass that flies at the tube, which is what
+/// passes through its projected area far upstream.
+struct ClassImpaction {
+    SizeClass size{};
+    double density = 0;  ///< [kg/m3]
+    TubeParticle particle{};
+    TubeImpaction impaction;
+
+    /// Share of what arrives that stays: arrives with a normal velocity below @p critical [m/s]; infinite:
+    /// all.
+    [[nodiscard]] double stick_fraction(double critical, double gas_velocity) const;
+    /// Mean of the normal velocity of what arrives [U]; 0 if nothing does.
+    [[nodiscard]] double mean_normal() const;
+};
+
+/// The paths of all classes, in parallel. @param densities of the particles of each class [kg/m3]
+/// @throws ConvergenceError
+[[nodiscard]] std::vector<ClassImpaction> impactions_on(const CrossedTube& tube,
+                                                        const std::vector<SizeClass>& classes,
+                                                        const std::vector<double>& densities);
+
+/// What reaches a part of the circumference, on both sides of the tube together.
+struct ArcImpaction {
+    double from = 0, to = 0;           ///< from the front [rad]
+    double arrives = 0, stays = 0;     ///< shares of what flies at the tube [1]
+    double normal = 0, incidence = 0;  ///< means of what arrives: velocity [U]; angle to the normal [rad]
+};
+
+/// Arcs of equal width from the front to 90 degrees, beyond which nothing arrives; the last one counts what
+/// rounding has put beyond. @param critical velocity of each class [m/s]
+[[nodiscard]] std::vector<ArcImpaction> arcs_of(const std::vector<ClassImpaction>& classes,
+                                                const std::vector<double>& critical, double gas_velocity,
+                                                int count);
+
+/// A particle by its size, and its offset as a share of the radius of the tube.
+struct FlyingParticle {
+    double diameter = 0;  ///< [m]
+    double offset = 0;    ///< [radii]
+};
+
+/// Follows particles one by one by interpolation between the classes around their size: the arrivals of both
+/// at the same share of the critical offset. Counts what arrives and stays, with memory of the classes alone.
+class ParticleCount {
+  public:
+    /// @param classes from small to large, adjacent @param critical velocity of each [m/s]
+    ParticleCount(const std::vector<ClassImpaction>& classes, const std::vector<double>& critical,
+                  double gas_velocity)
+        : classes_(classes), critical_(critical), gas_velocity_(gas_velocity) {}
+
+    void add(const FlyingParticle& particle);
+
+    [[nodiscard]] std::size_t arrived() const { return arrived_; }
+    [[nodiscard]] std::size_t stayed() const { return stayed_; }
+
+  private:
+    const std::vector<ClassImpaction>& classes_;
+    const std::vector<double>& critical_;
+    double gas_velocity_;
+    std::size_t arrived_ = 0, stayed_ = 0;
+};
+
+}  // namespace ashimpact
