@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
 #include "core/text/error.hpp"
@@ -89,24 +88,36 @@ PathState start_of(const TubeParticle& particle, double offset) {
     return {x, y, u, v - 6 * stokes * y / (x * x * x * x)};
 }
 
+/// The error of a step over that allowed.
+double excess_of(const PathState& error, const PathState& state) {
+    double excess = 1e-10;
+    for (std::size_t k = 0; k < error.size(); ++k)
+        excess = std::max(excess, std::abs(error[k]) / (path_tolerance * (1 + std::abs(state[k]))));
+    return excess;
+}
+
 }  // namespace
 
 TubePassage tube_passage(const TubeParticle& particle, double offset) {
     const PathMotion motion(particle);
-    auto controlled = boost::numeric::odeint::make_controlled<PathStepper>(path_tolerance, path_tolerance);
-    PathStepper plain;
+    PathStepper stepper;
     PathState state = start_of(particle, offset);
-    double step = 0.1 * std::min(1.0, particle.stokes);
     PathState closest = state;
+    double next = 0.1 * std::min(1.0, particle.stokes);
     for (int i = 0; i < most_steps; ++i) {
         const PathState before = state;
-        step = std::min(step, longest_step * distance_of(before));
-        double end = 0;
-        while (controlled.try_step(motion, state, end, step) != boost::numeric::odeint::success) {
+        double end = std::min(next, longest_step * distance_of(before));
+        PathState error{};
+        stepper.do_step(motion, before, 0.0, state, end, error);
+        const double excess = excess_of(error, state);
+        next = end * std::clamp(0.9 * std::pow(excess, -1.0 / 8), 0.2, 5.0);
+        if (excess > 1) {
+            state = before;
+            continue;
         }
         const auto after = [&](double part) {
             PathState reached = before;
-            plain.do_step(motion, reached, 0.0, part);
+            stepper.do_step(motion, reached, 0.0, part);
             return reached;
         };
         const bool turns = opening_of(before) < 0 && opening_of(state) >= 0;
