@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/run/sizes.hpp"
-#include "solver/deposition/deposition.hpp"
 
 namespace ashimpact {
 
@@ -259,10 +259,24 @@ DepositingAsh ash_of_run(const Run& run, std::vector<SizeClass> classes,
     return ash;
 }
 
+std::optional<Finding> temperature_finding(const ComparisonResult& comparison, Law law,
+                                           double gas_temperature) {
+    std::optional<double> least;
+    for (const SampleComparison& sample : comparison.samples) {
+        const ContactTemperatures* of = sample.temperature ? sample.temperature->laws.find(law) : nullptr;
+        if (of == nullptr || !of->giordano2008.elastic_up_to) continue;
+        least = std::min(least.value_or(*of->giordano2008.elastic_up_to), *of->giordano2008.elastic_up_to);
+    }
+    if (!least || gas_temperature <= *least) return std::nullopt;
+    return Finding{
+        "deposition", Severity::doubt,
+        fmt::format("the gas has {}, and contacts of this glass stay elastic up to {}: hotter particles "
+                    "stick at higher velocities than v_c",
+                    readable(gas_temperature, "K"), readable(*least, "K"))};
+}
+
 DepositionResult deposition_on(const TubeConditions& tube, const DepositingAsh& ash, StageRecord& record) {
-    const CrossedTube crossed{
-        .diameter = tube.diameter, .velocity = tube.velocity, .gas = {tube.density, tube.viscosity}};
-    const std::vector<ClassImpaction> classes = impactions_on(crossed, ash.classes, ash.densities);
+    const std::vector<ClassImpaction> classes = impactions_on(crossed_tube(tube), ash.classes, ash.densities);
     const ClassVelocities& answer = ash.assumptions.front();
     const std::vector<ArcImpaction> arcs = arcs_of(classes, answer.value, tube.velocity, arcs_of_quarter);
     // What flies at a length of tube, load U D, over its circumference, pi D.

@@ -7,6 +7,7 @@
 #include "pipeline/run/results/deposition.hpp"
 #include "pipeline/run/results/note.hpp"
 #include "pipeline/run/results/run.hpp"
+#include "solver/deposition/deposition.hpp"
 #include "solver/deposition/particle_sizes.hpp"
 
 namespace ashimpact {
@@ -26,6 +27,11 @@ struct DepositingAsh {
     std::optional<SizeRange> measured{};         ///< sizes with a measured v_c
 };
 
+/// The tube as the solver takes it.
+[[nodiscard]] inline CrossedTube crossed_tube(const TubeConditions& tube) {
+    return {.diameter = tube.diameter, .velocity = tube.velocity, .gas = {tube.density, tube.viscosity}};
+}
+
 /// The ash of a run: density and v_c of each class. Within the measured sizes v_c is as measured. Elsewhere
 /// it follows from the rows of each assumption, between two of them on a power law, beyond them on that of
 /// the last two. @param basis the assumption of the answer; none: the first there is of contact-radius,
@@ -33,6 +39,11 @@ struct DepositingAsh {
 /// @throws InputError if the run has no v_c by size, or none by that assumption
 [[nodiscard]] DepositingAsh ash_of_run(const Run& run, std::vector<SizeClass> classes,
                                        const std::optional<SizeBasis>& basis);
+
+/// The doubt about v_c at the temperature of the gas [K], from the glass of the samples; none where it stays
+/// elastic during contacts, or no chemistry is known.
+[[nodiscard]] std::optional<Finding> temperature_finding(const ComparisonResult& comparison, Law law,
+                                                         double gas_temperature);
 
 /// What stays on a tube. The span of what stays reaches over all assumptions but that of adhesion alone,
 /// which is a lower bound, unless it is the only one.

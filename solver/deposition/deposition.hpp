@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "solver/deposition/impaction.hpp"
@@ -20,6 +21,10 @@ struct CrossedTube {
         return {.stokes = density * size * size * velocity / (9 * gas.viscosity * diameter),
                 .reynolds = gas.density * size * velocity / gas.viscosity,
                 .drag = drag};
+    }
+    /// The size of S = 1/8; no finer particle meets the tube [m].
+    [[nodiscard]] double finest_arriving(double density) const {
+        return std::sqrt(9 * least_stokes * gas.viscosity * diameter / (density * velocity));
     }
 };
 

@@ -21,8 +21,7 @@ constexpr double longest_step = 0.25;     ///< in distances from the axis, so th
 constexpr double nearest_start = 40;      ///< of a path [radii]
 constexpr double start_error = 1e-7;      ///< of the offset, relative
 constexpr int most_steps = 1'000'000;
-constexpr double least_stokes = 0.125;  ///< below, no particle of no size meets a cylinder in potential flow
-constexpr double least_offset = 1e-5;   ///< critical offsets below count as 0
+constexpr double least_offset = 1e-5;  ///< critical offsets below count as 0
 constexpr double offset_accuracy = 1e-10;
 constexpr int paths = 32;  ///< beside the first
 

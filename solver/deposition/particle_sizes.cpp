@@ -59,10 +59,12 @@ ParticleSizes ParticleSizes::tabulated(std::vector<double> diameters, std::vecto
     return sizes;
 }
 
-std::vector<SizeClass> ParticleSizes::classes(int count) const {
-    if (from_ == to_) return {{from_, to_, 1}};
+std::vector<SizeClass> ParticleSizes::classes(int count, double finest) const {
+    if (from_ == to_ || finest >= to_) return {{from_, to_, 1}};
+    const bool has_fines = finest > from_;
+    std::vector<double> edges = logarithmic_grid(std::max(from_, finest), to_, has_fines ? count : count + 1);
+    if (has_fines) edges.insert(edges.begin(), from_);
     std::vector<SizeClass> list;
-    const std::vector<double> edges = logarithmic_grid(from_, to_, count + 1);
     for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
         const double below = i == 0 ? 0 : finer_(edges[i]);
         const double above = i + 2 == edges.size() ? 1 : finer_(edges[i + 1]);

@@ -31,9 +31,10 @@ class ParticleSizes {
 
     /// Share of the mass that is finer than a diameter [1].
     [[nodiscard]] double finer_than(double diameter) const { return finer_(diameter); }
-    /// Classes of equal ratio that hold all mass; beyond the ends of a distribution without ends, 0.1 % of
-    /// the mass on the fine side and 0.01 % on the coarse one belong to the first and the last class.
-    [[nodiscard]] std::vector<SizeClass> classes(int count) const;
+    /// Classes that hold all mass: one of all that is finer than @p finest [m], the others of equal ratio. Of
+    /// a distribution without ends 0.1 % of the mass is finer than the first class begins and 0.01 % coarser
+    /// than the last one ends; they belong to these.
+    [[nodiscard]] std::vector<SizeClass> classes(int count, double finest = 0) const;
 
   private:
     std::function<double(double)> finer_{};

@@ -39,6 +39,10 @@ struct SphereDrag {
     }
 };
 
+/// The Stokes number up to which no particle meets a cylinder in potential flow: near the front the gas slows
+/// down by 2 U/R, and a particle with S below 1/8 never crosses the last distance.
+inline constexpr double least_stokes = 0.125;
+
 /// A particle in a flow across a tube. Lengths are in radii of the tube, velocities in that of the gas far
 /// upstream.
 struct TubeParticle {

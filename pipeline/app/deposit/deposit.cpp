@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <ostream>
@@ -30,7 +31,7 @@ namespace ashimpact {
 
 namespace {
 
-constexpr int classes_of_sizes = 80;
+constexpr int most_classes = 80;  ///< of sizes
 constexpr auto deposit_artifact = "deposit.json";
 constexpr double normal_temperature = 273.15;  ///< of "Nm3" [K]
 
@@ -59,8 +60,14 @@ TubeConditions read_tube(const CommandOptions& options) {
     return tube;
 }
 
+/// The classes of sizes, fine ones that cannot arrive as one. @param density of the particles [kg/m3]
+std::vector<SizeClass> classes_on(const TubeConditions& tube, const ParticleSizes& sizes, double density) {
+    return sizes.classes(most_classes, crossed_tube(tube).finest_arriving(density));
+}
+
 /// Ash by the options of a contact: one law and its constants for every size.
-DepositingAsh ash_of_options(const CommandOptions& options, std::vector<SizeClass> classes) {
+DepositingAsh ash_of_options(const CommandOptions& options, const TubeConditions& tube,
+                             const ParticleSizes& sizes) {
     for (const char* option : {"--diameter", "--radius", "--mass"})
         if (options.has(option)) throw InputError("the sizes are those of --sizes", "--density").at(option);
     for (const char* option :
@@ -76,10 +83,11 @@ DepositingAsh ash_of_options(const CommandOptions& options, std::vector<SizeClas
     if (options.has("--assumption"))
         throw InputError("belongs to a run", "--damping-law, the law for every size").at("--assumption");
     CommandOptions typed = options;
-    typed.text_of("--diameter") = shortest(classes.back().diameter());
+    typed.text_of("--diameter") = "10 um";  // any: the constants are the same for every size
     const ContactChoice choice = read_contact(typed);
     const Damping damping = read_damping_choice(typed, choice.contact).damping;
     const double density = sphere_density(choice.sphere.radius, choice.sphere.mass);
+    std::vector<SizeClass> classes = classes_on(tube, sizes, density);
     const bool damped = is_damped(damping, choice.contact.parameters);
     ClassVelocities velocities{.basis =
                                    damped ? named<SizeBasis>(name_of(damping.law)) : SizeBasis::adhesion};
@@ -106,9 +114,11 @@ struct DepositSource {
     std::vector<InputFile> inputs{};
     std::string run{};  ///< its identity; empty: none
     bool rests_on_edit = false;
+    std::vector<Finding> notes{};
 };
 
-DepositSource source_of_run(const CommandOptions& options, std::vector<SizeClass> classes) {
+DepositSource source_of_run(const CommandOptions& options, const TubeConditions& tube,
+                            const ParticleSizes& sizes) {
     refuse_contact_options(options);
     if (options.has("--law"))
         throw InputError("the run has it", "a run, or the options of an impact").at("--law");
@@ -131,8 +141,13 @@ DepositSource source_of_run(const CommandOptions& options, std::vector<SizeClass
                 .at("--assumption");
     }
     const Run run = read_run(artifacts);
+    double densest = 0;
+    for (const SampleContact& sample : run.contact.samples)
+        densest = std::max(densest, sample.density.value());
     source.ash = at_place(FileName{artifacts.at(comparison_artifact).place},
-                          [&] { return ash_of_run(run, std::move(classes), basis); });
+                          [&] { return ash_of_run(run, classes_on(tube, sizes, densest), basis); });
+    if (auto note = temperature_finding(run.comparison, source.ash.law, tube.temperature))
+        source.notes.push_back(*std::move(note));
     return source;
 }
 
@@ -143,6 +158,10 @@ Json options_json(const CommandOptions& options) {
                              "--sizes", "--ash-load", "--assumption", "--law", "--density",
                              "--contact-modulus", "--work-of-adhesion", "--damping-law", "--damping"})
         if (options.has(name)) json[std::string(name).substr(2)] = options[name];
+    if (options.has("run")) {
+        json["run"] = options["run"];
+        json.erase("damping-law");
+    }
     return json;
 }
 
@@ -160,25 +179,25 @@ void run_deposit_command(const CommandOptions& options, std::ostream& out) {
         throw InputError("neither a run nor a contact is given",
                          "RUN_DIR; or --law, --density and the other options of an impact")
             .at("deposit");
-    const TubeConditions conditions = read_tube(options);
+    TubeConditions tube = read_tube(options);
     const std::filesystem::path folder(options["--output"]);
     require_writable_folder(folder);
     require_own(folder / deposit_artifact);
     SizesChoice sizes = read_sizes(options["--sizes"], table_options(options));
     warn_of(sizes.notes, sizes.file ? sizes.file->file : "--sizes");
-    TubeConditions tube = conditions;
     tube.sizes = sizes.words;
-    std::vector<SizeClass> classes = sizes.sizes.classes(classes_of_sizes);
     DepositSource source;
     if (options.has("run"))
-        source = source_of_run(options, std::move(classes));
+        source = source_of_run(options, tube, sizes.sizes);
     else
-        source.ash = ash_of_options(options, std::move(classes));
+        source.ash = ash_of_options(options, tube, sizes.sizes);
     if (sizes.file) source.inputs.push_back(*sizes.file);
 
     StageRecord record{.stage = "deposition", .file = deposit_artifact};
     record.note(options.doubts(), "");
     record.note(sizes.notes, "");
+    const std::size_t printed = record.notes.size();
+    record.note(source.notes, "");
     const DepositionResult result = deposition_on(tube, source.ash, record);
     const Artifact artifact = sealed_artifact({.record = record,
                                                .inputs = source.inputs,
@@ -191,8 +210,8 @@ void run_deposit_command(const CommandOptions& options, std::ostream& out) {
     for (const report::Figure& figure : report::deposition_figures(result))
         files.push_back({folder / ("deposit-" + figure.id + ".csv"), report::csv_of(figure.numbers)});
     write_files(files);
-    for (const Note& note : record.notes)
-        if (note.code == "deposition") spdlog::warn("warning: {}", note.text);
+    for (std::size_t i = printed; i < record.notes.size(); ++i)
+        spdlog::warn("warning: {}", record.notes[i].text);
     out << deposition_text(result) << "Written:";
     for (const FileContent& file : files) out << ' ' << file.path.string();
     out << '\n';

@@ -15,7 +15,7 @@ namespace ashimpact {
 
 namespace {
 
-constexpr std::size_t most_size_groups = 8;
+constexpr std::size_t most_size_groups = 7;
 constexpr std::size_t arcs_together = 3;  ///< in a row: 15 degrees
 constexpr double shown_share = 5e-4;      ///< of the mass in a row
 constexpr double supported = 0.9;  ///< of the mass that arrives, from which the data support the answer
@@ -24,14 +24,15 @@ std::string share_text(double share) {
     return fmt::format("{:.3g}", 100 * share);
 }
 
-/// "12 %" or "12 % (3 to 40 %)".
-std::string spanned_text(const SpannedShare& share) {
-    return fmt::format("{} % ({} to {} %)", share_text(share.value), share_text(share.span.least),
-                       share_text(share.span.greatest));
+/// Three digits, large numbers without an exponent.
+std::string plain_number(double value) {
+    if (!(value >= 1000 && value < 1e9)) return fmt::format("{:.3g}", value);
+    const double unit = std::pow(10, std::floor(std::log10(value)) - 2);
+    return fmt::format("{:.0f}", std::round(value / unit) * unit);
 }
 
 std::string flux_number(double flux) {
-    return fmt::format("{:.3g}", flux * grams_an_hour);
+    return plain_number(flux * grams_an_hour);
 }
 
 std::string flux_cell(const std::optional<Quantity>& flux) {
@@ -45,11 +46,15 @@ struct SizeGroup {
     bool has_flux = false;
 };
 
+/// Of sizes that are too fine to arrive one group; of the others several.
 std::vector<SizeGroup> size_groups(const std::vector<DepositedSize>& sizes) {
     std::vector<SizeGroup> groups;
-    const std::size_t together = (sizes.size() + most_size_groups - 1) / most_size_groups;
-    for (std::size_t i = 0; i < sizes.size(); i += together) {
-        const std::size_t end = std::min(sizes.size(), i + together);
+    const auto arriving = static_cast<std::size_t>(
+        std::ranges::find_if(sizes, [](const auto& size) { return size.impaction_efficiency > 0; }) -
+        sizes.begin());
+    const std::size_t together = (sizes.size() - arriving + most_size_groups - 1) / most_size_groups;
+    for (std::size_t i = 0, end = 0; i < sizes.size(); i = end) {
+        end = i < arriving ? arriving : std::min(sizes.size(), i + together);
         SizeGroup group{.from = sizes[i].from, .to = sizes[end - 1].to, .middle = &sizes[(i + end) / 2]};
         for (std::size_t k = i; k < end; ++k) {
             const double arrives = sizes[k].mass_fraction * sizes[k].impaction_efficiency;
@@ -70,11 +75,13 @@ std::string size_group_table(const DepositionResult& result, std::size_t width) 
     for (const SizeGroup& group : size_groups(result.sizes)) {
         const bool any = group.arrives > 0;
         const DepositedSize& middle = *group.middle;
-        const std::string threshold = middle.critical_velocity ? velocity_text(*middle.critical_velocity)
+        const std::string threshold = !any                       ? "-"
+                                      : middle.critical_velocity ? velocity_text(*middle.critical_velocity)
                                       : middle.stick_fraction.value > 0 ? "all"
-                                                                        : "-";
+                                                                        : "none";
         table.add({group.from == group.to ? readable(group.from, "m")
-                                          : readable(group.from, "m") + " to " + readable(group.to, "m"),
+                   : any                  ? readable(group.from, "m") + " to " + readable(group.to, "m")
+                                          : "finer than " + readable(group.to, "m"),
                    share_text(group.mass), share_text(group.arrives / group.mass),
                    any ? velocity_text(group.normal / group.arrives) : "-", threshold,
                    any ? share_text(group.stays / group.arrives) : "-",
@@ -114,7 +121,7 @@ std::string assumption_table(const DepositionResult& result, std::size_t width) 
     TextTable table({"assumption", "stay %", "interval of v_c", "g/(m2 h)"}, 1);
     for (const AssumedDeposition& each : result.assumptions)
         table.add({std::string(name_of(each.basis)), share_text(each.stays.value),
-                   each.stays.span.least == each.stays.span.greatest
+                   share_text(each.stays.span.least) == share_text(each.stays.span.greatest)
                        ? "-"
                        : share_text(each.stays.span.least) + " to " + share_text(each.stays.span.greatest),
                    flux_cell(each.deposition_flux)});
@@ -131,23 +138,32 @@ std::string flux_text(double flux) {
 std::vector<std::string> deposition_sentences(const DepositionResult& result) {
     const DepositionTotal& total = result.total;
     std::vector<std::string> sentences;
-    if (total.deposition_flux)
-        sentences.push_back(fmt::format(
-            "{} of ash stays on the clean tube ({} to {}), as a mean over its circumference; {:.3g} g/h on "
-            "each metre of tube.",
-            flux_text(total.deposition_flux->value), flux_number(total.least_flux->value),
-            flux_number(total.greatest_flux->value), total.deposition_rate->value * grams_an_hour));
-    sentences.push_back(fmt::format("Of the mass that flies at the tube {} % arrives; of that {} stays.",
-                                    share_text(total.impaction_efficiency),
-                                    spanned_text(total.stick_fraction)));
     if (result.measured && total.supported_fraction < supported)
         sentences.push_back(fmt::format(
-            "Outside of what the data support: {} % of the mass that arrives is of the measured sizes, {}. "
-            "For "
-            "the rest v_c is an assumption, here {}{}.",
-            share_text(total.supported_fraction), size_range_text(*result.measured), name_of(result.basis),
-            result.assumptions.size() > 1 ? "; the range in brackets covers those that the impacts admit"
-                                          : ""));
+            "This is outside of what the data support: {} % of the mass that arrives is of the measured "
+            "sizes, {}; "
+            "for the "
+            "rest v_c is an assumption, here {}.",
+            share_text(total.supported_fraction), size_range_text(*result.measured), name_of(result.basis)));
+    const auto [least, greatest] = total.stick_fraction.span;
+    const bool spans = share_text(least) != share_text(greatest);
+    constexpr auto span_words = "over the interval of v_c and the assumptions on sizes";
+    if (total.deposition_flux)
+        sentences.push_back(
+            fmt::format("{} of ash stays on the clean tube, as a mean over its circumference{}. That is {} "
+                        "g/h on each metre of "
+                        "tube.",
+                        flux_text(total.deposition_flux->value),
+                        spans ? fmt::format("; {} to {} {}", flux_number(total.least_flux->value),
+                                            flux_number(total.greatest_flux->value), span_words)
+                              : "",
+                        plain_number(total.deposition_rate->value * grams_an_hour)));
+    sentences.push_back(
+        fmt::format("Of the mass that flies at the tube {} % arrives, and {} % of that stays{}.",
+                    share_text(total.impaction_efficiency), share_text(total.stick_fraction.value),
+                    spans ? fmt::format(" ({} to {} %{})", share_text(least), share_text(greatest),
+                                        total.deposition_flux ? "" : std::string(" ") + span_words)
+                          : ""));
     return sentences;
 }
 
@@ -169,7 +185,8 @@ std::string deposition_text(const DepositionResult& result, std::size_t width) {
                                 readable(tube.diameter, "m"), readable(tube.velocity, "m/s"),
                                 readable(tube.temperature, "K"), readable(tube.viscosity, "Pa s"),
                                 readable(tube.density, "kg/m3"), tube.sizes,
-                                tube.load ? ", " + readable(*tube.load, "kg/m3") : "", result.law.name()),
+                                tube.load ? ", " + plain_number(1000 * *tube.load) + " g/m3" : "",
+                                result.law.name()),
                     width, 2) +
             "\n\n" + size_group_table(result, width) + "\n" + angle_table(result, width);
     if (result.total.half_angle > 0)

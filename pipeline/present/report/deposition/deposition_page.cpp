@@ -171,8 +171,8 @@ std::string deposition_page(const DepositionResult& result, const Json& artifact
         "<ul class=\"answers\">\n";
     for (const std::string& sentence : deposition_sentences(result))
         body += "<li>" + with_subscripts(escaped(sentence)) + "</li>\n";
-    body += "</ul>\n<p>" + escaped(deposition_scope()) + "</p>\n</header>\n<main>\n" + html_contents(ids) +
-            html_section("figures", "Figures", drawn);
+    body += "</ul>\n<p>" + with_subscripts(escaped(deposition_scope())) + "</p>\n</header>\n<main>\n" +
+            html_contents(ids) + html_section("figures", "Figures", drawn);
     if (!artifact.at("warnings").empty())
         body += html_section("warnings", "Warnings", html_notes(escaped_texts(artifact.at("warnings"))));
     return html_page("Ash on a tube", body + html_provenance(artifact) + "</main>\n");

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Deposition on a tube, on the command line.
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "core/json/document.hpp"
+#include "tests/pipeline/sandbox.hpp"
+#include "tests/support/checks.hpp"
+
+using namespace ashimpact;
+using namespace ashimpact::test;
+
+namespace {
+
+const std::string superheater =
+    " --tube-diameter '38 mm' --gas-velocity '12 m/s' --gas-temperature '900 C' -o tube";
+const std::string sticky_ash =
+    " --law jkr --density '2300 kg/m3' --contact-modulus '90 GPa' --work-of-adhesion '0.3 J/m2' "
+    "--damping-law tsuji "
+    "--damping 1.8";
+
+/// The artifact of a deposition.
+Json deposited(const Sandbox& sandbox, const std::string& arguments) {
+    succeeded(sandbox, "deposit" + superheater + arguments);
+    return sandbox.json("tube/deposit.json");
+}
+
+double value_of(const Json& parent, const char* key) {
+    return parent.at(key).at("value").get<double>();
+}
+
+}  // namespace
+
+TEST_CASE("a deposition conserves mass over sizes, around the tube and along its length") {
+    const Sandbox sandbox;
+    const Json artifact =
+        deposited(sandbox, sticky_ash + " --sizes 'rosin-rammler: 20 um, 1.2' --ash-load '10 g/m3'");
+    const Json& result = artifact["result"];
+    const Json& total = result["total"];
+    double mass = 0;
+    double stays = 0;
+    double arrives = 0;
+    for (const Json& size : result["sizes"]) {
+        mass += value_of(size, "mass_fraction");
+        stays += value_of(size, "deposition_flux");
+        arrives += value_of(size, "mass_fraction") * value_of(size, "impaction_efficiency");
+        CHECK(value_of(size, "stick_fraction") <= 1);
+    }
+    double around = 0;
+    double arrives_around = 0;
+    for (const Json& arc : result["angles"]) {
+        around += value_of(arc, "deposition_flux") * (value_of(arc, "to") - value_of(arc, "from"));
+        arrives_around += value_of(arc, "arrives");
+    }
+    CHECK(std::abs(mass - 1) < 1e-12);
+    const double flux = value_of(total, "deposition_flux");
+    CHECK(flux > 0);
+    CHECK(relative_difference(stays, flux) < 1e-12);
+    CHECK(relative_difference(around / std::numbers::pi, flux) < 1e-12);
+    CHECK(relative_difference(value_of(total, "deposition_rate"), flux * std::numbers::pi * 0.038) < 1e-12);
+    CHECK(relative_difference(arrives, value_of(total, "impaction_efficiency")) < 1e-12);
+    CHECK(relative_difference(arrives_around, arrives) < 1e-12);
+    // Load times velocity times the shares, over the circumference.
+    CHECK(relative_difference(
+              flux, 0.01 * 12 / std::numbers::pi * arrives * value_of(total, "stick_fraction")) < 1e-12);
+    // At 0 C the same load is 10 g/m3 times 1173.15/273.15.
+    const Json normal = deposited(
+        sandbox, sticky_ash + " --sizes 'rosin-rammler: 20 um, 1.2' --ash-load '42.94892915980231 g/Nm3'");
+    CHECK(relative_difference(value_of(normal["result"]["total"], "deposition_flux"), flux) < 1e-9);
+    for (const char* file : {"deposit.html", "deposit-by-size.csv", "deposit-around-the-tube.csv"})
+        CHECK(sandbox.has(std::string("tube/") + file));
+    CHECK(succeeded(sandbox, "inspect tube/deposit.json").out == containing("deposition_flux"));
+}
+
+TEST_CASE("what stays goes from nothing to all, and without a load there are shares alone") {
+    const Sandbox sandbox;
+    const std::string ash = " --density '2300 kg/m3' --contact-modulus '90 GPa' --sizes '20 um'";
+    const Json none = deposited(sandbox, ash + " --law hertz");
+    CHECK(value_of(none["result"]["total"], "stick_fraction") == 0);
+    CHECK(value_of(none["result"]["total"], "impaction_efficiency") > 0.2);
+    CHECK(none["result"]["total"]["deposition_flux"].is_null());
+    const Json all = deposited(sandbox, ash + " --law hertz --damping '1 kg/s'");
+    CHECK(value_of(all["result"]["total"], "stick_fraction") == 1);
+    CHECK(all["result"]["assumption"] == "constant");
+    const Json thick = deposited(sandbox, ash + " --law hertz --gas-viscosity '200 uPa s'");
+    CHECK(value_of(thick["result"]["total"], "impaction_efficiency") <
+          0.2 * value_of(none["result"]["total"], "impaction_efficiency"));
+}
+
+TEST_CASE("a sieve table in any form is the distribution it was made of") {
+    const Sandbox sandbox;
+    std::string passing = "Korngröße [µm];Durchgang [%]\n";
+    std::string residue = "size (mm),residue\n";
+    std::string shares = "from [um]\tto [um]\tshare [%]\n";
+    double before = 0;
+    double below = 0;
+    for (double d = 0.5; d < 200; d *= 1.25) {
+        const double finer = d * 1.25 < 200 ? -std::expm1(-std::pow(d / 20, 1.2)) : 1;
+        std::string decimal = std::to_string(d);
+        decimal.replace(decimal.find('.'), 1, ",");
+        passing += decimal + ";" +
+                   std::to_string(100 * finer).replace(std::to_string(100 * finer).find('.'), 1, ",") + "\n";
+        residue += std::to_string(d / 1000) + "," + std::to_string(1 - finer) + "\n";
+        shares += std::to_string(before) + "\t" + std::to_string(d) + "\t" +
+                  std::to_string(100 * (finer - below)) + "\n";
+        before = d;
+        below = finer;
+    }
+    sandbox.write("passing.csv", passing);
+    sandbox.write("residue.csv", residue);
+    sandbox.write("shares.tsv", shares);
+    const Json law = deposited(sandbox, sticky_ash + " --sizes 'rosin-rammler: 20 um, 1.2'");
+    const double expected = value_of(law["result"]["total"], "stick_fraction");
+    for (const char* file : {"passing.csv", "residue.csv", "shares.tsv"}) {
+        CAPTURE(file);
+        const Json table = deposited(sandbox, sticky_ash + " --sizes " + file);
+        CHECK(relative_difference(value_of(table["result"]["total"], "stick_fraction"), expected) < 0.01);
+        CHECK(table["provenance"]["inputs"].size() == 1);
+    }
+}
+
+TEST_CASE("of a run v_c by size counts, and beyond the measured sizes the headline says so") {
+    const Sandbox sandbox;
+    put_built_in_run(sandbox);
+    const std::string ash = " results --sizes 'rosin-rammler: 20 um, 1.2' --ash-load '10 g/m3'";
+    const Finished finished = succeeded(sandbox, "deposit" + superheater + ash);
+    CHECK(finished.out.starts_with("This is outside of what the data support"));
+    CHECK(finished.out == containing("What this is not"));
+    const Json first = sandbox.json("tube/deposit.json");
+    const Json& result = first["result"];
+    CHECK(result["assumption"] == "tsuji");
+    const Json& span = result["total"]["stick_fraction_span"];
+    CHECK(value_of(span, "least") <= value_of(result["total"], "stick_fraction"));
+    CHECK(value_of(span, "greatest") > 0.9);
+    CHECK(first["provenance"]["run"] == sandbox.json("results/comparison.json")["provenance"]["run"]);
+    const Json again = deposited(sandbox, ash);
+    CHECK(again == first);
+    const Json constant = deposited(sandbox, ash + " --assumption constant");
+    CHECK(constant["result"]["assumptions"].size() == result["assumptions"].size());
+    CHECK(value_of(constant["result"]["total"], "stick_fraction") > 0.9);
+    // Over the measured sizes v_c is as measured whatever is assumed elsewhere.
+    const Json measured = deposited(sandbox, " results --sizes '96 um'");
+    CHECK(relative_difference(value_of(measured["result"]["sizes"][0], "critical_velocity"),
+                              1.2296515777623622) < 1e-6);
+    CHECK(value_of(measured["result"]["total"], "supported_fraction") == 1);
+    check_refused(sandbox, "deposit" + superheater + ash + " --assumption hunt-crossley",
+                  "do not admit hunt-crossley");
+    check_refused(sandbox, "deposit" + superheater + ash + " --density 2000", "--density: the run has it");
+}
+
+TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
+    const Sandbox sandbox;
+    sandbox.write("twice.csv", "size [um],retained [%]\n10,20\n20,100\n");
+    sandbox.write("falls.csv", "size [um],passing [%]\n10,50\n20,40\n40,100\n");
+    sandbox.write("short.csv", "size [um],passing [%]\n10,20\n20,60\n");
+    sandbox.write("bare.csv", "size,passing [%]\n10,20\n20,100\n");
+    sandbox.write("sum.csv", "from [um],to [um],share [%]\n0,10,20\n10,20,60\n");
+    sandbox.write("gap.csv", "from [um],to [um],share [%]\n0,10,40\n12,20,60\n");
+    sandbox.write("none.csv", "a,b\n1,2\n");
+    struct Refused {
+        const char* sizes;
+        const char* says;
+    };
+    for (const auto& [sizes, says] :
+         {Refused{"'rosin-rammler: 20 um'", "1 value is given"},
+          Refused{"'rosin-rammler: 20 um, -1'", "exponent is \"-1\""},
+          Refused{"'gamma: 20 um, 2'", "no distribution is called \"gamma\""},
+          Refused{"'log-normal: 20 um, 0.5'", "geometric standard deviation is \"0.5\""},
+          Refused{"'log-normal: 20 um, 2, area'", "the basis is \"area\""},
+          Refused{"20", "did you mean 20 um?"}, Refused{"'20 kg'", "--sizes"},
+          Refused{"'-3 um'", "a positive length"}, Refused{"coarse", "cannot read \"coarse\""},
+          Refused{"missing.csv", "missing.csv"}, Refused{"twice.csv", "two readings"},
+          Refused{"falls.csv", "line 3"}, Refused{"short.csv", "40 % is coarser than the largest size"},
+          Refused{"bare.csv", "no unit"}, Refused{"sum.csv", "add up to 80 %"},
+          Refused{"gap.csv", "does not begin where"}, Refused{"none.csv", "no line names the columns"}}) {
+        CAPTURE(sizes);
+        check_refused(sandbox, "deposit" + superheater + sticky_ash + " --sizes " + sizes, says);
+    }
+    const std::string sized = sticky_ash + " --sizes '20 um'";
+    for (const auto& [arguments, says] :
+         {Refused{" --diameter '20 um'", "--diameter: the sizes are those of --sizes"},
+          Refused{" --partner-radius '1 mm'", "--partner-radius: the partner is the tube"},
+          Refused{" --roughness '1 nm'", "--roughness: goes with the size"},
+          Refused{" --assumption tsuji", "--assumption: belongs to a run"},
+          Refused{" --ash-load -1", "--ash-load"}, Refused{" --ash-load '10 kg'", "--ash-load"},
+          Refused{" --gas-viscosity 0", "--gas-viscosity"}}) {
+        CAPTURE(arguments);
+        check_refused(sandbox, "deposit" + superheater + sized + arguments, says);
+    }
+    check_refused(sandbox, "deposit" + superheater + " --sizes '20 um'",
+                  "neither a run nor a contact is given");
+    CHECK(succeeded(sandbox,
+                    "deposit --tube-diameter 38 --gas-velocity 12 --gas-temperature '900 C' -o far" + sized)
+              .err == containing("--tube-diameter: 38 m is outside of what is plausible"));
+    sandbox.write("tube/deposit.json", "{}");
+    check_refused(sandbox, "deposit" + superheater + sized, "no result of deposit");
+}
