@@ -20,7 +20,7 @@ struct Gas {
 
 /// Drag on a sphere over that of Stokes, C_D Re/24 = 1 + coefficient Re^(2/3).
 struct SphereDrag {
-    /// Serafini 1954 (NACA Report 1159), the law behind the correlation of Israel & Rosner 1982; within 4 %
+    /// Serafini 1954 (NACA Report 1159), the law behind the correlation of Israel & Rosner 1982; within 5 %
     /// of Schiller & Naumann 1935 up to Re = 200, within 8 % up to 800. 1/6: Putnam 1961, as in OpenFOAM; 0:
     /// Stokes.
     double coefficient = 0.158;

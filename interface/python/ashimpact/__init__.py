@@ -23,7 +23,19 @@ from ashimpact._batch import (
 )
 from ashimpact._core import ConvergenceError, InputError
 from ashimpact._core import version as __version__
-from ashimpact._program import analyse_impacts, calibrate, columns, contact, export, figure, modulus, run, sweep, to_pandas
+from ashimpact._program import (
+    analyse_impacts,
+    calibrate,
+    columns,
+    contact,
+    deposit,
+    export,
+    figure,
+    modulus,
+    run,
+    sweep,
+    to_pandas,
+)
 
 __all__ = [
     "ConvergenceError",
@@ -38,6 +50,7 @@ __all__ = [
     "contact",
     "critical_velocities",
     "dampings",
+    "deposit",
     "export",
     "figure",
     "impacts",

@@ -225,6 +225,36 @@ def export(code: str, run_folder: Optional[PathLike] = None, *, folder: PathLike
     return Path(os.fsdecode(folder))
 
 
+def deposit(
+    run_folder: Optional[PathLike] = None,
+    *,
+    tube_diameter: Union[float, str],
+    gas_velocity: Union[float, str],
+    gas_temperature: Union[float, str],
+    sizes: Union[PathLike, float],
+    folder: Optional[PathLike] = None,
+    **options: Any,
+) -> Document:
+    """What stays on a tube in a flow of ash; as `ashimpact deposit`. Numbers are SI, or texts with a unit.
+
+    Args:
+        run_folder: folder of a run; without one the options describe a contact, as those of impacts().
+        sizes: "20 um", "rosin-rammler: 20 um, 1.2", "log-normal: 20 um, 1.8", or the file of a sieve table.
+        folder: where artifact, page and tables are written; without one they are not kept.
+        options: those of the command, with _ for -, such as ash_load="10 g/m3" or assumption="tsuji".
+
+    Returns:
+        The artifact deposit.json.
+    """
+    words = [] if run_folder is None else [_path(run_folder)]
+    options |= {"tube_diameter": tube_diameter, "gas_velocity": gas_velocity, "gas_temperature": gas_temperature}
+    options["sizes"] = os.fsdecode(sizes) if isinstance(sizes, os.PathLike) else sizes
+    with tempfile.TemporaryDirectory() as scratch:
+        target = Path(scratch) / "deposit" if folder is None else Path(os.fsdecode(folder))
+        _call("deposit", *words, "-o", _path(target), *_options(deposit, options))
+        return _read(target / "deposit.json")
+
+
 def run(
     case: Optional[PathLike] = None,
     folder: Optional[PathLike] = None,

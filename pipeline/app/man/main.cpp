@@ -14,6 +14,7 @@
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/run_stages.hpp"
 #include "pipeline/files/schema.hpp"
+#include "pipeline/run/results/sizes.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/damping/damping.hpp"
 
@@ -67,7 +68,12 @@ const std::map<std::string, Words>& units() {
                                                   {"--mass", {"kg", "ug", "ng"}},
                                                   {"--work-of-adhesion", {"J/m2", "mJ/m2"}},
                                                   {"--damping", {"kg/s", "Pa s", "1"}},
-                                                  {"--time-step", {"ns", "ps", "s"}}};
+                                                  {"--time-step", {"ns", "ps", "s"}},
+                                                  {"--tube-diameter", {"mm", "m"}},
+                                                  {"--gas-velocity", velocities},
+                                                  {"--gas-temperature", {"C", "K"}},
+                                                  {"--gas-viscosity", {"uPa s", "Pa s"}},
+                                                  {"--ash-load", {"g/m3", "g/Nm3"}}};
     return all;
 }
 
@@ -81,6 +87,7 @@ const std::map<std::string, Words>& names() {
         {"--from", stage_names()},
         {"--only", stage_names()},
         {"--phase-set", {"literature", "dong2013"}},
+        {"--assumption", names_of<SizeBasis>()},
         {"--free", {"density", "work_of_adhesion", "contact_modulus", "wall_young_modulus", "time_step"}}};
     return all;
 }

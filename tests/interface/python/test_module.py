@@ -459,6 +459,14 @@ class Documents(unittest.TestCase):
             self.assertTrue((pathlib.Path(made) / "expected.json").is_file())
             with self.assertRaisesRegex(ashimpact.InputError, "allowed"):
                 ashimpact.export("ansys", folder + "/results", folder=folder + "/other")
+            tube = dict(tube_diameter=0.038, gas_velocity=12.0, gas_temperature="900 C", ash_load="10 g/m3")
+            stays = ashimpact.deposit(folder + "/results", sizes="rosin-rammler: 20 um, 1.2", **tube)["result"]["total"]
+            self.assertGreater(stays["deposition_flux"]["value"], 0)
+            one = ashimpact.deposit(folder + "/results", sizes=96e-6, folder=folder + "/tube", **tube)["result"]
+            self.assertEqual(one["total"]["supported_fraction"]["value"], 1)
+            self.assertTrue((pathlib.Path(folder) / "tube" / "deposit.html").is_file())
+            with self.assertRaisesRegex(ashimpact.InputError, "sizes"):
+                ashimpact.deposit(folder + "/results", sizes="coarse", **tube)
 
     def test_modulus_of_a_file(self, ):
         import tempfile
