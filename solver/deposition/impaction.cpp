@@ -16,11 +16,11 @@ namespace ashimpact {
 
 namespace {
 
-constexpr double path_tolerance = 1e-10;  ///< of one step, relative and in radii
-constexpr double longest_step = 0.25;     ///< in distances from the axis, so that no step skips the tube
-constexpr double nearest_start = 40;      ///< of a path [radii]
-constexpr double start_error = 1e-7;      ///< of the offset, relative
-constexpr int most_steps = 1'000'000;
+constexpr double path_tolerance = 1e-10;    ///< of one step, relative and in radii
+constexpr double longest_path_step = 0.25;  ///< in distances from the axis, so that no step skips the tube
+constexpr double nearest_start = 40;        ///< of a path [radii]
+constexpr double start_error = 1e-7;        ///< of the offset, relative
+constexpr int most_path_steps = 1'000'000;
 constexpr double least_offset = 1e-5;  ///< critical offsets below count as 0
 constexpr double offset_accuracy = 1e-10;
 constexpr int paths = 32;  ///< beside the first
@@ -77,7 +77,7 @@ TubePassage passage_at(const PathState& state, bool arrives) {
 /// The start of a path: the asymptotic solution far upstream in powers of S/distance. The gas there is
 /// pushed aside with 2 y/|x|^3; a particle lags behind by S times the rate of that, 6 S y/x^4, so its offset
 /// on the streamlines shrinks by 2 S/|x|^3 of itself. The next term, 6 S^2/x^4, is neglected.
-PathState start_of(const TubeParticle& particle, double offset) {
+PathState path_start_of(const TubeParticle& particle, double offset) {
     const double stokes = particle.stokes;
     const double x = -std::max(nearest_start, std::pow(6 * stokes * stokes / start_error, 0.25));
     const double streamline = offset * (1 + 2 * stokes / (x * x * x));
@@ -100,12 +100,12 @@ double excess_of(const PathState& error, const PathState& state) {
 TubePassage tube_passage(const TubeParticle& particle, double offset) {
     const PathMotion motion(particle);
     PathStepper stepper;
-    PathState state = start_of(particle, offset);
+    PathState state = path_start_of(particle, offset);
     PathState closest = state;
     double next = 0.1 * std::min(1.0, particle.stokes);
-    for (int i = 0; i < most_steps; ++i) {
+    for (int i = 0; i < most_path_steps; ++i) {
         const PathState before = state;
-        double end = std::min(next, longest_step * distance_of(before));
+        double end = std::min(next, longest_path_step * distance_of(before));
         PathState error{};
         stepper.do_step(motion, before, 0.0, state, end, error);
         const double excess = excess_of(error, state);
