@@ -135,8 +135,7 @@ bool spans(const DepositingAsh& ash, const ClassVelocities& velocities) {
 }
 
 std::vector<DepositedSize> deposited_sizes(const TubeConditions& tube, const DepositingAsh& ash,
-                                           const std::vector<ClassImpaction>& classes,
-                                           const std::optional<double>& mean_flux) {
+                                           const std::vector<ClassImpaction>& classes, double mean_flux) {
     std::vector<DepositedSize> sizes;
     const ClassVelocities& answer = ash.assumptions.front();
     for (std::size_t i = 0; i < classes.size(); ++i) {
@@ -162,8 +161,8 @@ std::vector<DepositedSize> deposited_sizes(const TubeConditions& tube, const Dep
                 stays.span.greatest = std::max(stays.span.greatest, stick(other.upper[i]));
             }
         }
-        if (mean_flux) {
-            const double arrives = *mean_flux * each.size.share * each.impaction.efficiency();
+        if (tube.load) {
+            const double arrives = mean_flux * each.size.share * each.impaction.efficiency();
             size.arrival_flux = Quantity{arrives, std::string(mass_flux_unit)};
             size.deposition_flux = Quantity{arrives * stays.value, std::string(mass_flux_unit)};
         }
@@ -280,11 +279,10 @@ DepositionResult deposition_on(const TubeConditions& tube, const DepositingAsh& 
     const ClassVelocities& answer = ash.assumptions.front();
     const std::vector<ArcImpaction> arcs = arcs_of(classes, answer.value, tube.velocity, arcs_of_quarter);
     // What flies at a length of tube, load U D, over its circumference, pi D.
-    const auto mean_flux =
-        tube.load ? std::optional(*tube.load * tube.velocity / std::numbers::pi) : std::nullopt;
+    const double mean_flux = tube.load.value_or(0) * tube.velocity / std::numbers::pi;
     const auto flux = [&](double share) -> std::optional<Quantity> {
-        if (!mean_flux) return std::nullopt;
-        return Quantity{*mean_flux * share, std::string(mass_flux_unit)};
+        if (!tube.load) return std::nullopt;
+        return Quantity{mean_flux * share, std::string(mass_flux_unit)};
     };
 
     DepositionResult result{.tube = tube,
