@@ -217,7 +217,7 @@ void note_limits(const TubeConditions& tube, const std::vector<ClassImpaction>& 
     const auto note = [&](double share, const std::string& text) {
         if (share > 1e-3)
             record.note(Finding{"deposition", share > 0.1 ? Severity::doubt : Severity::remark,
-                                fmt::format("{:.2g} % of the mass that arrives {}", 100 * share, text)});
+                                fmt::format("{:.3g} % of the mass that arrives {}", 100 * share, text)});
     };
     note(share_of([](const ClassImpaction& each) { return each.size.diameter() < fine_particle; }),
          "is finer than 2 um, where the gas slips along particles and turbulence and heat move them");

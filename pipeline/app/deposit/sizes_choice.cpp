@@ -93,6 +93,9 @@ SizesChoice read_sizes(const std::string& spec, const TableOptions& options) {
             at_place(FileName{spec}, [&] { return read_sieve_table(bytes, options, choice.notes); });
         return choice;
     }
+    if (!options.sheet.empty() || options.decimal)
+        throw InputError("belongs to a sieve table", "--sizes FILE")
+            .at(options.sheet.empty() ? "--decimal" : "--sheet");
     return at_place(sizes_option, [&] {
         const auto colon = spec.find(':');
         if (colon != std::string::npos)

@@ -138,7 +138,7 @@ std::string flux_text(double flux) {
 std::vector<std::string> deposition_sentences(const DepositionResult& result) {
     const DepositionTotal& total = result.total;
     std::vector<std::string> sentences;
-    if (result.measured && total.supported_fraction < supported)
+    if (result.measured && total.impaction_efficiency > 0 && total.supported_fraction < supported)
         sentences.push_back(fmt::format(
             "This is outside of what the data support: {} % of the mass that arrives is of the measured "
             "sizes, {}; "

@@ -186,6 +186,7 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
           Refused{" --partner-radius '1 mm'", "--partner-radius: the partner is the tube"},
           Refused{" --roughness '1 nm'", "--roughness: goes with the size"},
           Refused{" --assumption tsuji", "--assumption: belongs to a run"},
+          Refused{" --sheet Siebung", "--sheet: belongs to a sieve table"},
           Refused{" --ash-load -1", "--ash-load"}, Refused{" --ash-load '10 kg'", "--ash-load"},
           Refused{" --gas-viscosity 0", "--gas-viscosity"}}) {
         CAPTURE(arguments);
