@@ -83,29 +83,4 @@ std::vector<ArcImpaction> arcs_of(const std::vector<ClassImpaction>& classes,
     return arcs;
 }
 
-void ParticleCount::add(const FlyingParticle& particle) {
-    const auto above = std::ranges::lower_bound(
-        classes_, particle.diameter, {}, [](const ClassImpaction& each) { return each.size.diameter(); });
-    const auto upper = static_cast<std::size_t>(
-        std::min<std::ptrdiff_t>(above - classes_.begin(), std::ssize(classes_) - 1));
-    const std::size_t lower = above == classes_.begin() || above == classes_.end() ? upper : upper - 1;
-    const double small = classes_[lower].size.diameter();
-    const double large = classes_[upper].size.diameter();
-    const double part = lower == upper ? 0 : std::log(particle.diameter / small) / std::log(large / small);
-    const auto between = [&](double a, double b) { return (1 - part) * a + part * b; };
-    const TubeImpaction& first = classes_[lower].impaction;
-    const TubeImpaction& second = classes_[upper].impaction;
-    const double most = between(first.efficiency(), second.efficiency());
-    if (!(particle.offset < most)) return;
-    ++arrived_;
-    const double share = particle.offset / most;
-    const auto normal = [&](const TubeImpaction& impaction) {
-        return impaction.any() ? impaction.at_offset(share * impaction.efficiency()).normal : 0;
-    };
-    const double critical = lower == upper || std::isinf(critical_[lower]) || std::isinf(critical_[upper])
-                                ? critical_[part < 0.5 ? lower : upper]
-                                : between(critical_[lower], critical_[upper]);
-    if (gas_velocity_ * between(normal(first), normal(second)) < critical) ++stayed_;
-}
-
 }  // namespace ashimpact

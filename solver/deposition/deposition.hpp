@@ -62,31 +62,4 @@ struct ArcImpaction {
                                                 const std::vector<double>& critical, double gas_velocity,
                                                 int count);
 
-/// A particle by its size, and its offset as a share of the radius of the tube.
-struct FlyingParticle {
-    double diameter = 0;  ///< [m]
-    double offset = 0;    ///< [radii]
-};
-
-/// Follows particles one by one by interpolation between the classes around their size: the arrivals of both
-/// at the same share of the critical offset. Counts what arrives and stays, with memory of the classes alone.
-class ParticleCount {
-  public:
-    /// @param classes from small to large, adjacent @param critical velocity of each [m/s]
-    ParticleCount(const std::vector<ClassImpaction>& classes, const std::vector<double>& critical,
-                  double gas_velocity)
-        : classes_(classes), critical_(critical), gas_velocity_(gas_velocity) {}
-
-    void add(const FlyingParticle& particle);
-
-    [[nodiscard]] std::size_t arrived() const { return arrived_; }
-    [[nodiscard]] std::size_t stayed() const { return stayed_; }
-
-  private:
-    const std::vector<ClassImpaction>& classes_;
-    const std::vector<double>& critical_;
-    double gas_velocity_;
-    std::size_t arrived_ = 0, stayed_ = 0;
-};
-
 }  // namespace ashimpact
