@@ -139,7 +139,7 @@ DampingEstimate summary_of(const CriticalVelocityEstimate& estimate) {
             .captures = estimate.captures,
             .noise_known = estimate.noise_known,
             .scatter = estimate.curve.scatter.noise,
-            .particle_scatter = estimate.curve.scatter.damping,
+            .particle_scatter = estimate.curve.damping_scatter,
             .curve = damping.velocity.empty() ? std::nullopt : std::optional(damping)};
 }
 

@@ -1,123 +1,86 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <optional>
 #include <vector>
 
 #include <Eigen/Dense>
 
 #include "solver/inference/curve/recorded_impacts.hpp"
-#include "solver/surrogate/cohesive_velocity_map.hpp"
 
 namespace ashimpact {
 
-/// A smooth curve of damping over velocity, anchored at the critical velocity:
+/// A curve of restitution over velocity that assumes no law of contact or damping:
 ///
-///     ln eta(v) = ln eta_capture(v_c) + g(t),   g(t) = sum_k c_k (T_k(2t - 1) - T_k(-1)),
+///     ln e = a + q ln s + sum_k b_k T_k(2s - 1),   s = y/(1 + y),   y = ln(v/v_c),
 ///
-/// with t in [0, 1] the restitution at v over that at the fastest impact, both for constant damping of the
-/// same v_c. In t a damping that depends on the velocity is smooth, and so is one that depends on the
-/// restitution, which for adhesive laws rises vertically at v_c. g = 0 is constant damping. v_c is a
-/// parameter of its own, and above it every impact rebounds.
-class SmoothDamping {
+/// zero up to v_c and of order y^q above it: q = 1/2 where the contact takes a fixed energy, about 1 where
+/// damping that hardly varies just captures.
+class OnsetCurve {
   public:
-    static constexpr int terms = 7;
+    static constexpr int bends = 6;
+    static constexpr int size = 2 + bends;
+    using Vector = Eigen::Matrix<double, size, 1>;  ///< a, q, b_1 ...
 
-    /// @param log_critical_velocity ln v_c @param fastest ln v of the fastest impact; taken as
-    /// 0.1 above v_c where it is below that
-    SmoothDamping(const CurveTable& table, double log_critical_velocity, double fastest,
-                  const std::array<double, terms>& coefficients);
+    OnsetCurve(double log_critical_velocity, const Vector& coefficients)
+        : critical_(log_critical_velocity), coefficients_(coefficients) {}
 
-    struct Point {
-        double distance;     ///< phi = ln(eta_capture(v)/eta(v)), negative below v_c
-        double restitution;  ///< 0 below v_c
-        double by_distance;  ///< d e/d phi
-    };
-    /// @param x ln v
-    [[nodiscard]] Point at_log_velocity(double x) const;
+    /// Factors of the coefficients in ln e. @param y ln(v/v_c), above 0
+    [[nodiscard]] static Vector terms(double y);
+    /// e at ln v = @p x
+    [[nodiscard]] double restitution(double x) const;
     [[nodiscard]] double log_critical_velocity() const { return critical_; }
-    /// Penalty, -ln of a prior density, on curves whose restitution stays near 0 above v_c: those whose
-    /// distance is less than 0.6 of what constant damping gives. For such a curve v_c would have no meaning.
-    [[nodiscard]] double lingering() const { return lingering_; }
+    [[nodiscard]] const Vector& coefficients() const { return coefficients_; }
 
   private:
-    [[nodiscard]] double deviation(double t) const;
-    [[nodiscard]] Point computed(double x) const;
-
-    // The curve is tabulated over the square root of ln(v/v_c), in which e begins smoothly.
-    static constexpr int cells = 56;
-
-    const CurveTable* table_;
     double critical_;
-    double critical_damping_;
-    double span_;  ///< restitution of constant damping at the fastest impact
-    double step_;  ///< of the square root of ln(v/v_c)
-    double lingering_ = 0.0;
-    std::array<double, terms> coefficients_;
-    std::array<Point, cells + 3> points_;  ///< from one step before v_c on
+    Vector coefficients_;
 };
 
 /// How measurements scatter about the curve.
 struct Scatter {
-    double noise;     ///< factor on the uncertainties of both velocities
-    double damping;   ///< standard deviation of ln eta between particles, or of what acts like it (size)
-    double outliers;  ///< share of impacts whose record does not depend on the curve
+    double noise;      ///< factor on the uncertainties of both velocities
+    double threshold;  ///< standard deviation of ln v_c between particles
 };
 
-/// ln of the probability of a recorded capture, or of the probability density of a reading [s/m], integrated
-/// over the true velocity and over the scatter between particles.
-[[nodiscard]] double log_probability(const SmoothDamping& curve, const Scatter& scatter,
+/// ln of the probability of a recorded capture, or of the probability density of a reading [s/m], over the
+/// true velocity, the scatter between particles and a small share of records that depend on nothing.
+[[nodiscard]] double log_probability(const OnsetCurve& curve, const Scatter& scatter,
                                      const RecordedImpact& impact);
 
 /// What is known before the impacts are used.
 struct CurvePrior {
     bool noise_known;
     double noise;                   ///< first estimate of an unknown noise [m/s]
-    std::optional<double> scatter;  ///< of ln eta between particles, if known
+    std::optional<double> scatter;  ///< of ln v_c between particles, if known
 };
 
-/// -ln of the posterior density of a curve of damping with its scatter.
-///
-/// Parameters: ln v_c; the coefficients of g and ln of the scatter between particles, in standard deviations
-/// from the means of their normal priors; ln of the noise over its expected scale.
+/// The likeliest curve at a v_c and a scatter, and the density of v_c there.
+struct LikeliestCurve {
+    OnsetCurve curve;
+    Scatter scatter;
+    double log_density;  ///< ln of the posterior, integrated over the curves by Laplace's method
+};
+
+/// Posterior density of v_c. At each v_c and each of some values of the scatter between particles, the curve
+/// and the factor on the noise are fitted by a fixed number of iterations, so that all results are smooth in
+/// the impacts.
 class CurvePosterior {
   public:
-    CurvePosterior(const CurveTable& table, const std::vector<RecordedImpact>& impacts,
-                   const CurvePrior& prior);
+    CurvePosterior(const std::vector<RecordedImpact>& impacts, const CurvePrior& prior)
+        : impacts_(&impacts), prior_(prior) {}
 
-    // Indices of the parameters.
-    static constexpr int critical = 0;
-    static constexpr int first_term = 1;
-    static constexpr int noise = first_term + SmoothDamping::terms;
-    static constexpr int scatter = noise + 1;
-    static constexpr int size = scatter + 1;
-    using Vector = Eigen::Matrix<double, size, 1>;
-    using Matrix = Eigen::Matrix<double, size, size>;
-
-    /// -ln of the posterior density; 1e10 if the curve is impossible.
-    [[nodiscard]] double operator()(const Vector& parameters) const;
-    [[nodiscard]] SmoothDamping curve(const Vector& parameters) const;
-    [[nodiscard]] Scatter scatter_of(const Vector& parameters) const;
-    /// Whether the impacts state their noise.
-    [[nodiscard]] bool noise_known() const { return prior_.noise_known; }
-
-    struct Curvature {
-        Vector gradient;
-        Matrix hessian;
-    };
-    /// Gradient and Hessian by differences. @param value that at @p parameters
-    /// @param steps of the differences, at most about the standard deviations of the parameters
-    [[nodiscard]] Curvature curvature(const Vector& parameters, double value, const Vector& steps) const;
+    /// The likeliest curve of the likeliest scatter; its density is the sum over all of them.
+    /// @param log_critical_velocity ln v_c
+    [[nodiscard]] LikeliestCurve at(double log_critical_velocity) const;
+    /// ln of the probability of the outcomes alone, captures and rebounds, whatever the curve.
+    [[nodiscard]] double log_outcomes(double log_critical_velocity) const;
 
   private:
-    [[nodiscard]] double prior_term(const Vector& parameters) const;
+    [[nodiscard]] LikeliestCurve fitted(double log_critical_velocity, double threshold) const;
 
-    const CurveTable* table_;
     const std::vector<RecordedImpact>* impacts_;
     CurvePrior prior_;
-    double fastest_ = -1e300;  ///< ln v
-    double slowest_ = 1e300;
 };
 
 }  // namespace ashimpact

@@ -8,6 +8,7 @@
 #include "solver/inference/curve/curve_posterior.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 #include "solver/statistics/interval.hpp"
+#include "solver/surrogate/contact_model.hpp"
 
 namespace ashimpact {
 
@@ -17,17 +18,16 @@ struct EstimatedDamping {
     std::vector<double> damping;   ///< [kg/s]
 };
 
-/// v_c and the curve of damping, estimated from all impacts without assuming a form of eta.
+/// v_c and the curve of damping, estimated from all impacts without assuming a law.
 struct CurveEstimate {
-    Interval critical_velocity;         ///< mean and 95 % interval [m/s]
-    Interval critical_damping;          ///< eta_capture at those [kg/s]
-    CurvePosterior::Vector parameters;  ///< of the likeliest curve
-    EstimatedDamping damping;           ///< of the mean curve; empty if no impact is faster than v_c
-    double effective;                   ///< effective number of independent draws from the posterior
+    Interval critical_velocity;  ///< mean and 95 % interval [m/s]
+    Interval critical_damping;   ///< eta_capture at those [kg/s]
+    EstimatedDamping damping;    ///< of the mean curve; empty if no impact is faster than v_c
     Scatter scatter;
+    double damping_scatter;  ///< standard deviation of ln eta between particles that scatters v_c so [1]
 };
 
-/// v_c of one sample, estimated from its impacts through the dynamic model and a smooth curve of damping.
+/// v_c of one sample, estimated from its impacts and a smooth curve of restitution.
 struct CriticalVelocityEstimate {
     CurveEstimate curve;
     std::size_t rebounds;             ///< used
@@ -48,13 +48,13 @@ struct EstimateOptions {
 
 /// Name of the method, for artifacts.
 inline constexpr const char* estimate_method =
-    "posterior of v_c with a smooth curve of damping over velocity, captures by their probability";
+    "posterior of v_c with a smooth curve of restitution over velocity, captures by their probability";
 
-/// Estimates v_c from rebounds and captures, see SmoothDamping and CurvePosterior, by adaptive importance
-/// sampling (Cornuet et al. 2012, Scand. J. Stat. 39:798): draws come from normal densities, each fitted to
-/// the draws before; the first ones lie at the modes of the posterior. More than few_impacts impacts are
-/// merged into groups narrower than their noise, weighted by their numbers. A common error of scale
-/// multiplies v_c.
+/// Estimates v_c from rebounds and captures, see OnsetCurve and CurvePosterior. No law of contact takes part:
+/// v_c does not depend on the contact, only the damping that belongs to it does. The posterior of v_c is
+/// computed on even places in ln v_c, without random draws, and averaged with that of the outcomes alone,
+/// captures and rebounds whatever the curve. More than few_impacts impacts are merged into groups narrower
+/// than their noise, weighted by their numbers. A common error of scale multiplies v_c.
 /// @throws InputError with the reason if the impacts allow no estimate; ConvergenceError
 [[nodiscard]] CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model,
                                                                   const MeasurementSet& set,

@@ -36,60 +36,23 @@ const Influence& influence_of(const Propagation& propagation, const std::string&
 
 }  // namespace
 
-TEST_CASE("the table of restitutions is the model's, for laws with and without adhesion") {
-    for (const Law law : fitted_laws) {
-        CAPTURE(law.name());
-        const ContactModel model = ash_model(law);
-        const CurveTable table(model, {0.1, 20.0});
-        for (const double v : {0.3, 1.1, 4.0, 15.0}) {
-            const double capture = model.damping(v, 0.0).value;
-            CHECK(std::abs(table.log_capture_damping(std::log(v)) - std::log(capture)) < 1e-4);
-            for (const double phi : {0.003, 0.1, 0.6, 2.0}) {
-                const double e = model.restitution(v, capture * std::exp(-phi));
-                CHECK(std::abs(table.at(phi, std::log(v)).restitution - e) < 3e-4);
-                const double h = 1e-4 * phi;
-                const double slope = (table.at(phi + h, std::log(v)).restitution -
-                                      table.at(phi - h, std::log(v)).restitution) /
-                                     (2.0 * h);
-                CHECK(std::abs(table.at(phi, std::log(v)).by_distance / slope - 1.0) < 0.02);
-            }
-        }
+TEST_CASE("a curve of restitution begins as a power of the distance from v_c") {
+    for (const double exponent : {0.5, 1.0, 1.4}) {
+        OnsetCurve::Vector coefficients = OnsetCurve::Vector::Zero();
+        coefficients.head<3>() << -0.8, exponent, 0.3;
+        const OnsetCurve curve(std::log(1.3), coefficients);
+        CHECK(curve.restitution(std::log(1.3) - 1e-9) == 0.0);
+        const double near = curve.restitution(std::log(1.3) + 1e-6);
+        const double nearer = curve.restitution(std::log(1.3) + 1e-7);
+        CHECK(std::abs(std::log10(near / nearer) - exponent) < 1e-5);
     }
 }
 
-TEST_CASE("the fastest impact counts from a tenth above v_c on") {
-    const ContactModel model = ash_model(Law::of<Dmt>());
-    const CurveTable table(model, {0.1, 20.0});
-    const auto restitution = [&](double above) {
-        const double critical = std::log(1.3);
-        return SmoothDamping(table, critical, critical + above, {-0.3, 0.02, 0, 0, 0, 0, 0})
-            .at_log_velocity(critical + 0.05)
-            .restitution;
-    };
-    CHECK(restitution(-1.0) == restitution(0.1));
-    CHECK(restitution(0.09) == restitution(0.1));
-    CHECK(restitution(0.1005) != restitution(0.1));
-}
-
-TEST_CASE("up to its first place above v_c the slope of a curve is a line through the next two") {
-    const ContactModel model = ash_model(Law::of<Dmt>());
-    const CurveTable table(model, {0.1, 20.0});
-    const double critical = std::log(1.3);
-    const double fastest = std::log(5.0);
-    const SmoothDamping curve(table, critical, fastest, {-0.3, 0.02, 0, 0, 0, 0, 0});
-    const auto slope = [&](double places) {
-        const double root = places * std::sqrt(fastest + 0.25 - critical) / 56;
-        return curve.at_log_velocity(critical + root * root).by_distance;
-    };
-    CHECK(relative_difference(slope(0.5), 1.5 * slope(1.0) - 0.5 * slope(2.0)) < 1e-9);
-    CHECK(relative_difference(slope(0.5), (slope(0.25) + slope(0.75)) / 2.0) < 1e-9);
-}
-
 TEST_CASE("what can be recorded of an impact has probability one in all") {
-    const ContactModel model = ash_model(Law::of<Dmt>());
-    const CurveTable table(model, {0.1, 20.0});
-    const SmoothDamping curve(table, std::log(1.3), std::log(5.0), {-0.3, 0.02, 0, 0, 0, 0, 0});
-    const Scatter scatter{.noise = 1.0, .damping = 0.02, .outliers = 0.0};
+    OnsetCurve::Vector coefficients = OnsetCurve::Vector::Zero();
+    coefficients.head<2>() << -0.5, 1.0;
+    const OnsetCurve curve(std::log(1.3), coefficients);
+    const Scatter scatter{.noise = 1.0, .threshold = 0.02};
     for (const double v : {1.1, 1.28, 1.35, 1.6, 3.0}) {
         CAPTURE(v);
         RecordedImpact impact{.recorded = Recorded::zero,
@@ -99,48 +62,14 @@ TEST_CASE("what can be recorded of an impact has probability one in all") {
                               .incident_u = 0.03,
                               .rebound_u = 0.03,
                               .correlation = -0.4,
-                              .resolution = 0.1};
+                              .resolution = 0.0};
         double sum = std::exp(log_probability(curve, scatter, impact));
         impact.recorded = Recorded::rebound;
         constexpr double step = 0.002;
-        for (impact.rebound = -0.3; impact.rebound < 2.0; impact.rebound += step)
+        for (impact.rebound = 0.0; impact.rebound < 3.0; impact.rebound += step)
             sum += step * std::exp(log_probability(curve, scatter, impact));
-        CHECK(std::abs(sum - 1.0) < 0.02);
+        CHECK(std::abs(sum - 1.0) < 0.03);
     }
-}
-
-TEST_CASE("readings scatter alike near capture, where they are integrated, and beyond, where a line serves") {
-    const ContactModel model = ash_model(Law::of<Dmt>());
-    const CurveTable table(model, {0.1, 20.0});
-    const SmoothDamping curve(table, std::log(5.0), std::log(15.0), {-0.3, 0.02, 0, 0, 0, 0, 0});
-    const Scatter scatter{.noise = 1.0, .damping = 0.004, .outliers = 0.0};
-    const auto variance = [&](double log_velocity) {
-        RecordedImpact impact{.recorded = Recorded::rebound,
-                              .velocity = std::exp(log_velocity),
-                              .log_velocity = log_velocity,
-                              .rebound = 0.0,
-                              .incident_u = 0.05,
-                              .rebound_u = 0.05,
-                              .correlation = -0.6,
-                              .resolution = 0.0};
-        double sum = 0.0;
-        double first = 0.0;
-        double second = 0.0;
-        for (int i = 0; i < 5000; ++i) {
-            impact.rebound = 0.001 * i;
-            const double density = std::exp(log_probability(curve, scatter, impact));
-            sum += density;
-            first += density * impact.rebound;
-            second += density * impact.rebound * impact.rebound;
-        }
-        return second / sum - std::pow(first / sum, 2);
-    };
-    // One passes into the other within this range. The variance [m2/s2] bends by 1.2e-5 at most.
-    std::vector<double> found;
-    found.reserve(10);
-    for (int i = 0; i < 10; ++i) found.push_back(variance(std::log(5.0) + 0.05 + 0.005 * i));
-    for (std::size_t i = 1; i + 1 < found.size(); ++i)
-        CHECK(std::abs(found[i + 1] - 2.0 * found[i] + found[i - 1]) < 1.6e-5);
 }
 
 TEST_CASE("eight impacts give no absurd critical velocity") {
@@ -173,7 +102,6 @@ TEST_CASE("impacts that scatter far less than they state give an estimate whatev
             CAPTURE(law.name());
             CAPTURE(u);
             const CurveEstimate curve = estimate_critical_velocity(model, set_of(impacts, u)).curve;
-            CHECK(curve.effective >= 50.0);
             CHECK(*curve.critical_velocity.upper > 1.55);  // the fastest capture
             CHECK(*curve.critical_velocity.upper < 1.85);
             CHECK(*curve.critical_velocity.lower > 1.0);
@@ -207,7 +135,45 @@ TEST_CASE("rounding of the impacts does not move the estimate") {
     }
 }
 
-TEST_CASE("impacts that turn and fall again at high velocity are no outliers, and many draws count") {
+TEST_CASE("neither the law nor a wrong w moves the estimate of v_c") {
+    const MeasurementSet set = measured(ash_model(Law::of<Dmt>()), 40, 7);
+    const auto estimate = [&](Law law, double w) {
+        ContactPair pair = ash_model(law).contact();
+        pair.work_of_adhesion *= w;
+        return estimate_critical_velocity(
+                   make_contact_model(law, law.default_detachment(), pair, {0.02, 50.0}), set)
+            .curve;
+    };
+    const CurveEstimate one = estimate(Law::of<Dmt>(), 1.0);
+    const CurveEstimate twice = estimate(Law::of<Dmt>(), 2.0);
+    const CurveEstimate other = estimate(Law::of<Hertz>(), 1.0);
+    for (const CurveEstimate& curve : {twice, other}) {
+        CHECK(curve.critical_velocity.value == one.critical_velocity.value);
+        CHECK(curve.critical_velocity.upper == one.critical_velocity.upper);
+    }
+    CHECK(twice.critical_damping.value < 0.95 * one.critical_damping.value);
+}
+
+TEST_CASE("doubts where no impact is near v_c, or slow rebounds may pass for captures") {
+    const ContactModel model = ash_model(Law::of<Dmt>());
+    const auto doubts = [&](const std::vector<std::pair<double, double>>& impacts) {
+        std::string codes;
+        for (const Finding& finding : estimate_critical_velocity(model, set_of(impacts, 0.03)).findings)
+            codes += std::string(finding.code) + " ";
+        return codes;
+    };
+    const std::vector<std::pair<double, double>> fast{{2.2, 0.7}, {3.1, 1.3}, {4.0, 2.0}};
+    auto impacts = fast;
+    impacts.insert(impacts.end(), {{0.6, 0.0}, {1.1, 0.0}});
+    CHECK(contains(doubts(impacts), "no-impacts-near-onset"));
+    impacts.insert(impacts.end(), {{1.2, 0.0}, {1.4, 0.12}, {1.5, 0.17}});
+    CHECK(contains(doubts(impacts), "no-slow-rebounds"));
+    impacts.insert(impacts.end(), {{1.3, 0.03}});
+    CHECK_FALSE(contains(doubts(impacts), "no-slow-rebounds"));
+    CHECK_FALSE(contains(doubts(impacts), "no-impacts-near-onset"));
+}
+
+TEST_CASE("impacts that turn and fall again at high velocity are no outliers") {
     const ContactModel model = ash_model(Law::of<Jkr>());
     // e rises to 0.49 and falls to 0.45: a bent damping explains all of them.
     std::vector<std::pair<double, double>> impacts;
@@ -218,7 +184,6 @@ TEST_CASE("impacts that turn and fall again at high velocity are no outliers, an
              {3.0, 0.449},  {3.53, 0.486}, {4.59, 0.492}, {6.0, 0.47},   {7.41, 0.449}})
         impacts.emplace_back(v, v * e);
     const CurveEstimate curve = estimate_critical_velocity(model, set_of(impacts, 0.015)).curve;
-    CHECK(curve.effective > 500.0);
     CHECK(curve.critical_velocity.value > 0.5);
     CHECK(curve.critical_velocity.value < 0.7);
 }
@@ -247,7 +212,7 @@ TEST_CASE("too few rebounds give no estimate, and why") {
     CHECK(contains(refused, "2 different restitutions"));
 }
 
-TEST_CASE("many impacts: groups count for all, and the interval shrinks as it should") {
+TEST_CASE("many impacts: groups count for all, and the interval shrinks to the error of the form") {
     const ContactModel model = ash_model(Law::of<BrachDunn>());
     const double critical = ash_laboratory(model, TrueDamping::quadratic).critical_velocity();
     constexpr int count = sanitized ? 4000 : 40000;
@@ -257,7 +222,8 @@ TEST_CASE("many impacts: groups count for all, and the interval shrinks as it sh
     const Interval many = estimate_critical_velocity(model, set).curve.critical_velocity;
     const Interval few = estimate_critical_velocity(model, measured(model, 400, 11)).curve.critical_velocity;
     CHECK(std::abs(many.value / critical - 1.0) < 0.03);
-    CHECK(many.standard_uncertainty < 3.5 * std::sqrt(400.0 / count) * few.standard_uncertainty);
+    CHECK(many.standard_uncertainty < 0.5 * few.standard_uncertainty);
+    CHECK(many.standard_uncertainty > 0.005 * many.value);
 }
 
 TEST_CASE("many impacts: groups keep impacts apart whose noise is a share of their velocity") {
