@@ -104,7 +104,8 @@ TEST_CASE("impacts that scatter far less than they state give an estimate whatev
             const CurveEstimate curve = estimate_critical_velocity(model, set_of(impacts, u)).curve;
             CHECK(*curve.critical_velocity.upper > 1.55);  // the fastest capture
             CHECK(*curve.critical_velocity.upper < 1.85);
-            CHECK(*curve.critical_velocity.lower > 1.0);
+            // Stated noise is believed within some 20 %: at 0.25 m/s half the velocity is possible.
+            CHECK(*curve.critical_velocity.lower > (u > 0.2 ? 0.5 : 1.0));
         }
     }
 }
