@@ -242,6 +242,7 @@ void set_up_commands(CLI::App& program, Action& action, const CommandBody& sweep
     add_deposit(line);
     add_calibrate(line);
     add_cross_check(line);
+    add_literature(line);
     add_document_commands(line);
     refuse_empty_values(program);
 }
@@ -293,8 +294,29 @@ void Command::add_sphere_options() {
     add("--mass", "Q", "of the sphere, instead of its density");
 }
 
-void Command::add_contact_options(bool required) {
+void Command::add_law_option(bool required) {
     add("--law", "NAME", "contact law: " + law_names())->required(required);
+}
+
+void Command::add_pair_options(bool required) {
+    add("--contact-modulus", "Q", "E*, \"90 GPa\" (not a Young's modulus)")->required(required);
+    add("--work-of-adhesion", "Q",
+        "w, \"0.3 J/m2\" (not a surface energy); not for " +
+            laws_where([](Law law) { return !law.uses_work_of_adhesion(); }));
+    add("--yield-pressure", "Q", "p_y, \"35.3 MPa\", for thornton-ning");
+    for (const LawParameter& parameter : law_parameters()) add_parameter(parameter);
+}
+
+void Command::add_material_options(bool required) {
+    add_law_option(required);
+    add("--density", "Q", "of the spheres, \"2160 kg/m3\"")->required(required);
+    add_pair_options(required);
+    add_damping_law_option();
+    add("--damping", "Q", "of all sizes, \"1e-6 kg/s\"; default: none");
+}
+
+void Command::add_contact_options(bool required) {
+    add_law_option(required);
     add_sphere_options();
     add("--partner-radius", "Q", "of a second sphere, \"60 um\"; without it the partner is a flat wall");
     add("--partner-diameter", "Q", "of that sphere, instead of its radius");
@@ -302,12 +324,7 @@ void Command::add_contact_options(bool required) {
     add("--partner-mass", "Q", "of the second sphere, instead of its density");
     add("--roughness", "Q",
         "rms of both surfaces, \"1 nm\": reduces w (Rabinovich et al. 2000); default: smooth");
-    add("--contact-modulus", "Q", "E*, \"90 GPa\" (not a Young's modulus)")->required(required);
-    add("--work-of-adhesion", "Q",
-        "w, \"0.3 J/m2\" (not a surface energy); not for " +
-            laws_where([](Law law) { return !law.uses_work_of_adhesion(); }));
-    add("--yield-pressure", "Q", "p_y, \"35.3 MPa\", for thornton-ning");
-    for (const LawParameter& parameter : law_parameters()) add_parameter(parameter);
+    add_pair_options(required);
     add("--detachment", "NAME",
         "where the contact ends: zero-overlap, zero-force, pull-off, load-controlled; default: that of the "
         "law");

@@ -44,6 +44,8 @@ class Command {
     void add_sphere_options();
     /// The options that describe a contact. @param required whether the command cannot do without
     void add_contact_options(bool required);
+    /// The options of a sphere on a wall apart from its size and the end of contact.
+    void add_material_options(bool required);
     void add_damping_law_option();
     /// Those of the parameters of damping laws.
     void add_damping_parameter_options();
@@ -52,6 +54,8 @@ class Command {
 
   private:
     void add_parameter(const LawParameter& parameter);
+    void add_law_option(bool required);
+    void add_pair_options(bool required);
 
     CLI::App& app_;
     CommandOptions& options_;
@@ -81,6 +85,7 @@ void add_report_commands(const CommandLine& line);
 void add_export(const CommandLine& line, const CommandBody& body);
 void add_calibrate(const CommandLine& line);
 void add_cross_check(const CommandLine& line);
+void add_literature(const CommandLine& line);
 void add_document_commands(const CommandLine& line);
 
 /// The options of a table.

@@ -46,7 +46,8 @@ std::string schema_of_artifact(const Json& document) {
     const auto names = schema_names();
     if (document.is_object() && document.contains("schema") && document["schema"].is_string())
         for (const std::string& name : names)
-            if (document["schema"] == name && name != "case" && name != "published") return name;
+            if (document["schema"] == name && name != "case" && name != "published" && name != "literature")
+                return name;
     throw InputError("this is not an artifact of ashimpact",
                      "a file of a run's folder, such as comparison.json")
         .at("/schema");
@@ -329,7 +330,7 @@ void add_report_commands(const CommandLine& line) {
                  "ashimpact figure restitution results -o restitution.pdf\n"
                  "Figures: composition, static-force, regime-map, restitution, damping, damping-fit, "
                  "contact-time, sizes, histories,\n"
-                 "energy, critical-velocity, sensitivity, oblique, temperature.",
+                 "energy, critical-velocity, critical-velocity-by-size, sensitivity, temperature.",
                  run_figure_command);
     figure.add("name", "NAME", "of the figure")->required();
     figure

@@ -278,6 +278,7 @@ void fields(Io& io, Is<ComparisonResult> auto& result) {
     io.unless_empty("dampings", result.dampings);
     io.unless_empty("by_size", result.by_size);
     io.unless_empty("sizes", result.sizes);
+    io.unless_empty("laws_by_size", result.laws_by_size);
     io.lenient("conclusion", result.conclusion);
 }
 

@@ -11,6 +11,11 @@ inline constexpr FieldColumn<DampedImpact> damped_columns[]{
     {"velocity", &DampedImpact::velocity, Dimension::velocity},
     {"restitution", &DampedImpact::restitution, Dimension::fraction}};
 
+inline constexpr FieldColumn<VelocityOfSize> velocity_of_size_columns[]{
+    {"diameter", &VelocityOfSize::diameter, Dimension::length},
+    {"critical_velocity", &VelocityOfSize::velocity, Dimension::velocity},
+    {"exponent", &VelocityOfSize::exponent, Dimension::fraction}};
+
 void fields(auto& io, Is<DampedSample> auto& sample) {
     io("name", sample.name);
     io("verdict", sample.verdict);
@@ -49,6 +54,11 @@ void fields(auto& io, Is<PowerOfDiameter> auto& power) {
     io("exponent", power.exponent, AnyUnit{});  // two close sizes leave it as uncertain as they like
     io("damping", power.damping, AnyUnit{});
     io("diameter", power.diameter, Dimension::length);
+}
+
+void fields(auto& io, Is<LawBySize> auto& by_size) {
+    io("law", by_size.law);
+    io.object("curve", [&](auto& inner) { inner.columns(by_size.curve, velocity_of_size_columns, false); });
 }
 
 void fields(auto& io, Is<SizeSummary> auto& summary) {

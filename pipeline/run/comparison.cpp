@@ -13,6 +13,7 @@
 #include "pipeline/run/comparison/temperature.hpp"
 #include "pipeline/run/comparison/velocities.hpp"
 #include "pipeline/run/dampings.hpp"
+#include "pipeline/run/laws_by_size.hpp"
 #include "pipeline/run/reported_law.hpp"
 #include "pipeline/run/sizes.hpp"
 #include "pipeline/run/stage.hpp"
@@ -335,6 +336,7 @@ ComparisonResult comparison_stage(const Run& run, StageRecord& record) {
     if (gap.known()) result.dynamic_over_analytic = RatioRange{gap.least_ratio, gap.greatest_ratio};
     result.conclusion = gap.sentence();
     set_other_sizes(run, result);
+    result.laws_by_size = laws_by_size(data.laws, run.contact);
     return result;
 }
 

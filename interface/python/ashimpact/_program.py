@@ -287,25 +287,43 @@ def run(
         return {path.stem: _read(path) for path in sorted(target.glob("*.json"))}
 
 
+def literature(source: Optional[str] = None, **material: Any) -> Document:
+    """Critical velocities that others measured; as `ashimpact literature --json`.
+
+    Args:
+        source: one of them, such as "arffman2015"; without, all.
+        material: law, density, contact_modulus and what else the law takes, as impacts(): its velocities beside them.
+    """
+    words = [] if source is None else [_name(source)]
+    document: Document = json.loads(_call("literature", *words, *_options(literature, material), "--json"))
+    return document
+
+
 def calibrate(
     case: Optional[PathLike] = None,
     *,
     free: Union[str, Sequence[str]] = (),
+    sizes: Optional[PathLike] = None,
     compare: bool = False,
     allow_outside: bool = False,
+    **material: Any,
 ) -> Document:
-    """Unknown constants of a case from published critical velocities; as `ashimpact calibrate --json`.
+    """Unknown constants from published critical velocities; as `ashimpact calibrate --json`.
 
     Args:
         case: case file; without one the built-in case, Dong et al. 2013.
         free: constants to find, such as "work_of_adhesion" or ["density:each"]; without, what the case says.
+        sizes: a table of critical velocities of several sizes instead of a case, or a source of literature(); with
+        material: law, density, contact_modulus, what else the law takes as impacts() does, and uncertainty.
         compare: hypotheses beside one another instead of one calibration.
         allow_outside: the case may name files outside of its own folder.
     """
     words = [] if case is None else [_path(case)]
     for name in [free] if isinstance(free, str) else free:
         words.append(f"--free={name}")
-    words += _options(calibrate, {"compare": compare, "allow_outside": allow_outside})
+    if sizes is not None:
+        words.append(f"--sizes={_path(sizes)}")
+    words += _options(calibrate, {"compare": compare, "allow_outside": allow_outside, **material})
     document: Document = json.loads(_call("calibrate", *words, "--json"))
     return document
 

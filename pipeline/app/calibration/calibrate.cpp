@@ -14,6 +14,7 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/app/calibration/hypotheses.hpp"
+#include "pipeline/app/calibration/size_calibration.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/run_stages.hpp"
 #include "pipeline/app/terminal.hpp"
@@ -85,12 +86,18 @@ Json profile_json(const Case& data, const CalibrationSummary& summary, const Con
             {"statement", profile.statement}};
 }
 
+/// Unit of a constant [SI].
+std::string_view unit_of_constant(const CalibrationSummary& summary, const CalibratedConstant& constant) {
+    const Damping damping = summary.samples.front().damping.value_or(Damping{});
+    return si_unit(dimension_of(constant.quantity, damping.law));
+}
+
 Json constants_json(const Case& data, const CalibrationSummary& summary,
                     const std::vector<ConstantProfile>& profiles) {
     Json list = Json::array();
     for (std::size_t i = 0; i < summary.constants.size(); ++i) {
         const CalibratedConstant& constant = summary.constants[i];
-        const std::string_view unit = si_unit(dimension_of(constant.quantity));
+        const std::string_view unit = unit_of_constant(summary, constant);
         Json value = quantity_json(constant.value, unit);
         value["standard_uncertainty"] = constant.standard_uncertainty;
         list.push_back(
@@ -137,11 +144,11 @@ std::string conditions_text(const CalibrationSummary& summary) {
 
 std::string calibration_text(const Case& data, const CalibrationSummary& summary,
                              const std::vector<ConstantProfile>& profiles, const std::vector<Row>& velocities,
-                             const std::vector<Row>& times) {
+                             const std::vector<Row>& times, const std::string& conclusion) {
     TextTable constants({"constant", "sample", "value", "95 % interval", "by profile likelihood"});
     for (std::size_t i = 0; i < summary.constants.size(); ++i) {
         const CalibratedConstant& constant = summary.constants[i];
-        const std::string_view unit = si_unit(dimension_of(constant.quantity));
+        const std::string_view unit = unit_of_constant(summary, constant);
         Interval curvature{constant.value, constant.standard_uncertainty};
         if (std::isfinite(constant.lower) && std::isfinite(constant.upper))
             curvature = {constant.value, constant.standard_uncertainty, constant.lower, constant.upper};
@@ -162,30 +169,70 @@ std::string calibration_text(const Case& data, const CalibrationSummary& summary
            fmt::format("\nchi^2 {} with {} degrees of freedom, probability {}; AIC {}\n",
                        readable_number(summary.chi_squared), summary.degrees_of_freedom,
                        readable_number(summary.probability, 2), readable_number(summary.akaike)) +
-           wrapped(conditions_text(summary), output_width(), 2) + "\n";
+           wrapped(conclusion, output_width(), 2) + "\n";
+}
+
+/// The constants that --free names. @throws InputError naming the option
+std::vector<FreeConstant> free_constants(const CommandOptions& options) {
+    std::vector<FreeConstant> all;
+    for (const std::string& text : options.list("--free")) {
+        const FreeConstant free = read_free(text);
+        if (std::ranges::find(all, free.quantity, &FreeConstant::quantity) != all.end())
+            throw InputError(in_quotes(text.substr(0, text.find(':'))) + " is given twice",
+                             "each constant once")
+                .at("--free");
+        all.push_back(free);
+    }
+    return all;
+}
+
+/// Calibrates and prints. @param conclusion the sentence below the table
+void print_calibration(const Case& data, const CalibrationProblem& problem,
+                       std::string (*conclusion)(const CalibrationSummary&), bool json, std::ostream& out) {
+    const CalibrationSummary summary = calibrate(problem);
+    const auto profiles = [&] {  // what takes most of the time
+        Progress progress(summary.constants.size(), 0, on_terminal(), "constants");
+        return profile_constants(problem, summary, [&](std::size_t done) { progress.update(done); });
+    }();
+    const auto velocities =
+        rows_of(data, problem.critical_velocities, summary.critical_velocities, Dimension::velocity);
+    const auto times = rows_of(data, problem.contact_times, summary.contact_times, Dimension::time);
+    if (!json) {
+        out << calibration_text(data, summary, profiles, velocities, times, conclusion(summary));
+        return;
+    }
+    const auto fits = fits_the_data(summary);
+    out << write_json({{"constants", constants_json(data, summary, profiles)},
+                       {"correlation", matrix_json(summary.correlation)},
+                       {"critical_velocities", rows_json(velocities)},
+                       {"contact_times", rows_json(times)},
+                       {"chi_squared", summary.chi_squared},
+                       {"degrees_of_freedom", summary.degrees_of_freedom},
+                       {"probability", summary.probability},
+                       {"fits", fits ? Json(*fits) : Json(nullptr)},
+                       {"akaike", summary.akaike},
+                       {"iterations", summary.iterations}},
+                      Digits::seventeen);
 }
 
 void run_calibrate_command(const CommandOptions& options, std::ostream& out) {
+    std::vector<FreeConstant> free = free_constants(options);
+    if (on_terminal()) spdlog::info("calibrating: this takes some seconds");
+    if (options.has("--sizes")) {
+        const SizeCalibration sizes = read_size_calibration(options, free);
+        print_calibration(sizes.data, sizes.problem, conclusion_of_sizes, options.has("--json"), out);
+        return;
+    }
+    refuse_material(options, "--sizes");
     const Run run = compute_run(options.if_given("case"), "contact", options.has("--allow-outside"));
     Case data = run.data;
-    if (options.has("--free")) data.calibration.clear();
-    for (const std::string& text : options.list("--free")) {
-        const FreeConstant free = read_free(text);
-        for (const FreeConstant& other : data.calibration)
-            if (other.quantity == free.quantity)
-                throw InputError(in_quotes(text.substr(0, text.find(':'))) + " is given twice",
-                                 "each constant once")
-                    .at("--free");
-        data.calibration.push_back(free);
-    }
-
+    if (!free.empty()) data.calibration = std::move(free);
     at_place(FileName{options.if_given("case").value_or("built-in case")}, [&] {
         const auto whole_problem = [&] {
             CalibrationProblem problem = calibration_problem(data, run.modulus, run.contact);
             std::ranges::sort(data.samples, {}, calibration_key);  // like those of the problem
             return problem;
         };
-        if (on_terminal()) spdlog::info("calibrating: this takes some seconds");
         if (options.has("--compare")) {
             data.calibration.clear();
             const CalibrationProblem problem = whole_problem();
@@ -198,29 +245,8 @@ void run_calibrate_command(const CommandOptions& options, std::ostream& out) {
         }
         if (data.calibration.empty())
             throw InputError("nothing is free", "calibration.free in the case, or --free").at("/calibration");
-        const auto problem = whole_problem();
-        const CalibrationSummary summary = calibrate(problem);
-        const auto profiles = [&] {  // what takes most of the time
-            Progress progress(summary.constants.size(), 0, on_terminal(), "constants");
-            return profile_constants(problem, summary, [&](std::size_t done) { progress.update(done); });
-        }();
-        const auto velocities =
-            rows_of(data, problem.critical_velocities, summary.critical_velocities, Dimension::velocity);
-        const auto times = rows_of(data, problem.contact_times, summary.contact_times, Dimension::time);
-        if (!options.has("--json")) {
-            out << calibration_text(data, summary, profiles, velocities, times);
-            return;
-        }
-        out << write_json({{"constants", constants_json(data, summary, profiles)},
-                           {"correlation", matrix_json(summary.correlation)},
-                           {"critical_velocities", rows_json(velocities)},
-                           {"contact_times", rows_json(times)},
-                           {"chi_squared", summary.chi_squared},
-                           {"degrees_of_freedom", summary.degrees_of_freedom},
-                           {"probability", summary.probability},
-                           {"akaike", summary.akaike},
-                           {"iterations", summary.iterations}},
-                          Digits::seventeen);
+        const CalibrationProblem problem = whole_problem();
+        print_calibration(data, problem, conditions_text, options.has("--json"), out);
     });
 }
 
@@ -228,13 +254,19 @@ void run_calibrate_command(const CommandOptions& options, std::ostream& out) {
 
 void add_calibrate(const CommandLine& line) {
     Command command = line.add(
-        "calibrate", "Unknown constants of a case, from published critical velocities and contact times",
-        "ashimpact calibrate --free density:each --free work_of_adhesion", run_calibrate_command);
+        "calibrate",
+        "Unknown constants of a case, from published critical velocities and contact times; or of a law, "
+        "from critical velocities of several sizes",
+        "ashimpact calibrate --free density:each --free work_of_adhesion\n"
+        "  ashimpact calibrate --sizes arffman2015 --uncertainty \"10 %\" --law thornton-ning --density "
+        "\"10490 kg/m3\" "
+        "--contact-modulus \"43 GPa\" --free work_of_adhesion --free yield_pressure",
+        run_calibrate_command);
     command.add_case_argument();
     command
         .add_list("--free", "NAME[:each]",
                   "a constant to find: density, work_of_adhesion, contact_modulus, wall_young_modulus, "
-                  "time_step; with "
+                  "time_step; with --sizes yield_pressure and damping; with "
                   ":each one value a sample; default: what the case says")
         ->allow_extra_args(false);
     command
@@ -242,6 +274,13 @@ void add_calibrate(const CommandLine& line) {
                   "hypotheses beside one another: one modulus or those from XRD, one density or one a size, "
                   "wall known, free or rigid, Eq. 31 exact or at a finite step, contact times by each law")
         ->excludes("--free");
+    CLI::Option* sizes =
+        command.add("--sizes", "FILE",
+                    "critical velocities of several sizes instead of a case: columns d [um], v_c [m/s] "
+                    "and, if known, u(v_c) [m/s]; or a source of `ashimpact literature`");
+    command.add("--uncertainty", "X", "relative standard one of v_c where the table states none, \"10 %\"")
+        ->needs(sizes);
+    command.add_material_options(false);
     command.add_allow_outside_flag();
     command.add_json_flag();
 }

@@ -268,6 +268,26 @@ ContactChoice read_contact(const CommandOptions& options) {
     return {law, detachment, contact, sphere, partner};
 }
 
+ContactPair MaterialChoice::contact(double diameter) const {
+    ContactPair pair = reference.contact;
+    pair.effective_radius = diameter / 2;
+    pair.mass = sphere_mass(diameter / 2, density);
+    return pair;
+}
+
+MaterialChoice read_material(CommandOptions options) {
+    options.text_of("--diameter") = fmt::format("{} m", reference_diameter);
+    return {read_contact(options), options.positive("--density", Dimension::density)};
+}
+
+void refuse_material(const CommandOptions& options, const std::string& without) {
+    std::vector<std::string> names{
+        "--law", "--density", "--contact-modulus", "--work-of-adhesion", "--yield-pressure", "--damping"};
+    for (const LawParameter& parameter : law_parameters()) names.push_back(option_of(parameter));
+    for (const std::string& name : names)
+        if (options.has(name)) throw InputError("is given without " + without, "with " + without).at(name);
+}
+
 DampingLaw read_damping_law(const CommandOptions& options) {
     const std::string& name = options["--damping-law"];
     return at_place("--damping-law",

@@ -74,8 +74,20 @@ struct ContactChoice {
 /// The contact of the options of a command. @throws InputError naming the option
 [[nodiscard]] ContactChoice read_contact(const CommandOptions& options);
 
-/// Refuses the options of a contact beside a run, which has them all but the law. @throws InputError
-void refuse_contact_options(const CommandOptions& options);
+/// A contact law with properties that spheres of all sizes share.
+struct MaterialChoice {
+    ContactChoice reference;  ///< of a sphere of reference_diameter
+    double density;           ///< [kg/m3]
+
+    [[nodiscard]] ContactPair contact(double diameter) const;
+};
+inline constexpr double reference_diameter = 1e-6;  ///< any size [m]
+
+/// The material of options as Command::add_material_options() adds them. @throws InputError naming the option
+[[nodiscard]] MaterialChoice read_material(CommandOptions options);
+
+/// Refuses options of a material without the option that they belong to.
+void refuse_material(const CommandOptions& options, const std::string& without);
 
 /// The damping law. @throws InputError naming the option
 [[nodiscard]] DampingLaw read_damping_law(const CommandOptions& options);

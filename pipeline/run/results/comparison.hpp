@@ -125,6 +125,7 @@ struct ComparisonResult {
     std::optional<DampingComparison> dampings{};  ///< none: too few impacts by the reported law
     std::vector<SizeVelocity> by_size{};          ///< by assumption, then from small to large
     std::optional<SizeSummary> sizes{};           ///< what they say together
+    std::vector<LawBySize> laws_by_size{};        ///< those with a v_c without damping
     std::string conclusion{};                     ///< in words
 };
 

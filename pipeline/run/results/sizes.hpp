@@ -123,6 +123,18 @@ struct SizeSummary {
     std::optional<PowerOfDiameter> power{};  ///< of several sizes
 };
 
+/// A critical velocity of a size.
+struct VelocityOfSize {
+    double diameter = 0, velocity = 0;  ///< [m], [m/s]
+    double exponent = 0;                ///< d ln v_c/d ln d, from the neighbouring sizes [1]
+};
+
+/// Critical velocities of a contact law over all sizes, without damping.
+struct LawBySize {
+    Law law;
+    std::vector<VelocityOfSize> curve{};  ///< from small to large; sizes with a finite v_c
+};
+
 /// Assumptions agree where the greatest velocity is at most so many times the least.
 inline constexpr double agreement_factor = 2;
 

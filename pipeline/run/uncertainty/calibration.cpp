@@ -119,12 +119,17 @@ CalibrationProblem calibration_problem(const Case& data, const ModulusResult& mo
     CalibrationProblem problem{
         .samples = {}, .free = data.calibration, .critical_velocities = {}, .contact_times = {}};
     const bool elastic = data.wall && std::holds_alternative<ElasticWall>(*data.wall);
-    for (const FreeConstant& free : problem.free)
+    for (const FreeConstant& free : problem.free) {
+        if (is_of_sizes(free.quantity))
+            throw InputError(std::string(name_of(free.quantity)) + " is free, and no case determines it",
+                             "calibrate --sizes, from critical velocities of several sizes")
+                .at("/calibration");
         if (free.quantity == CalibrationQuantity::wall_young_modulus && !elastic)
             throw InputError("wall_young_modulus is free, but the wall has none",
                              "a wall with young_modulus and "
                              "poisson_ratio, to start from")
                 .at("/wall");
+    }
     if (data.partner)
         throw InputError("a calibration is of particles on a flat wall, not of two spheres", "\"wall\"")
             .at("/partner");

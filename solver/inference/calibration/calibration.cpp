@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/text/error.hpp"
+#include "solver/batch/parallel.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/numeric/gsl/solvers.hpp"
@@ -31,6 +32,11 @@ double& constant_of(CalibrationSample& sample, CalibrationQuantity quantity) {
         case CalibrationQuantity::time_step:
             if (sample.step.time_step == 0.0) sample.step.time_step = first_time_step;
             return sample.step.time_step;
+        case CalibrationQuantity::yield_pressure:
+            return sample.yield_pressure;
+        case CalibrationQuantity::damping:
+            if (!sample.damping) sample.damping = Damping{};
+            return sample.damping->coefficient;
         case CalibrationQuantity::contact_modulus:
             break;
     }
@@ -38,12 +44,25 @@ double& constant_of(CalibrationSample& sample, CalibrationQuantity quantity) {
     return *sample.contact_modulus;
 }
 
+/// Substitute for v_c where everything is captured, or where adhesion yields more than the law can describe,
+/// so that a fit steps back from there [m/s].
+constexpr double captured_at_all = 1e6;
+
+CriticalVelocity critical_velocity_or_capture(const CriticalVelocityProblem& problem) {
+    try {
+        return critical_velocity(problem);
+    } catch (const InputError&) {
+        if (!can_yield(problem.law, problem.contact)) throw;
+        return {CaptureVerdict::always_captured};
+    }
+}
+
 double predicted_velocity(const CalibrationSample& sample, Law law, double damping) {
     const ContactPair contact = sample.contact();
-    const CriticalVelocity critical = critical_velocity({law,
-                                                         law.default_detachment(),
-                                                         {DampingLaw::constant, damping},
-                                                         sample.step.contact(damping, contact)});
+    const CriticalVelocity critical = critical_velocity_or_capture(
+        {law, law.default_detachment(), sample.damping.value_or(Damping{DampingLaw::constant, damping}),
+         sample.step.contact(damping, contact)});
+    if (critical.verdict == CaptureVerdict::always_captured) return captured_at_all;
     if (!critical.value)
         throw InputError("law '" + std::string(law.name()) + "' has no finite critical velocity here",
                          "damping > 0 kg/s");
@@ -107,11 +126,14 @@ struct VelocityError {
 
 VelocityError error_of(const CalibrationSample& sample, const CriticalVelocityObservation& observed) {
     const double eta = observed.critical_damping;
+    VelocityError error{.predicted = predicted_velocity(sample, observed.law, eta),
+                        .own = observed.standard_uncertainty / observed.value,
+                        .damping = 0};
+    if (observed.critical_damping_uncertainty == 0) return error;
     const double slope =
         logarithmic_slope([&](double x) { return predicted_velocity(sample, observed.law, x); }, eta);
-    return {.predicted = predicted_velocity(sample, observed.law, eta),
-            .own = observed.standard_uncertainty / observed.value,
-            .damping = slope * observed.critical_damping_uncertainty / eta};
+    error.damping = slope * observed.critical_damping_uncertainty / eta;
+    return error;
 }
 
 /// The same for a contact time; of each coefficient of the fit, in ascending powers.
@@ -392,7 +414,7 @@ CalibrationResiduals calibration_residuals(const CalibrationProblem& problem,
     return result;
 }
 
-Dimension dimension_of(CalibrationQuantity quantity) {
+Dimension dimension_of(CalibrationQuantity quantity, DampingLaw damping) {
     switch (quantity) {
         case CalibrationQuantity::density:
             return Dimension::density;
@@ -400,7 +422,10 @@ Dimension dimension_of(CalibrationQuantity quantity) {
             return Dimension::energy_per_area;
         case CalibrationQuantity::contact_modulus:
         case CalibrationQuantity::wall_young_modulus:
+        case CalibrationQuantity::yield_pressure:
             return Dimension::pressure;
+        case CalibrationQuantity::damping:
+            return dimension_of(damping);
         case CalibrationQuantity::time_step:
             return Dimension::time;
     }
@@ -412,7 +437,31 @@ ContactPair CalibrationSample::contact() const {
         .mass = sphere_mass(diameter / 2, density),
         .effective_radius = diameter / 2,
         .contact_modulus = contact_modulus ? *contact_modulus : ashimpact::contact_modulus(particle, wall),
-        .work_of_adhesion = work_of_adhesion};
+        .work_of_adhesion = work_of_adhesion,
+        .yield_pressure = yield_pressure,
+        .parameters = parameters};
+}
+
+CalibrationProblem with_best_start(CalibrationProblem problem,
+                                   const std::vector<std::vector<double>>& ratios) {
+    const std::vector<CalibrationSlot> slots = slots_of(problem);
+    const Eigen::VectorXd centre = starting_logarithms(problem);
+    std::vector<Eigen::VectorXd> starts{centre};
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        std::vector<Eigen::VectorXd> finer;
+        for (const Eigen::VectorXd& start : starts)
+            for (const double ratio : ratios[i]) {
+                finer.push_back(start);
+                finer.back()[static_cast<Eigen::Index>(i)] += std::log(ratio);
+            }
+        starts = std::move(finer);
+    }
+    const std::vector<double> misfits = in_parallel(starts, [&](const Eigen::VectorXd& start) {
+        return logarithmic_residuals(problem, samples_with(problem, slots, start)).squaredNorm();
+    });
+    const auto best = std::ranges::min_element(misfits) - misfits.begin();
+    problem.samples = samples_with(problem, slots, starts[static_cast<std::size_t>(best)]);
+    return problem;
 }
 
 CalibrationSummary calibrate(const CalibrationProblem& problem) {

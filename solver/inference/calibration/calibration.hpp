@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,11 +29,23 @@ struct CalibrationSample {
     std::optional<double> contact_modulus;  ///< E* taken directly instead of Eq. 7 [Pa]
     /// Of the scheme by which the published numbers were computed.
     FiniteStep step{};
+    double yield_pressure = std::numeric_limits<double>::infinity();  ///< of laws that yield [Pa]
+    ParameterValues<double> parameters{};                             ///< of laws that declare their own
+    /// The damping of every critical velocity of the sample; none: that of the observation.
+    std::optional<Damping> damping{};
 
     [[nodiscard]] ContactPair contact() const;
 };
 
-enum class CalibrationQuantity { density, work_of_adhesion, contact_modulus, wall_young_modulus, time_step };
+enum class CalibrationQuantity {
+    density,
+    work_of_adhesion,
+    contact_modulus,
+    wall_young_modulus,
+    time_step,
+    yield_pressure,  ///< from velocities over sizes alone
+    damping          ///< likewise; one coefficient for all sizes
+};
 
 /// Where the search for a time step begins that the samples do not state: about a hundredth of the paper's
 /// contacts [s].
@@ -41,12 +54,18 @@ inline constexpr double first_time_step = 2e-9;
 template <>
 struct Names<CalibrationQuantity> {
     static constexpr std::string_view kind = "constant of a calibration";
-    static constexpr std::array<std::string_view, 5> all{"density", "work_of_adhesion", "contact_modulus",
-                                                         "wall_young_modulus", "time_step"};
+    static constexpr std::array<std::string_view, 7> all{
+        "density",   "work_of_adhesion", "contact_modulus", "wall_young_modulus",
+        "time_step", "yield_pressure",   "damping"};
 };
 
-/// What a calibrated constant measures.
-[[nodiscard]] Dimension dimension_of(CalibrationQuantity quantity);
+/// Whether a constant follows from the critical velocities of several sizes alone.
+[[nodiscard]] constexpr bool is_of_sizes(CalibrationQuantity quantity) {
+    return quantity == CalibrationQuantity::yield_pressure || quantity == CalibrationQuantity::damping;
+}
+
+/// What a calibrated constant measures. @param damping whose coefficient is one of the constants
+[[nodiscard]] Dimension dimension_of(CalibrationQuantity quantity, DampingLaw damping = DampingLaw::constant);
 
 /// One free constant: one value for all samples, or one each. The search starts from the samples' values.
 struct FreeConstant {
@@ -95,6 +114,12 @@ struct CalibrationResiduals {
 
 [[nodiscard]] CalibrationResiduals calibration_residuals(const CalibrationProblem& problem,
                                                          const std::vector<CalibrationSample>& samples);
+
+/// The problem from the best start on a grid of ratios to the starting values of its constants, which are one
+/// value for all samples each; for constants of which only the order of magnitude is known, if that.
+/// @param ratios of each free constant @pre no contact times
+[[nodiscard]] CalibrationProblem with_best_start(CalibrationProblem problem,
+                                                 const std::vector<std::vector<double>>& ratios);
 
 struct CalibrationSummary {
     std::vector<CalibratedConstant> constants;

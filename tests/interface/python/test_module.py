@@ -455,6 +455,8 @@ class Documents(unittest.TestCase):
             ashimpact.run(folder=folder + "/results")
             drawn = ashimpact.figure("restitution", folder + "/results", folder + "/e.svg", width="single")
             self.assertTrue(drawn.read_text(encoding="utf-8").startswith(("<?xml", "<svg")))
+            field = ashimpact.figure("critical-velocity-by-size", folder + "/results/comparison.json", folder + "/field.svg")
+            self.assertIn("arffman2015", field.read_text(encoding="utf-8"))
             made = ashimpact.export("table", folder + "/results", folder=folder + "/table", sample="88 um")
             self.assertTrue((pathlib.Path(made) / "expected.json").is_file())
             with self.assertRaisesRegex(ashimpact.InputError, "allowed"):
@@ -558,6 +560,14 @@ class Documents(unittest.TestCase):
         }
         result = ashimpact.sweep(spec)
         self.assertIn("result", result)
+
+    def test_literature(self):
+        silver = {"law": "jkr", "density": 10490.0, "contact_modulus": 43.2e9}
+        (source,) = ashimpact.literature("arffman2015", work_of_adhesion=0.1, **silver)["sources"]
+        self.assertEqual(source["velocities"][0]["critical_velocity"]["upper"]["value"], 14)
+        self.assertAlmostEqual(source["velocities"][0]["by_law"]["exponent"], -5 / 6, 5)
+        found = ashimpact.calibrate(sizes="arffman2015", uncertainty=0.1, free="work_of_adhesion", **silver)
+        self.assertIs(found["fits"], False)
 
     def test_calibrate(self):
         with warnings.catch_warnings():

@@ -79,6 +79,7 @@ class RunData {
 [[nodiscard]] Figure damping_fit_figure(const RunData& run);
 [[nodiscard]] Figure damping_laws_figure(const RunData& run);
 [[nodiscard]] Figure which_sizes_figure(const RunData& run);
+[[nodiscard]] Figure critical_velocity_by_size_figure(const RunData& run);
 [[nodiscard]] Figure contact_time_figure(const RunData& run);
 [[nodiscard]] Figure sizes_figure(const RunData& run);
 [[nodiscard]] Figure histories_figure(const RunData& run);
@@ -122,6 +123,12 @@ struct FigureMaker {
 
 /// Look of a law: by its place in the registry, the same in every figure.
 [[nodiscard]] Look look_of(const LawData& law, bool hollow = false);
+
+/// The velocities by size of one assumption, with the band of their intervals.
+[[nodiscard]] Series size_series_of(const std::vector<SizeVelocity>& rows, SizeBasis basis);
+
+/// Published critical velocities and lines of laws against diameter; a run adds its own samples.
+[[nodiscard]] Figure literature_figure(const std::vector<LawBySize>& laws);
 
 /// A number of a table, or an empty cell.
 [[nodiscard]] Cell cell_of(const std::optional<double>& value);

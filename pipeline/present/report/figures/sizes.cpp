@@ -62,7 +62,8 @@ std::string size_words(SizeBasis basis) {
     return basis == SizeBasis::adhesion ? "adhesion alone, a lower bound" : std::string(name_of(basis));
 }
 
-/// The rows of one assumption, with the band of their intervals.
+}  // namespace
+
 Series size_series_of(const std::vector<SizeVelocity>& rows, SizeBasis basis) {
     const auto place = static_cast<std::size_t>(basis);
     Series series{.name = size_words(basis),
@@ -85,6 +86,8 @@ Series size_series_of(const std::vector<SizeVelocity>& rows, SizeBasis basis) {
     if (upper.size() < 2) series.band.clear();
     return series;
 }
+
+namespace {
 
 /// A row for each diameter, a column for each assumption.
 void add_numbers(const std::vector<SizeVelocity>& rows, NumberTable& table) {

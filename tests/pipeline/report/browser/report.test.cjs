@@ -16,7 +16,7 @@ const check = (holds, what) => {
 };
 let checks = 0;
 
-const figureIds = ['composition', 'static-force', 'regime-map', 'restitution', 'damping', 'damping-fit', 'damping-laws', 'contact-time', 'sizes', 'histories', 'energy', 'critical-velocity', 'which-sizes', 'sensitivity'];
+const figureIds = ['composition', 'static-force', 'regime-map', 'restitution', 'damping', 'damping-fit', 'damping-laws', 'contact-time', 'sizes', 'histories', 'energy', 'critical-velocity', 'which-sizes', 'critical-velocity-by-size', 'sensitivity'];
 const json = (run, name) => JSON.parse(fs.readFileSync(path.join(folder, run, name + '.json'), 'utf8')).result;
 
 // Everything drawn within the frame of its panel, and every text within its drawing; in the page.

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Published critical velocities, laws over sizes, and constants from velocities over sizes.
+#include "pipeline/case/literature.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include "core/embedded.hpp"
+#include "core/text/text.hpp"
+#include "pipeline/run/laws_by_size.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/inference/calibration/calibration.hpp"
+#include "tests/pipeline/sandbox.hpp"
+#include "tests/support/checks.hpp"
+
+using namespace ashimpact;
+using test::relative_difference;
+using test::Sandbox;
+
+namespace {
+
+/// A sphere on a wall with the constants of silver on aluminium but for adhesion and yield.
+CriticalVelocityProblem sphere_of_size(Law law, double diameter, double adhesion, double yield,
+                                       const Damping& damping = {}) {
+    const double radius = diameter / 2;
+    return {law,
+            law.default_detachment(),
+            damping,
+            {.mass = 4.0 / 3.0 * std::numbers::pi * 10490 * radius * radius * radius,
+             .effective_radius = radius,
+             .contact_modulus = 43.2e9,
+             .work_of_adhesion = adhesion,
+             .yield_pressure = yield}};
+}
+
+double exponent_at(Law law, double diameter, double adhesion, double yield) {
+    constexpr double step = 1e-3;
+    const auto velocity = [&](double factor) {
+        return critical_velocity(sphere_of_size(law, diameter * factor, adhesion, yield)).value.value();
+    };
+    return std::log(velocity(1 + step) / velocity(1 - step)) / std::log((1 + step) / (1 - step));
+}
+
+const Law jkr = Law::named("jkr");
+const Law thornton_ning = Law::named("thornton-ning");
+constexpr double elastic = std::numeric_limits<double>::infinity();
+
+const std::string silver = "--density '10490 kg/m3' --contact-modulus '43.2 GPa' ";
+
+}  // namespace
+
+// JKR alone: W_s ~ (w^5 R^4/E*^2)^(1/3) = m v^2/2. Fully plastic: the contact that adhesion holds is a ~ w
+// E*/p_y^2 at every size, and its loading takes p_y a^4/R = m v^2/2.
+TEST_CASE("v_c falls with d^-5/6 by elastic adhesion and with d^-2 in the fully plastic limit") {
+    struct {
+        Law law;
+        double diameter, adhesion, yield, exponent;
+    } const rows[] = {{jkr, 20e-9, 0.3, elastic, -5.0 / 6},
+                      {jkr, 88e-6, 0.02, elastic, -5.0 / 6},
+                      {thornton_ning, 1e-3, 0.02, 5e9, -5.0 / 6},  // yields only beyond v_c
+                      {thornton_ning, 4e-6, 1e-4, 4.32e6, -2},
+                      {thornton_ning, 1e-6, 1e-4, 4.32e6, -2}};
+    for (const auto& row : rows) {
+        CAPTURE(row.law.name());
+        CAPTURE(row.diameter);
+        CHECK(std::abs(exponent_at(row.law, row.diameter, row.adhesion, row.yield) - row.exponent) < 1e-3);
+    }
+}
+
+TEST_CASE("lines of laws: from 10 nm to 1 mm, with the exponent of each size, only where there is a v_c") {
+    const LawBySize line = law_by_size(jkr, [](double d) { return sphere_of_size(jkr, d, 0.1, elastic); });
+    REQUIRE(line.curve.size() == sizes_of_the_field().size());
+    CHECK(relative_difference(line.curve.front().diameter, 1e-8) < 1e-14);
+    CHECK(relative_difference(line.curve.back().diameter, 1e-3) < 1e-14);
+    for (const VelocityOfSize& size : line.curve)
+        CHECK(size.exponent == doctest::Approx(-5.0 / 6).epsilon(1e-4));
+    const Law hertz = Law::named("hertz");
+    CHECK(law_by_size(hertz, [&](double d) { return sphere_of_size(hertz, d, 0, elastic); }).curve.empty());
+}
+
+TEST_CASE("constants come back from critical velocities of three sizes") {
+    struct Row {
+        const char* law;
+        std::vector<FreeConstant> free;
+        double adhesion, yield, damping;
+    };
+    using enum CalibrationQuantity;
+    const Row rows[] = {{"jkr", {{work_of_adhesion}}, 0.05, elastic, 0},
+                        {"jkr", {{work_of_adhesion}, {damping}}, 0.05, elastic, 2e-9},
+                        {"dmt", {{damping}}, 0.05, elastic, 2e-9},
+                        {"thornton-ning", {{work_of_adhesion}, {yield_pressure}}, 0.0095, 0.387e9, 0}};
+    for (const Row& row : rows) {
+        CAPTURE(row.law);
+        CAPTURE(row.free.size());
+        const Law law = Law::named(row.law);
+        CalibrationProblem problem{
+            .samples = {}, .free = row.free, .critical_velocities = {}, .contact_times = {}};
+        for (const double diameter : {100e-9, 300e-9, 1000e-9}) {
+            const double velocity = *critical_velocity(sphere_of_size(law, diameter, row.adhesion, row.yield,
+                                                                      {DampingLaw::constant, row.damping}))
+                                         .value;
+            problem.critical_velocities.push_back({.sample = problem.samples.size(),
+                                                   .law = law,
+                                                   .critical_damping = 0,
+                                                   .critical_damping_uncertainty = 0,
+                                                   .value = velocity,
+                                                   .standard_uncertainty = 0.05 * velocity});
+            problem.samples.push_back({.diameter = diameter,
+                                       .density = 10490,
+                                       .work_of_adhesion = row.adhesion,
+                                       .particle = {},
+                                       .wall = {},
+                                       .contact_modulus = 43.2e9,
+                                       .yield_pressure = row.yield,
+                                       .damping = Damping{DampingLaw::constant, row.damping}});
+        }
+        for (CalibrationSample& sample : problem.samples)
+            for (const FreeConstant& free : row.free) {
+                if (free.quantity == work_of_adhesion) sample.work_of_adhesion *= 1.5;
+                if (free.quantity == yield_pressure) sample.yield_pressure *= 1.4;
+                if (free.quantity == damping) sample.damping->coefficient *= 0.5;
+            }
+        const CalibrationSummary summary = calibrate(problem);
+        CHECK(summary.chi_squared < 1e-8);
+        CHECK(summary.degrees_of_freedom == 3 - static_cast<int>(row.free.size()));
+        for (const CalibratedConstant& constant : summary.constants) {
+            const double truth = constant.quantity == work_of_adhesion ? row.adhesion
+                                 : constant.quantity == yield_pressure ? row.yield
+                                                                       : row.damping;
+            CHECK(relative_difference(constant.value, truth) < 1e-5);
+        }
+    }
+}
+
+TEST_CASE(
+    "calibrate --sizes finds a constant from a table, says when none fits and when nothing can contradict") {
+    const Sandbox sandbox;
+    const auto table = [](double exponent, const char* heading, const char* separator, bool comma) {
+        std::string text = heading;
+        for (const double nm : {50.0, 200.0, 800.0}) {
+            const double velocity = *critical_velocity(sphere_of_size(jkr, 200e-9, 0.05, elastic)).value *
+                                    std::pow(nm / 200, exponent);
+            text += fmt::format("{}{}{:.9f}\n", nm, separator, velocity);
+        }
+        if (comma) std::ranges::replace(text, '.', ',');
+        return text;
+    };
+    sandbox.write("jkr.csv", table(-5.0 / 6, "d [nm],v_c [m/s]\n", ",", false));
+    sandbox.write("german.csv", table(-5.0 / 6, "d [nm];v_c [m/s]\n", ";", true));
+    sandbox.write("steep.csv", table(-1.6, "d [nm],v_c [m/s]\n", ",", false));
+    const std::string with = " --uncertainty '10 %' --law jkr " + silver + "--free work_of_adhesion";
+    for (const char* file : {"jkr.csv", "german.csv"}) {
+        CAPTURE(file);
+        const Json found = parse_json(
+            test::succeeded(sandbox, "calibrate --sizes " + std::string(file) + with + " --json").out);
+        CHECK(found["constants"][0]["value"]["value"].get<double>() == doctest::Approx(0.05).epsilon(1e-5));
+        CHECK(found["constants"][0]["value"]["unit"] == "J/m2");
+        CHECK(found["fits"] == true);
+        CHECK(found["constants"][0]["profile"]["identifiable"] == true);
+    }
+    const test::Finished steep = test::succeeded(sandbox, "calibrate --sizes steep.csv" + with);
+    CHECK(steep.out == test::containing("No value of these constants fits"));
+    for (const std::string& line : test::lines_of(steep.out)) CHECK(line.size() <= 80);
+    sandbox.write("one.csv", "d [um],v_c [m/s],u(v_c) [m/s]\n1,0.1,0.01\n");
+    CHECK(
+        test::succeeded(sandbox, "calibrate --sizes one.csv --law jkr " + silver + "--free work_of_adhesion")
+            .out == test::containing("There are as many constants as velocities"));
+
+    sandbox.write("bare.csv", "d,v_c [m/s]\n1,0.1\n");
+    sandbox.write("negative.csv", "d [um],v_c [m/s]\n1,-0.1\n");
+    const std::string jkr_free = " --law jkr " + silver + "--free work_of_adhesion";
+    const struct {
+        std::string options, says;
+    } refused[] = {{"--sizes jkr.csv" + jkr_free, "--uncertainty: is missing"},
+                   {"--sizes jkr.csv --uncertainty 0.1 --law jkr " + silver, "--free: is missing"},
+                   {"--sizes jkr.csv --uncertainty 0.1 --law jkr --work-of-adhesion 0.1 " + silver +
+                        "--free yield_pressure",
+                    "--free: yield_pressure is free, and"},
+                   {"--sizes bare.csv --uncertainty 0.1" + jkr_free, "bare.csv: line 1: \"d\" has no unit"},
+                   {"--sizes negative.csv --uncertainty 0.1" + jkr_free,
+                    "negative.csv: line 2, cell 2: \"-0.1\" is no size"},
+                   {"--law jkr --free density", "--law: is given without --sizes"},
+                   {"--free damping", "/calibration: damping is free, and no case determines it"}};
+    for (const auto& row : refused) {
+        CAPTURE(row.options);
+        test::check_refused(sandbox, "calibrate " + row.options, row.says);
+    }
+}
+
+TEST_CASE("literature lists sources with what was read and what is missing, beside a law if one is given") {
+    const Sandbox sandbox;
+    const Json all = parse_json(test::succeeded(sandbox, "literature --json").out)["sources"];
+    REQUIRE(all.size() == 8);
+    for (const Json& source : all) {
+        CAPTURE(source["source"]);
+        CHECK_FALSE(source["read"].get<std::string>().empty());
+        CHECK_FALSE(source["missing"].empty());
+        CHECK(source["doi"] != "");
+    }
+    const test::Finished text = test::succeeded(sandbox, "literature");
+    for (const std::string& line : test::lines_of(text.out)) CHECK_MESSAGE(width_of(line) <= 80, line);
+    for (const char* piece : {"silver on aluminium", "14 m/s", "below 0.01 m/s", "0.829 to 0.847 m/s",
+                              "second-hand", "10.1088/2399-6528/aad0d2"})
+        CHECK(text.out == test::containing(piece));
+
+    const Json beside = parse_json(test::succeeded(sandbox, "literature arffman2015 --law jkr " + silver +
+                                                                "--work-of-adhesion '0.1 J/m2' --json")
+                                       .out)["sources"][0];
+    CHECK(beside["exponent"] == -1.6);
+    const Json& small = beside["velocities"][0];
+    CHECK(relative_difference(small["by_law"]["critical_velocity"]["value"].get<double>(),
+                              *critical_velocity(sphere_of_size(jkr, 20e-9, 0.1, elastic)).value) < 1e-12);
+    CHECK(small["by_law"]["exponent"].get<double>() == doctest::Approx(-5.0 / 6).epsilon(1e-6));
+    CHECK(small["critical_velocity"]["lower"] == small["critical_velocity"]["upper"]);
+
+    test::check_refused(sandbox, "literature arfman2015", "did you mean \"arffman2015\"");
+    test::check_refused(sandbox, "literature --density 1000", "--density: is given without --law");
+    test::check_refused(sandbox, "literature --law jkr --density 1000 --work-of-adhesion 0.1",
+                        "--contact-modulus: is missing");
+    test::succeeded(sandbox, "literature --law jkr " + silver + "--work-of-adhesion 0.1 -o field.svg");
+    for (const char* piece : {"jungmann2018, glass on metal", "JKR, d^-0.83"})
+        CHECK(sandbox.read("field.svg") == test::containing(piece));
+}
+
+TEST_CASE("the velocities of the paper are the same in the literature and among its published values") {
+    const Json published = parse_json(embedded_file("published/dong2013.json").value());
+    for (const LiteratureVelocity& each : literature_source("dong2013").velocities)
+        CHECK(published["samples"][each.name]["measured_critical_velocity"] ==
+              fmt::format("{} m/s", each.upper));
+}
+
+// The others are in its blocks, which the test of the site runs, and in tests/data_files.
+TEST_CASE("docs/validation.md has the numbers that follow from the literature") {
+    const auto& silver_ends = literature_source("arffman2015").velocities;
+    const auto& silica = literature_source("dong2014").velocities;
+    const auto& ash = literature_source("dong2013").velocities;
+    const double exponent = std::log(silver_ends[1].upper / silver_ends[0].upper) /
+                            std::log(*silver_ends[1].diameter / *silver_ends[0].diameter);
+    const double warmer = (*silica[1].lower + silica[1].upper) / (*silica[0].lower + silica[0].upper);
+    const double glass_radius = *literature_source("jungmann2018").velocities[0].diameter / 2;
+    const CriticalVelocityProblem glass{
+        jkr,
+        jkr.default_detachment(),
+        {},
+        {.mass = 4.0 / 3.0 * std::numbers::pi * 2500 * std::pow(glass_radius, 3),
+         .effective_radius = glass_radius,
+         .contact_modulus = 54.5e9,
+         .work_of_adhesion = 1}};
+    const double bound = std::pow(0.01 / *critical_velocity(glass).value, 6.0 / 5);
+    std::ifstream stream(ASHIMPACT_SOURCES "/docs/validation.md");
+    const std::string page{std::istreambuf_iterator<char>(stream), {}};
+    for (const std::string& text :
+         {fmt::format("the straight line between the ends has {:.2f} m/s",
+                      silver_ends[0].upper * std::pow(100.0 / 20, exponent)),
+          fmt::format("the ratio of {:.1f}", warmer),
+          fmt::format("a work of adhesion {:.1f} times as large", std::pow(warmer, 6.0 / 5)),
+          fmt::format("with every w up to {:.1f} J/m2", bound),
+          fmt::format("{} to {} m/s at 88 to 104 um", ash.front().upper, ash.back().upper),
+          fmt::format("{} m/s at 250 to 400 C", literature_source("hu2022").velocities[0].upper)})
+        CHECK_MESSAGE(test::contains(page, text), text);
+}
