@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include "core/embedded.hpp"
 #include "core/version.hpp"
@@ -179,4 +181,76 @@ TEST_CASE("the revision is a commit or the word unknown") {
     if (revision.ends_with("-dirty")) revision.remove_suffix(std::string_view("-dirty").size());
     CHECK(revision.size() >= 7);
     CHECK(revision.find_first_not_of("0123456789abcdef") == std::string_view::npos);
+}
+
+namespace {
+
+/// Numbers of a sample of restitutions as docs/validation.md has them.
+struct ScatterNumbers {
+    double median, robust_deviation, deviation, skewness, kurtosis;
+    std::size_t beyond;  ///< three robust deviations
+    std::size_t above;   ///< of them above the median
+};
+
+double median_of(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+ScatterNumbers scatter_of(const std::vector<double>& values) {
+    const auto count = static_cast<double>(values.size());
+    const double median = median_of(values);
+    std::vector<double> distances;
+    double mean = 0;
+    for (const double value : values) {
+        distances.push_back(std::abs(value - median));
+        mean += value / count;
+    }
+    double second = 0, third = 0, fourth = 0;
+    for (const double value : values) {
+        const double d = value - mean;
+        second += d * d / count;
+        third += d * d * d / count;
+        fourth += d * d * d * d / count;
+    }
+    ScatterNumbers numbers{.median = median,
+                           .robust_deviation = 1.4826 * median_of(distances),
+                           .deviation = std::sqrt(second * count / (count - 1)),
+                           .skewness = third / std::pow(second, 1.5),
+                           .kurtosis = fourth / (second * second) - 3,
+                           .beyond = 0,
+                           .above = 0};
+    for (const double value : values) {
+        if (std::abs(value - median) <= 3 * numbers.robust_deviation) continue;
+        ++numbers.beyond;
+        if (value > median) ++numbers.above;
+    }
+    return numbers;
+}
+
+}  // namespace
+
+TEST_CASE("docs/validation.md has the scatter of the measured restitutions") {
+    std::ifstream table(fs::path(ASHIMPACT_DATA) / "measured/fullmer2021.csv");
+    std::vector<double> restitutions, dampings;
+    for (std::string line; std::getline(table, line);) {
+        if (line.empty() || line.front() == '#' || line == "e_n") continue;
+        restitutions.push_back(std::stod(line));
+        dampings.push_back(std::log(-std::log(restitutions.back())));
+    }
+    const ScatterNumbers e = scatter_of(restitutions);
+    const ScatterNumbers eta = scatter_of(dampings);
+    const std::string page = text_of(fs::path(ASHIMPACT_SOURCES) / "docs/validation.md");
+    for (const std::string& line :
+         {fmt::format("| impacts | {} | {} | |", restitutions.size(), dampings.size()),
+          fmt::format("| median | {:.4f} | {:.3f} | |", e.median, eta.median),
+          fmt::format("| standard deviation by the median | {:.4f} | {:.3f} | |", e.robust_deviation,
+                      eta.robust_deviation),
+          fmt::format("| standard deviation | {:.4f} | {:.3f} | |", e.deviation, eta.deviation),
+          fmt::format("| skewness | {:.2f} | {:.2f} | 0 |", e.skewness, eta.skewness),
+          fmt::format("| excess kurtosis | {:.1f} | {:.2f} | 0 |", e.kurtosis, eta.kurtosis),
+          fmt::format("| beyond 3 standard deviations by the median | {} | {} | 0.5 |", e.beyond, eta.beyond),
+          fmt::format("{} are there, {} of them on the side of more damping", eta.beyond, eta.above)})
+        CHECK_MESSAGE(page.find(line) != std::string::npos, line);
 }

@@ -31,4 +31,4 @@ echo '== links'
 /usr/bin/python3 "$here/site/links.py" "$scratch/site"
 echo '== blocks'
 PATH=$build:$PATH BUILD=$build PYTHONPATH=$build/python ASHIMPACT_PROGRAM=$build/ashimpact MPLCONFIGDIR=$scratch/matplotlib \
-    /usr/bin/python3 "$here/site/blocks.py" "$root"/docs/tutorial/*.md "$root"/docs/how-to/*.md
+    /usr/bin/python3 "$here/site/blocks.py" "$root"/docs/tutorial/*.md "$root"/docs/how-to/*.md "$root/docs/validation.md"
