@@ -20,12 +20,16 @@ constexpr double least_sum = 0.90;
 constexpr double greatest_sum = 1.05;
 /// A gap to 100 % that is worth a remark.
 constexpr double remarkable_gap = 0.02;
+/// Sums with and without the loss on ignition whose gaps to 100 % differ by less do not tell which is meant.
+constexpr double undecided_gap = 0.01;
 
 const double root_three = std::sqrt(3.0);
 
-double sum_of(const std::vector<OxideShare>& oxides) {
+/// Sum of the oxides [1]; CO2 and water are part of a loss on ignition.
+double sum_of(const OxideAnalysis& analysis) {
     double sum = 0;
-    for (const OxideShare& each : oxides) sum += each.fraction;
+    for (const OxideShare& each : analysis.oxides)
+        if (!analysis.loss_on_ignition || !is_gas(each.oxide)) sum += each.fraction;
     return sum;
 }
 
@@ -66,12 +70,7 @@ bool is_glass(const Component& component) {
 /// sulfates, and halogens.
 bool may_be_left_out(std::size_t oxide) {
     const std::string_view formula = oxides()[oxide].formula;
-    return formula == "CO2" || formula == "H2O" || formula == "SO3" || formula == "Cl" || formula == "F";
-}
-
-bool is_volatile(std::size_t oxide) {
-    const std::string_view formula = oxides()[oxide].formula;
-    return formula == "CO2" || formula == "H2O";
+    return is_gas(formula) || formula == "SO3" || formula == "Cl" || formula == "F";
 }
 
 /// The balance as a function of independent inputs.
@@ -115,7 +114,7 @@ class Balance {
         OxideAmounts rest = no_oxides();
         for (std::size_t i = 0; i < analysis_.oxides.size(); ++i) {
             const std::size_t oxide = oxide_index(analysis_.oxides[i].oxide);
-            if (!is_volatile(oxide)) rest[oxide] = values[i] * gap - crystalline[oxide];
+            if (!is_gas(analysis_.oxides[i].oxide)) rest[oxide] = values[i] * gap - crystalline[oxide];
         }
         return rest;
     }
@@ -168,7 +167,7 @@ class Balance {
     void add_inputs() {
         for (const OxideShare& each : analysis_.oxides)
             inputs_.push_back({each.oxide, each.fraction, oxide_uncertainty(each)});
-        const double gap = 1 - (sum_of(analysis_.oxides) + listed_loss(analysis_));
+        const double gap = 1 - (sum_of(analysis_) + listed_loss(analysis_));
         inputs_.push_back({"sum of the oxides", 1, std::abs(gap) / root_three});
         const FractionModel& model = composition_.model;
         const bool stated = model.parameter_uncertainty ||
@@ -324,7 +323,7 @@ OxideAmounts amounts_of(const std::vector<OxideShare>& oxides) {
 
 OxideAnalysis as_received(const OxideAnalysis& analysis, std::vector<Finding>& notes) {
     require_valid_oxides(analysis);
-    const double oxides = sum_of(analysis.oxides);
+    const double oxides = sum_of(analysis);
     const double loss = listed_loss(analysis);
     const bool ignited = loss > 0 && std::abs(oxides - 1) < std::abs(oxides + loss - 1);
     const double sum = ignited ? oxides : oxides + loss;
@@ -335,6 +334,15 @@ OxideAnalysis as_received(const OxideAnalysis& analysis, std::vector<Finding>& n
         notes.push_back(
             {glass_code, Severity::remark,
              what + per_cent(sum) + ": the gap to 100 % counts as an error common to all of them"});
+    const bool either =
+        loss > remarkable_gap && std::abs(std::abs(oxides - 1) - std::abs(oxides + loss - 1)) < undecided_gap;
+    if (either)
+        notes.push_back({glass_code, Severity::doubt,
+                         "the oxides add up to " + per_cent(oxides) + " without the LOI and to " +
+                             per_cent(oxides + loss) +
+                             " with it: whether they are those of the ignited sample is not certain, and "
+                             "changes all of them by " +
+                             per_cent(loss)});
     if (!ignited) return analysis;
     notes.push_back(
         {glass_code, Severity::remark,

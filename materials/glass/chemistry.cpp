@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <numeric>
+#include <regex>
 #include <stdexcept>
 
 #include "core/text/error.hpp"
@@ -167,17 +168,18 @@ OxideAmounts shares_of(OxideAmounts amounts) {
     return amounts;
 }
 
-/// The name without marks of a total: "Fe2O3(t)", "Fe2O3 tot", "Fe2O3T", "FeO*", "ΣFe2O3".
+/// The name without marks of a total: "Fe2O3(t)", "TFe2O3", "FeO*", "ΣFe2O3", "total Fe as Fe2O3", "S total".
 std::string without_total(std::string_view name) {
-    std::string key = word_key(name);
-    if (key.starts_with("sumfe")) key.erase(0, 3);
-    if (!key.starts_with("fe")) return key;
-    for (const std::string_view mark : {"total", "tot", "ges", "t"})
-        if (key.size() > mark.size() + 2 && key.ends_with(mark)) {
-            key.resize(key.size() - mark.size());
-            break;
-        }
-    return key;
+    static const std::regex iron(
+        "(?:sum|total|tot|gesamt|ges|t)?(?:(?:iron|eisen|feo?|fe2o3)(?:total|tot)?(?:as|als))?"
+        "(feo|fe2o3)(?:total|tot|gesamt|ges|t)?");
+    static const std::regex sulfur("(?:total|gesamt)s|s(?:total|tot|gesamt|ges)");
+    constexpr std::size_t longest = 60;
+    const std::string key = word_key(name);
+    if (key.size() > longest) return key;
+    std::smatch found;
+    if (std::regex_match(key, found, iron)) return found[1];
+    return std::regex_match(key, found, sulfur) ? "s" : key;
 }
 
 }  // namespace
@@ -228,6 +230,10 @@ const std::vector<OxideOfElement>& oxides() {
 
 OxideAmounts no_oxides() {
     return OxideAmounts(oxides().size(), 0.0);
+}
+
+bool is_gas(std::string_view formula) {
+    return formula == "CO2" || formula == "H2O";
 }
 
 std::size_t oxide_index(std::string_view formula) {

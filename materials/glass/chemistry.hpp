@@ -29,6 +29,9 @@ using OxideAmounts = std::vector<double>;
 /// All amounts zero.
 [[nodiscard]] OxideAmounts no_oxides();
 
+/// Whether an oxide is one of the gases of carbonates and hydroxides, CO2 or H2O: no glass contains them.
+[[nodiscard]] bool is_gas(std::string_view formula);
+
 /// Place in oxides() of the oxide of that formula, such as "Fe2O3".
 /// @throws std::logic_error for a formula that is not in the table
 [[nodiscard]] std::size_t oxide_index(std::string_view formula);

@@ -40,18 +40,72 @@ bool is_element(const std::string& text) {
            std::ranges::find(oxides(), std::string_view(text), &OxideOfElement::element) != oxides().end();
 }
 
+constexpr const char* name_ends = " _()[]/:,";
+
+/// A longer text names no oxide and no loss on ignition. Regular expressions recurse along it.
+constexpr std::size_t longest_name = 60;
+
 bool is_parts_per_million(const xrd::Heading& heading) {
     const std::string unit = word_key(heading.unit);
     return heading.scale == xrd::Scale::ppm || unit == "mgkg" || unit == "ugg" || unit == "gt";
 }
 
+/// "wt% SiO2", "w(SiO2)", "SiO2_wt" and "MnO ppm" as "SiO2 [wt%]" and "MnO [ppm]"; empty for a text with
+/// other words than one oxide or element and those of a fraction by weight.
+std::string unit_behind_name(const std::string& text) {
+    if (text.size() > longest_name || text.find_first_of(name_ends) == std::string::npos) return {};
+    std::string name;
+    std::string unit;
+    for (auto from = text.find_first_not_of(name_ends); from != std::string::npos;) {
+        const auto end = std::min(text.find_first_of(name_ends, from), text.size());
+        const std::string word = text.substr(from, end - from);
+        from = text.find_first_not_of(name_ends, end);
+        const xrd::Heading as_unit = xrd::read_heading("x [" + word + "]");
+        if (named_oxide(word) || is_element(word)) {
+            if (!name.empty()) return {};
+            name = word;
+        } else if (word != "1" && (as_unit.states == xrd::HeadingUnit::weight ||
+                                   as_unit.states == xrd::HeadingUnit::fraction)) {
+            if (as_unit.scale != xrd::Scale::not_stated) unit = " [" + word + "]";
+        } else {
+            return {};
+        }
+    }
+    return name.empty() ? name : name + unit;
+}
+
+/// A loss on ignition without its temperature: "LOI" of "LOI (1000 °C)" and "Glühverlust bei 950 °C".
+/// Below 700 °C carbonates keep their CO2: that is another quantity.
+std::string without_temperature(const std::string& text) {
+    if (text.size() > longest_name) return text;
+    static const std::regex temperature("[ ,_(@-]*(at|bei|à)? *(1[0-9]{3}|[7-9][0-9]{2}) *(°|deg)? *C?[)]?$");
+    return std::regex_replace(text, temperature, "");
+}
+
+/// The oxide in a text that does not name it as one: MgO in "MgO (corr.)", K2O in "K20".
+std::optional<NamedOxide> oxide_within(std::string text) {
+    text += ' ' + transliterated(text);
+    static const std::regex word("[A-Za-z][A-Za-z0-9]+");
+    for (std::sregex_iterator at(text.begin(), text.end(), word), end; at != end; ++at) {
+        std::string name = at->str();
+        if (name == "Fe") return named_oxide("Fe2O3");
+        for (const char zero : {'0', 'O'}) {
+            std::ranges::replace(name, '0', zero);
+            if (name.find_first_of("Oo", 1) == std::string::npos) continue;
+            if (const auto oxide = named_oxide(name)) return oxide;
+        }
+    }
+    return std::nullopt;
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): once, with the plain text
 OxideLine read_line(const std::string& text) {
     static const WordLists words("oxide columns");
     OxideLine line{.heading = xrd::read_heading(text)};
     const std::string& name = line.heading.text;
     const std::string whole = line.heading.coverage.rest.empty() ? text : line.heading.coverage.rest;
     const auto list = words.list_of(name);
-    if (list == "loss" || words.list_of(whole) == "loss")
+    if (list == "loss" || words.list_of(without_temperature(whole)) == "loss")
         line.role = OxideRole::loss;
     else if (list == "amount")
         line.heading.role = xrd::Role::weight;
@@ -66,8 +120,16 @@ OxideLine read_line(const std::string& text) {
         line.role = OxideRole::uncertainty;
     } else if (is_element(name)) {
         line.role = OxideRole::trace;
+    } else if (const std::string plain = unit_behind_name(text); !plain.empty() && plain != text) {
+        return read_line(plain);
     }
     return line;
+}
+
+/// Whether a cell is the heading of a column or row of units.
+bool names_units(const std::string& cell) {
+    const std::string key = word_key(cell);
+    return key == "unit" || key == "units" || key == "einheit" || key == "einheiten" || key == "unite";
 }
 
 bool is_content(OxideRole role) {
@@ -111,10 +173,18 @@ class OxideTable {
     OxideTable(const TextLines& file, std::optional<DecimalMark> decimal) : marks_(decimal) {
         const std::vector<TextLine> lines = lines_with_content(file);
         constexpr std::size_t most_lines = 5000;
+        constexpr std::size_t longest_cell = 1000;
         if (lines.size() > most_lines)
             refuse_line(lines[most_lines].number, "the table is too long for a chemical analysis",
                         std::to_string(most_lines) + " lines or fewer");
-        for (const TextLine& line : lines) rows_.push_back(cut_row(line, separator_of(line.text)));
+        for (const TextLine& line : lines) {
+            rows_.push_back(cut_row(line, separator_of(line.text)));
+            for (std::size_t i = 0; i < rows_.back().cells.size(); ++i)
+                if (rows_.back().cells[i].size() > longest_cell)
+                    throw InputError("the cell is too long for a chemical analysis",
+                                     std::to_string(longest_cell) + " characters or fewer")
+                        .at(at_cell(line.number, i));
+        }
         const auto across =
             std::ranges::find_if(rows_, [](const TableRow& row) { return oxides_in(row.cells) >= 2; });
         if (across != rows_.end())
@@ -135,26 +205,49 @@ class OxideTable {
         warnings.push_back({glass_code, severity, std::move(text)});
     }
 
+    static void refuse_moles(const std::string& title, std::size_t line) {
+        const std::string key = word_key(title, "%");
+        for (const std::string_view mole : {"mol%", "molepercent", "molpercent", "molefraction", "molanteil"})
+            if (key.find(mole) != std::string::npos)
+                refuse_line(line, "the title states fractions by mole: " + in_quotes(title),
+                            "% by weight of oxides");
+    }
+
     void take_titles(std::size_t heading) {
         for (std::size_t i = 0; i < heading; ++i) {
             const std::string title = joined(rows_[i].cells);
-            const std::string key = word_key(title, "%");
-            for (const std::string_view mole :
-                 {"mol%", "molepercent", "molpercent", "molefraction", "molanteil"})
-                if (key.find(mole) != std::string::npos)
-                    refuse_line(rows_[i].line, "the title states fractions by mole: " + in_quotes(title),
-                                "% by weight of oxides");
+            refuse_moles(title, rows_[i].line);
             note(at_line(rows_[i].line) + ", above the heading, is not read: " + in_quotes(title),
                  Severity::background);
         }
     }
 
-    void refuse_unknown(const TableRow& row, std::size_t column, const OxideLine& line) const {
+    /// Refuses what looks like an oxide or contains one that no other heading or row of the table gives.
+    void refuse_unknown(const TableRow& row, std::size_t column, const OxideLine& line,
+                        const std::vector<OxideLine>& others) const {
+        if (line.role != OxideRole::other) return;
         const std::string& name = line.heading.text;
-        if (line.role == OxideRole::other && looks_like_oxide(name))
+        if (looks_like_oxide(name))
             throw InputError("no oxide is called " + in_quotes(name),
                              "nearest: " + joined(nearest_oxides(name)))
                 .at(at_cell(row.line, column));
+        const auto within = oxide_within(line.heading.written);
+        if (!within || is_gas(oxides()[within->index].formula) ||
+            std::ranges::any_of(others, [&](const OxideLine& each) {
+                return each.role == OxideRole::oxide && each.oxide.index == within->index;
+            }))
+            return;
+        const std::string formula(oxides()[within->index].formula);
+        throw InputError(
+            in_quotes(line.heading.written) + " is not read as an oxide, and nothing else gives " + formula,
+            in_quotes(formula == "Fe2O3" ? "Fe2O3(t)" : formula) + " for it")
+            .at(at_cell(row.line, column));
+    }
+
+    /// Severity of the remark that a column or row is not used: a known measure matters less.
+    static Severity severity_of_unused(const OxideLine& line) {
+        return line.role == OxideRole::other && line.heading.role == xrd::Role::other ? Severity::remark
+                                                                                      : Severity::background;
     }
 
     /// A column for each oxide, a row for each sample.
@@ -166,26 +259,38 @@ class OxideTable {
             return xrd::read_heading("x [" + std::string(cell) + "]").states != xrd::HeadingUnit::other ||
                    word_key(cell) == "mgkg" || word_key(cell, "%") == "mol%";
         };
-        if (next < rows_.size() && take_units(names, rows_[next], is_unit)) ++next;
+        if (next < rows_.size()) {
+            TableRow units = rows_[next];
+            for (std::string& cell : units.cells)
+                if (names_units(cell)) cell.clear();
+            if (take_units(names, units, is_unit)) ++next;
+        }
         for (const std::string& cell : names.cells) headings_.push_back(read_line(cell));
         const std::size_t label = label_column(names);
+        if (label < headings_.size()) refuse_moles(headings_[label].heading.written, names.line);
         std::vector<std::string> unused;
+        Severity severity = Severity::background;
         for (std::size_t i = 0; i < headings_.size(); ++i) {
-            refuse_unknown(names, i, headings_[i]);
+            if (i != label) refuse_unknown(names, i, headings_[i], headings_);
             const bool used = i == label || is_content(headings_[i].role) ||
                               headings_[i].role == OxideRole::trace || names.cells[i].empty() ||
                               is_uncertainty_column(names.cells[i], headings_[i]);
-            if (!used) unused.push_back(in_quotes(names.cells[i]));
+            if (used) continue;
+            unused.push_back(in_quotes(names.cells[i]));
+            severity = std::max(severity, severity_of_unused(headings_[i]));
         }
-        if (!unused.empty()) note("columns not used: " + joined(unused), Severity::background);
+        if (!unused.empty()) note("columns not used: " + joined(unused), severity);
         mark_thousands();
         for (std::size_t r = next; r < rows_.size(); ++r) add_row(rows_[r], names, label);
     }
 
-    /// States in which columns a number may be a thousand: "4.000" ppm.
-    void mark_thousands() {
+    /// States in which columns a number may be a thousand: "4.000" ppm, but not "52.312" %.
+    void mark_thousands(bool rows_in_ppm = false) {
         for (std::size_t i = 0; i < headings_.size(); ++i)
-            if (is_parts_per_million(headings_[i].heading)) marks_.may_hold_thousands(i);
+            if (is_parts_per_million(headings_[i].heading))
+                marks_.may_hold_thousands(i);
+            else if (!rows_in_ppm)
+                marks_.stays_below_thousand(i);
     }
 
     /// The column of the names of samples; headings_.size() if there is none.
@@ -228,14 +333,21 @@ class OxideTable {
     /// A row for each oxide, a column for each sample.
     void read_down() {
         const auto [names, first] = first_row_down();
-        const bool has_heading = first > 0 && rows_[first - 1].cells.size() > 1 &&
-                                 !std::ranges::any_of(rows_[first - 1].cells, [](const std::string& cell) {
-                                     return read_number(cell, true).has_value();
-                                 });
+        const auto is_heading = [&, column = names](const TableRow& row) {
+            if (row.cells.size() <= std::max<std::size_t>(column, 1)) return false;
+            if (xrd::role_of_text(row.cells[column]) == xrd::Role::phase) return true;
+            return !std::ranges::any_of(
+                row.cells, [](const std::string& cell) { return read_number(cell, true).has_value(); });
+        };
+        const bool has_heading = first > 0 && is_heading(rows_[first - 1]);
         const std::size_t width = rows_[first].cells.size();
         if (has_heading)
             for (const std::string& cell : rows_[first - 1].cells) headings_.push_back(read_line(cell));
         headings_.resize(std::max(headings_.size(), width));
+        units_ = static_cast<std::size_t>(
+            std::ranges::find_if(headings_,
+                                 [](const OxideLine& line) { return names_units(line.heading.text); }) -
+            headings_.begin());
         take_titles(has_heading ? first - 1 : first);
         const std::vector<std::size_t> amounts = amount_columns(first, names);
         if (amounts.empty())
@@ -246,8 +358,11 @@ class OxideTable {
             const bool is_unit = heading.role == xrd::Role::weight;
             samples.push_back({.sample = is_unit ? std::string() : heading.text});
         }
-        mark_thousands();
-        for (std::size_t r = first; r < rows_.size(); ++r) add_oxide_row(rows_[r], names, amounts);
+        std::vector<OxideLine> lines;
+        for (std::size_t r = first; r < rows_.size(); ++r) lines.push_back(line_of(rows_[r], names));
+        mark_thousands(std::ranges::any_of(
+            lines, [](const OxideLine& line) { return is_parts_per_million(line.heading); }));
+        for (std::size_t r = first; r < rows_.size(); ++r) add_oxide_row(rows_[r], names, amounts, lines);
     }
 
     /// The column of the names of oxides, and the first row with one.
@@ -274,7 +389,7 @@ class OxideTable {
         std::vector<std::size_t> by_number;
         std::vector<std::string> unused;
         for (std::size_t i = 0; i < rows_[first].cells.size(); ++i) {
-            if (i == names || headings_[i].role == OxideRole::uncertainty) continue;
+            if (i == names || i == units_ || headings_[i].role == OxideRole::uncertainty) continue;
             const xrd::Heading& heading = headings_[i].heading;
             const bool numbers = std::ranges::any_of(rows_, [&](const TableRow& row) {
                 return i < row.cells.size() && read_number(row.cells[i], true).has_value();
@@ -299,12 +414,20 @@ class OxideTable {
         return by_name.empty() ? by_number : by_name;
     }
 
-    void add_oxide_row(const TableRow& row, std::size_t names, const std::vector<std::size_t>& amounts) {
+    /// The oxide of a row, with the unit of its own.
+    [[nodiscard]] OxideLine line_of(const TableRow& row, std::size_t names) const {
+        if (names >= row.cells.size() || row.cells[names].empty()) return {};
+        const bool has_unit = units_ < row.cells.size() && !row.cells[units_].empty();
+        return read_line(row.cells[names] + (has_unit ? " [" + row.cells[units_] + "]" : ""));
+    }
+
+    void add_oxide_row(const TableRow& row, std::size_t names, const std::vector<std::size_t>& amounts,
+                       const std::vector<OxideLine>& all) {
         if (names >= row.cells.size() || row.cells[names].empty()) return;
-        const OxideLine what = read_line(row.cells[names]);
-        refuse_unknown(row, names, what);
+        const OxideLine what = line_of(row, names);
+        refuse_unknown(row, names, what, all);
         if (!is_content(what.role) && what.role != OxideRole::trace) {
-            note("row " + in_quotes(row.cells[names]) + " is not used", Severity::background);
+            note("row " + in_quotes(row.cells[names]) + " is not used", severity_of_unused(what));
             return;
         }
         for (std::size_t k = 0; k < amounts.size(); ++k) {
@@ -327,6 +450,7 @@ class OxideTable {
     NumberMarks marks_;
     std::vector<TableRow> rows_{};
     std::vector<OxideLine> headings_{};
+    std::size_t units_ = std::string::npos;  ///< column of the units of single rows, if there is one
 };
 
 /// Heading that states the unit of a cell.
@@ -494,12 +618,17 @@ class OxideSampleMaker {
             iron_.push_back({share, cell.what.oxide.is_total, name});
             return;
         }
-        for (const OxideShare& each : sample_.analysis.oxides)
-            if (each.oxide == share.oxide)
-                throw InputError(name + " is there twice, as " + share.oxide + " or in another form",
-                                 "each oxide once")
-                    .at(at_cell(cell.line, cell.column));
-        sample_.analysis.oxides.push_back(share);
+        auto& oxides_listed = sample_.analysis.oxides;
+        const auto same = std::ranges::find(oxides_listed, share.oxide, &OxideShare::oxide);
+        const bool is_kind_of_water = name.ends_with('+') || name.ends_with('-');
+        if (same == oxides_listed.end())
+            oxides_listed.push_back(share);
+        else if (share.oxide == "H2O" && is_kind_of_water)
+            same->fraction += share.fraction;
+        else
+            throw InputError(name + " is there twice, as " + share.oxide + " or in another form",
+                             "each oxide once")
+                .at(at_cell(cell.line, cell.column));
     }
 
     /// FeO and Fe2O3 add up, unless one of them is the total iron.

@@ -137,7 +137,8 @@ struct SampleEstimate {
     std::optional<SampleGlass> glass{};
     std::optional<Porosity> porosity{};
     ParticleDensity density{};
-    std::vector<Finding> warnings;  ///< of the reader, the composition and the estimate
+    std::vector<Finding> warnings;          ///< of the reader, the composition and the estimate
+    std::vector<Finding> oxide_warnings{};  ///< of the oxides and the glass by them
 };
 
 std::vector<XrdSample> chosen(const XrdResult& result, const std::string& name) {
@@ -297,7 +298,7 @@ SampleEstimate estimated(const XrdSample& sample, const PhaseCatalogue& catalogu
                          const std::optional<OxideResult>& oxides, const CommandOptions& options,
                          MixtureRule rule) {
     SampleEstimate result{.name = sample.name, .warnings = sample.warnings};
-    const GlassInputs inputs = glass_inputs(sample.name, oxides, options, result.warnings);
+    const GlassInputs inputs = glass_inputs(sample.name, oxides, options, result.oxide_warnings);
     const GlassInSample composed = compose_with_glass(
         sample.analysis, catalogue, inputs,
         "--amorphous-fraction X (of the whole; none; remainder: what is missing to 100 %), "
@@ -316,9 +317,11 @@ SampleEstimate estimated(const XrdSample& sample, const PhaseCatalogue& catalogu
         return particle_density(result.composition.density, stated, measured_density(options));
     });
     for (const auto& notes :
-         {result.composition.notes, composed.glass ? composed.glass->notes : std::vector<Finding>{},
-          result.estimate.notes, result.density.notes, inferred})
+         {result.composition.notes, result.estimate.notes, result.density.notes, inferred})
         result.warnings.insert(result.warnings.end(), notes.begin(), notes.end());
+    if (composed.glass)
+        result.oxide_warnings.insert(result.oxide_warnings.end(), composed.glass->notes.begin(),
+                                     composed.glass->notes.end());
     return result;
 }
 
@@ -348,6 +351,9 @@ void run_modulus_command(const CommandOptions& options, std::ostream& out) {
                                  [&] { return estimated(whole, catalogue, oxides, options, rule); });
         });
         warn_of(estimate.warnings, options["file"]);
+        warn_of(estimate.oxide_warnings, options["--oxides"]);
+        estimate.warnings.insert(estimate.warnings.end(), estimate.oxide_warnings.begin(),
+                                 estimate.oxide_warnings.end());
         const auto doubts = options.doubts();
         estimate.warnings.insert(estimate.warnings.begin(), doubts.begin(), doubts.end());
         estimate.warnings.insert(estimate.warnings.begin(), result.warnings.begin(), result.warnings.end());

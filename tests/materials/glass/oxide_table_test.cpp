@@ -149,6 +149,48 @@ TEST_CASE("a spreadsheet of an XRF laboratory, in both formats") {
     }
 }
 
+TEST_CASE("names, units and marks that laboratories write: one oxide each") {
+    struct Row {
+        const char* table;
+        const char* oxide;
+        double per_cent;
+    };
+    for (const auto& [table, oxide, expected] : std::initializer_list<Row>{
+             // Total iron, and sulfur.
+             {"Sample,SiO2,Al2O3,Total Fe as Fe2O3\nx,60,30,9\n", "Fe2O3", 9},
+             {"Sample,SiO2,Al2O3,TFe2O3\nx,60,30,9\n", "Fe2O3", 9},
+             {"Sample,SiO2,Al2O3,T-Fe2O3\nx,60,30,9\n", "Fe2O3", 9},
+             {"Oxide,wt%\nSiO2,60\nAl2O3,30\nFeO as Fe2O3,9\n", "Fe2O3", 9},
+             {"Sample,SiO2,Al2O3,total S\nx,60,30,1\n", "SO3", 2.497099},
+             // Units and words for a fraction before and behind the oxide.
+             {"Sample,wt% SiO2,wt% Al2O3\nx,60,40\n", "SiO2", 60},
+             {"Sample,w(SiO2)/%,w(Al2O3)/%\nx,60,40\n", "Al2O3", 40},
+             {"Sample,SiO2_wt,Al2O3_wt\nx,60,40\n", "SiO2", 60},
+             {"Sample,SiO2 mass fraction,Al2O3 mass fraction\nx,0.6,0.4\n", "SiO2", 60},
+             {"Sample;SiO2 %;Al2O3 %;MnO ppm\nx;60;39,9;1 000\n", "MnO", 0.1},
+             {"Sample;SiO2;Al2O3;V ppm\nunit;%;%;\nx;60;39,9;150\n", "SiO2", 60},
+             {"Compound,Line,Conc.,Unit\nSiO2,KA,60,%\nAl2O3,KA,39.9,%\nMnO,KA,1000,ppm\nSr,KA,200,ppm\n",
+              "MnO", 0.1},
+             {"Oxide,Unit,FA\nSiO2,%,60\nMnO,ppm,1000\nAl2O3,%,39.9\n", "MnO", 0.1},
+             // Per cent reach no thousand: three decimals are decimals.
+             {"Sample;SiO2;Al2O3\nx;60,312;39,688\n", "SiO2", 60.312},
+             // A year is the name of a column below "Oxide".
+             {"Oxide,2023\nSiO2,60\nAl2O3,40\n", "SiO2", 60},
+             // Two kinds of water add up.
+             {"Sample,SiO2,Al2O3,H2O-,H2O+\nx,58,38,1,2\n", "H2O", 3},
+             // Words beside an oxide that another column gives are other quantities.
+             {"Sample,SiO2,Al2O3,reactive SiO2,SiO2/Al2O3\nx,60,40,35,1.5\n", "SiO2", 60}}) {
+        CAPTURE(table);
+        CHECK(std::abs(per_cent_of(only(table), oxide) - expected) < 1e-5);
+    }
+    for (const char* loss :
+         {"LOI", "LOI (1000 C)", "LOI @1050 \u00b0C", "Gl\u00fchverlust (950 \u00b0C)", "LOI1000"}) {
+        CAPTURE(loss);
+        CHECK(near(loss_of(only("Sample;SiO2;Al2O3;" + std::string(loss) + "\nx;57;38;5\n")), 5));
+    }
+    CHECK_FALSE(only("Sample,SiO2,Al2O3,LOI 550 C\nx,57,38,5\n").analysis.loss_on_ignition);
+}
+
 TEST_CASE("oxides of a sample of another name are told") {
     const OxideSample named = only("Sample,SiO2,Al2O3\nFA 1,60,40\n");
     CHECK(other_sample_finding(named, "FA 2")->text == "the oxides are those of the sample \"FA 1\"");
@@ -189,6 +231,16 @@ TEST_CASE("tables that are no chemical analysis are refused in one line with the
     CHECK(says(refusal("Sample,SiO2,Al2O3\nA,60,40\nA,50,50\n"), "the sample \"A\" is there twice"));
     CHECK(says(refusal("phase,weight %\nquartz,60\nmullite,40\n"), "no two oxides are named"));
     CHECK(says(refusal("Sample,SiO2,Al2O3\n"), "there are no amounts of oxides"));
+    // Amounts that would be lost: no other column or row gives that oxide.
+    for (const char* lost : {"MgO (corr.)", "MgO\u00b9", "Mg0", "MgO+SrO"})
+        for (const std::string& table : {"Sample;SiO2;Al2O3;" + std::string(lost) + "\nx;60;35;5\n",
+                                         "Oxide;wt%\nSiO2;60\nAl2O3;35\n" + std::string(lost) + ";5\n"})
+            CHECK(says(refusal(table), "is not read as an oxide, and nothing else gives MgO"));
+    CHECK(says(refusal("Sample,SiO2,Al2O3,Fe total\nx,60,30,7\n"),
+               "nothing else gives Fe2O3; allowed: \"Fe2O3(t)\""));
+    CHECK(says(refusal("Sample (mol%),SiO2,Al2O3\nx,60,40\n"), "states fractions by mole"));
+    CHECK(says(refusal("Sample,SiO2,Al2O3,A" + std::string(200'000, '1') + "\nx,60,40,1\n"),
+               "line 1, cell 4: the cell is too long"));
     for (const char* title : {"Results in mol%", "Mole percent"})
         CHECK(says(refusal(std::string(title) + "\nSample,SiO2,Al2O3\nA,60,40\n"),
                    "line 1: the title states fractions by mole"));
