@@ -48,7 +48,6 @@ double scale_of(const Table& table, const std::vector<Entry>& entries, std::vect
 /// Refuses a chemical analysis, whose oxides are no phases. @throws InputError
 void refuse_oxides(const std::vector<Entry>& entries, std::size_t heading_line) {
     static const WordLists words("oxides");
-    constexpr std::size_t fewest = 3;
     std::vector<std::string> oxides;
     std::size_t phases = 0;
     const std::string& sample = entries.front().sample;
@@ -57,11 +56,13 @@ void refuse_oxides(const std::vector<Entry>& entries, std::size_t heading_line) 
         ++phases;
         if (words.holds(entry.phase)) oxides.push_back(in_quotes(entry.phase));
     }
+    const std::size_t fewest = oxides.size() == phases ? 2 : 3;
     if (oxides.size() < fewest || 2 * oxides.size() <= phases) return;
     const bool by_columns = entries.size() > 1 && entries[1].line == entries.front().line;
     refuse_line(by_columns ? heading_line : entries.front().line,
                 joined(oxides) + " are oxides of a chemical analysis (XRF): they do not state the phases",
-                "the phases of an XRD result under their names, such as quartz and hematite");
+                "the phases of an XRD result under their names, such as quartz and hematite; the analysis as "
+                "--oxides FILE (in a case \"oxides\")");
 }
 
 /// The entries of one sample, in the order of the file.
