@@ -317,6 +317,16 @@ std::optional<ResolvedPhase> PhaseCatalogue::by_parts(std::string_view name) con
     return found;
 }
 
+std::optional<ResolvedPhase> PhaseCatalogue::of_group(std::string_view name) const {
+    for (const PhaseSet& set : sets_)
+        for (const auto& [group, representative] : set.group_representatives)
+            if (phase_key(group) == phase_key(name))
+                return ResolvedPhase{
+                    .phase = resolve(representative).phase,
+                    .note = in_quotes(name) + " is a mineral group: " + representative + " stands for it"};
+    return std::nullopt;
+}
+
 std::optional<ResolvedPhase> PhaseCatalogue::by_stem(std::string_view name) const {
     // Shares of an end member, as in "An65" or "Ab 30", and the order of Al and Si in feldspars.
     static const std::regex share("(an|ab|or|fo|fa|en|fs|di|hd|geh|ak|sp|mg|fe) *[0-9]{1,3} *%?");
@@ -327,6 +337,7 @@ std::optional<ResolvedPhase> PhaseCatalogue::by_stem(std::string_view name) cons
     std::erase_if(rest, [](char c) { return std::string_view("_-(,)").find(c) != std::string_view::npos; });
     rest = std::string(trimmed(rest));
     auto phase = known(name, name.substr(0, end));
+    if (!phase) phase = of_group(name.substr(0, end));
     if (!phase) return std::nullopt;
     const bool is_share = std::regex_match(rest, share);
     if (!is_share && !(phase->phase.group == "feldspar" && std::regex_match(rest, order)))
@@ -357,13 +368,9 @@ ResolvedPhase PhaseCatalogue::resolve(std::string_view name) const {
     const std::string key = phase_key(name);
     if (auto phase = known(name, name)) return *phase;
     if (auto phase = by_parts(name)) return *phase;
+    if (auto phase = of_group(name)) return *phase;
     std::vector<std::string> members;
     for (const PhaseSet& set : sets_) {
-        for (const auto& [group, representative] : set.group_representatives)
-            if (phase_key(group) == key)
-                return {
-                    .phase = resolve(representative).phase,
-                    .note = in_quotes(name) + " is a mineral group: " + representative + " stands for it"};
         for (const Phase& phase : set.phases)
             if (!phase.group.empty() && phase_key(phase.group) == key) members.push_back(phase.name);
     }

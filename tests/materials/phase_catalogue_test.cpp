@@ -114,6 +114,9 @@ TEST_CASE("members of solid solutions and other forms of feldspars are found by 
          std::initializer_list<std::pair<const char*, const char*>>{{"Anorthite_An65", "anorthite"},
                                                                     {"Albite high", "albite"},
                                                                     {"Albite_high", "albite"},
+                                                                    {"Plagioclase An50", "anorthite"},
+                                                                    {"Labradorite_An65", "anorthite"},
+                                                                    {"Oligoclase", "albite"},
                                                                     {"Diopside En10", "diopside"}}) {
         CAPTURE(name);
         const ResolvedPhase found = catalogue.resolve(name);
