@@ -32,8 +32,7 @@ function showReport(text) {
     sheet.replaceSync(style);
     document.adoptedStyleSheets = [sheet];
     byId('app-markers').replaceChildren(...(report.querySelector('svg.defs')?.childNodes ?? []));
-    const answers = report.querySelector('header .answers');
-    byId('app-answers').replaceChildren(...[answers].filter(Boolean));
+    byId('app-answers').replaceChildren(...report.querySelectorAll('header .answers, header > .where'));
     byId('app-report').replaceChildren(...(report.querySelector('main')?.children ?? []));
     readFigures();
 }
