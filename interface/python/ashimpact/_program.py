@@ -261,6 +261,7 @@ def run(
     *,
     start: Optional[str] = None,
     only: Optional[str] = None,
+    temperature: Union[float, str, None] = None,
     allow_outside: bool = False,
 ) -> dict[str, Document]:
     """Every stage of a case, from XRD to the critical velocity; as `ashimpact run`.
@@ -270,6 +271,7 @@ def run(
         folder: where the artifacts are written; without one they are not kept.
         start: stage to start from, with the artifacts before it as they are in the folder.
         only: the one stage to run.
+        temperature: of particle and wall, [K] or "900 C", instead of those of the case.
         allow_outside: the case may name files outside of its own folder.
 
     Returns:
@@ -282,7 +284,8 @@ def run(
     with tempfile.TemporaryDirectory() as scratch:
         target = Path(scratch) / "run" if folder is None else Path(os.fsdecode(folder))
         words = [] if case is None else [_path(case)]
-        options = {"only": only, "allow_outside": allow_outside, "no_report": folder is None, "from": start}
+        options = {"only": only, "temperature": temperature, "allow_outside": allow_outside}
+        options |= {"no_report": folder is None, "from": start}
         _call("run", *words, "-o", _path(target), *_options(run, options))
         return {path.stem: _read(path) for path in sorted(target.glob("*.json"))}
 
