@@ -152,6 +152,7 @@ ExportSubject subject_of(const CommandOptions& options, const ExportCode& code) 
     if (options.has("--follow-velocity")) warn_idle("--follow-velocity", "the damping of a run does so");
     ExportSubject subject = subject_of_run(
         {.folder = options["run"], .samples = options.list("--sample"), .law = options["--law"]});
+    for (const std::string& doubt : subject.doubts) spdlog::warn("warning: {}", doubt);
     if (!code.takes_samples && subject.sizes.size() > 1)
         throw InputError(
             fmt::format("the run has {} samples, and a folder for {} takes one E*, w and density",

@@ -57,6 +57,7 @@ void fields(Io& io, Is<ReportedVelocity> auto& reported) {
     io("interval", reported.interval, Dimension::velocity);
     io("reason", reported.reason);
     io.lenient("basis", reported.basis);
+    io.unless_empty("lower_bound", reported.lower_bound);
     if constexpr (Io::reads)
         if (reported.velocity) reported.velocity->interval = reported.interval;
 }
@@ -223,6 +224,7 @@ void fields(auto& io, Is<ReportedSample> auto& of) {
     io.derived("critical_velocity", reported.velocity, WithoutInterval{});
     io.derived("interval", reported.interval, Dimension::velocity);
     io.derived("basis", reported.basis);
+    if (reported.lower_bound) io.derived("lower_bound", reported.lower_bound);
 }
 
 void fields(auto& io, Is<ReportedLaw> auto& reported) {

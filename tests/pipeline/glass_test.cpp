@@ -211,6 +211,10 @@ TEST_CASE("above its elastic limit a velocity is a lower bound, in these words")
     const std::string text = comparison_text(hot().at(comparison_artifact).document->at("result"), 200);
     CHECK(text == containing(" is a lower bound that elastic theory gives, by dmt; at 1300 C the glass is "));
     CHECK(text.find("stick below") == std::string::npos);
+    const Json& result = hot().at(comparison_artifact).document->at("result");
+    CHECK(result.at("reported").at("samples").at(0).at("lower_bound") == true);
+    CHECK(sample_of(hot(), comparison_artifact).at("reported").at("lower_bound") == true);
+    CHECK_FALSE(sample_of(from_chemistry(), comparison_artifact).at("reported").contains("lower_bound"));
     CHECK(text.find("In brackets: the interval") == std::string::npos);
     CHECK(text == containing("(particle at 1300 C, wall at 400 C)"));
     CHECK(result_json(read_run(hot()), comparison_artifact) ==
@@ -265,7 +269,11 @@ TEST_CASE("the scope of an answer: what the case states, and what it does not") 
     CHECK(
         scope_sentence(data) ==
         "Holds for normal impact on a flat wall, dry, particle at 900 C, surfaces with a roughness of 2 nm.");
-    data.temperature.wall = data.temperature.particle;
+    std::swap(data.temperature.wall, data.temperature.particle);
+    CHECK(scope_sentence(data) ==
+          containing(
+              "wall at 900 C, surfaces with a roughness of 2 nm; not stated: temperature of the particle."));
+    data.temperature.particle = data.temperature.wall;
     data.roughness = stated(0, Dimension::length);
     CHECK(scope_sentence(data) == "Holds for normal impact on a flat wall, dry, at 900 C, smooth surfaces.");
 }

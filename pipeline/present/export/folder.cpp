@@ -176,7 +176,7 @@ std::string geometry_words(const ExportSubject& subject) {
 
 /// What regime_of() remarks on the impacts of the folder, each once.
 std::set<std::string> remarks(const ExportSubject& subject) {
-    std::set<std::string> lines;
+    std::set<std::string> lines(subject.doubts.begin(), subject.doubts.end());
     const ExportSubject stiff = stiffened(subject);
     for (const ExpectedImpact& each : expected_impacts(stiff)) {
         if (!each.maximum_overlap) continue;

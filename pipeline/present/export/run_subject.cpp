@@ -13,6 +13,7 @@
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/document/edits.hpp"
 #include "pipeline/document/results_json.hpp"
+#include "pipeline/run/comparison/temperature.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/inference/calibration/published_damping.hpp"
 #include "solver/motion/damping_inversion.hpp"
@@ -310,6 +311,15 @@ Laboratory laboratory_of(const RunSample& sample, double diameter) {
     return laboratory;
 }
 
+/// Adds what the temperature of the run leaves of its velocities.
+void add_temperature_doubts(const Run& run, Law law, std::size_t i, std::vector<std::string>& doubts) {
+    if (i >= run.comparison.samples.size() || !run.comparison.samples[i].temperature) return;
+    const SampleComparison& sample = run.comparison.samples[i];
+    for (const auto& [of_law, finding] : temperature_notes(*sample.temperature))
+        if (finding.severity == Severity::doubt && of_law.value_or(law) == law)
+            doubts.push_back(as_text(sample.name) + ": " + finding.text);
+}
+
 void require_two_diameters(const std::vector<AshSize>& sizes) {
     const auto twice = std::ranges::adjacent_find(sizes, {}, &AshSize::diameter);
     if (twice != sizes.end())
@@ -326,7 +336,7 @@ ExportSubject subject_of_run(const RunChoice& choice) {
     std::error_code ignored;
     const bool reports =
         std::filesystem::is_regular_file(std::filesystem::path(choice.folder) / comparison_artifact, ignored);
-    if (choice.law.empty() && reports) files.push_back(comparison_artifact);
+    if (reports) files.push_back(comparison_artifact);
     const Run run = read_run(load_artifacts(choice.folder, files));
     const auto chosen = chosen_samples(run.data, choice);
     const LawChoice law = law_of(run, choice, chosen);
@@ -341,6 +351,7 @@ ExportSubject subject_of_run(const RunChoice& choice) {
         const RunSample sample = run_sample(run, law, i);
         subject.sizes.push_back(size_with_damping(sample, subject.origins));
         subject.laboratory.push_back(laboratory_of(sample, subject.sizes.back().diameter));
+        add_temperature_doubts(run, law.law, i, subject.doubts);
         if (const auto& partner = sample.contact.partner)
             subject.partner = {partner->radius.value, partner->mass.value};
     }

@@ -298,7 +298,7 @@ std::string scope_sentence(const Case& data) {
                       (particle && wall ? " and " : "") + (wall ? "wall at " + celsius(wall->value()) : "");
     else
         temperature = "at room temperature";
-    if (!particle && !wall) missing.emplace_back("temperature");
+    if (!particle) missing.emplace_back(wall ? "temperature of the particle" : "temperature");
     const std::string surfaces = data.roughness && data.roughness->value() > 0
                                      ? "surfaces with a roughness of " + readable(data.roughness->quantity)
                                      : "smooth surfaces";

@@ -33,12 +33,11 @@ std::string enumerated(const std::vector<Law>& laws) {
     return enumerated(names);
 }
 
-/// Whether the glass of a sample relaxes during the contact of the reported law: elastic theory then gives a
-/// lower bound of its velocity.
-bool is_lower_bound(const SampleComparison& sample) {
-    if (!sample.temperature || !sample.reported) return false;
-    const auto regime = sample.temperature->regime_of(sample.reported->law);
-    return regime && *regime != ContactRegime::elastic;
+/// ", by jkr; at 1100 C the glass is viscoelastic."
+std::string relaxing_words(const SampleComparison& sample) {
+    return fmt::format("{}; at {} the glass is {}.",
+                       sample.reported->law ? ", by " + std::string(sample.reported->law->name()) : "",
+                       celsius(sample.temperature->particle->value()), name_of(*relaxing_glass(sample)));
 }
 
 /// ", by jkr"; empty where it is the law of the run, which is named once.
@@ -57,6 +56,12 @@ std::string sticking_sentence(const SampleComparison& sample, const ComparisonRe
     if (answer.velocity > fastest_in_model)
         return text + ": the critical velocity is " + critical_velocity_text(answer.velocity, "") + ".";
     const std::string velocity = velocity_text(answer.velocity) + " m/s";
+    if (relaxing_glass(sample) && answer.kind != Answer::Kind::none)
+        return text + ": " +
+               (answer.kind == Answer::Kind::below
+                    ? "elastic theory gives no lower bound"
+                    : velocity + " is a lower bound that elastic theory gives") +
+               relaxing_words(sample);
     switch (answer.kind) {
         case Answer::Kind::none:
             return text + ": no critical velocity.";
@@ -67,11 +72,6 @@ std::string sticking_sentence(const SampleComparison& sample, const ComparisonRe
         case Answer::Kind::velocity:
             break;
     }
-    if (is_lower_bound(sample))
-        return fmt::format("{}: {} is a lower bound that elastic theory gives, by {}; at {} the glass is {}.",
-                           text, velocity, reported.law->name(),
-                           celsius(sample.temperature->particle->value()),
-                           name_of(*sample.temperature->regime_of(reported.law)));
     const std::string bounds = bounds_text(reported.interval);
     return text + " stick below " + velocity + (bounds.empty() ? "" : " (" + bounds + ")") +
            other_law(reported, result) + ".";
@@ -119,7 +119,7 @@ std::string bracket_sentence(const ComparisonResult& result) {
     bool any = false;
     for (const SampleComparison* each : by_size(result)) {
         const SampleComparison& sample = *each;
-        if (!sample.reported->velocity || !sample.reported->interval || is_lower_bound(sample)) continue;
+        if (!sample.reported->velocity || !sample.reported->interval || relaxing_glass(sample)) continue;
         any = true;
         if (const std::string bounds = own_interval(sample); !bounds.empty())
             own.push_back(bounds + (result.samples.size() > 1 ? " (" + sample.name + ")" : ""));

@@ -9,6 +9,7 @@
 #include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/present/text/result_text.hpp"
+#include "pipeline/run/comparison/temperature.hpp"
 
 namespace ashimpact {
 
@@ -200,11 +201,16 @@ std::string sizes_text(const ComparisonResult& result, std::size_t width) {
                    size.adhesion != nullptr ? size_cell(*size.adhesion) : "-"});
     }
     table.drop_empty_columns();
+    const bool relaxes = std::ranges::any_of(
+        result.samples, [](const SampleComparison& sample) { return relaxing_glass(sample).has_value(); });
     std::string text =
-        wrapped(fmt::format("Which sizes stick, by {}: v_c [m/s] under the assumptions on damping "
-                            "that the impacts admit, and by adhesion alone, a lower bound:",
-                            result.sizes->law.name()),
-                width) +
+        wrapped(
+            fmt::format(
+                "Which sizes stick, by {}: v_c [m/s] under the assumptions on damping "
+                "that the impacts admit, and by adhesion alone, a lower bound{}:",
+                result.sizes->law.name(),
+                relaxes ? "; as elastic theory gives them, where the glass relaxes lower bounds too" : ""),
+            width) +
         "\n\n" + table.text(0, width);
     if (result.sizes->constants == ConstantsFrom::capture)
         text += wrapped(

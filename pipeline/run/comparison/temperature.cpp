@@ -108,6 +108,21 @@ std::optional<TemperatureLimits> temperature_limits(const TemperatureEvidence& e
     return limits;
 }
 
+const ContactTemperatures* deciding_contact(const SampleComparison& sample) {
+    if (!sample.temperature) return nullptr;
+    const auto& law = sample.reported ? sample.reported->law : std::nullopt;
+    const ContactTemperatures* contact = law ? sample.temperature->laws.find(*law) : nullptr;
+    for (const SizeTemperatures& size : sample.temperature->by_size)
+        if (contact == nullptr && size.diameter == sample.diameter) contact = &size.contact;
+    return contact;
+}
+
+std::optional<ContactRegime> relaxing_glass(const SampleComparison& sample) {
+    const ContactTemperatures* contact = deciding_contact(sample);
+    if (contact == nullptr || contact->giordano2008.regime == ContactRegime::elastic) return std::nullopt;
+    return contact->giordano2008.regime;
+}
+
 std::string celsius(double temperature) {
     constexpr double zero_celsius = 273.15;
     return fmt::format("{:.0f} C", temperature - zero_celsius);

@@ -29,6 +29,13 @@ struct TemperatureEvidence {
 /// without a stated temperature and oxides.
 [[nodiscard]] std::optional<TemperatureLimits> temperature_limits(const TemperatureEvidence& evidence);
 
+/// The contact by which a sample is judged: that of its reported law at its critical velocity, else a
+/// Hertzian one of its size; null without chemistry.
+[[nodiscard]] const ContactTemperatures* deciding_contact(const SampleComparison& sample);
+
+/// What the glass does during that contact, if it is not elastic; none: it is, or nothing is known or stated.
+[[nodiscard]] std::optional<ContactRegime> relaxing_glass(const SampleComparison& sample);
+
 /// Notes for a reader of the sample's results; law: those that concern one law.
 struct TemperatureNote {
     std::optional<Law> law{};

@@ -49,6 +49,9 @@ struct ReportedVelocity {
     std::optional<Bounds> interval{};
     std::string reason{};  ///< in words
     ReportedBasis basis = ReportedBasis::nothing;
+    /// True where the glass relaxes during the contact at the stated temperature: the velocity is no answer
+    /// but a lower bound that elastic theory gives. None elsewhere.
+    std::optional<bool> lower_bound{};
 };
 
 /// Least and greatest of velocities without a probability [m/s].

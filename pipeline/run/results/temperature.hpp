@@ -55,12 +55,6 @@ struct TemperatureLimits {
     LawMap<ContactTemperatures> laws{};        ///< at the critical velocity of each law
     std::optional<double> velocity{};          ///< of by_size [m/s]
     std::vector<SizeTemperatures> by_size{};
-
-    /// The regime of a law by Giordano et al. 2008; none without a temperature, chemistry or contact time.
-    [[nodiscard]] std::optional<ContactRegime> regime_of(const std::optional<Law>& law) const {
-        const ContactTemperatures* of = law ? laws.find(*law) : nullptr;
-        return of == nullptr ? std::nullopt : of->giordano2008.regime;
-    }
 };
 
 }  // namespace ashimpact

@@ -103,7 +103,9 @@ TEST_CASE("run --temperature: the limit on the first screen, in the report and a
     sandbox.write("case.json", R"({
         "name": "FA 7 on steel", "wall": {"young_modulus": "193 GPa", "poisson_ratio": 0.29},
         "work_of_adhesion": "0.3 J/m2", "laws": ["dmt"], "oxides": "xrf-wide.csv", "glass": "from-chemistry",
-        "samples": [{"name": "FA 7", "diameter": "40 um", "composition": {"xrd": "xrd-wide.csv"}}]})");
+        "samples": [{"name": "FA 7", "diameter": "40 um", "composition": {"xrd": "xrd-wide.csv"}, "restitution": {
+            "velocity": [0.9, 1.1, 1.3, 1.4, 1.5, 1.7, 1.9, 2.1, 2.4, 2.7, 3.0, 3.4],
+            "restitution": [0, 0, 0.18, 0.26, 0.33, 0.43, 0.49, 0.54, 0.59, 0.63, 0.66, 0.68]}}]})");
     const std::string text = succeeded(sandbox, "run case.json --temperature '900 C'").out;
     CHECK(text == containing("Temperatures in C up to which the answer holds (particle at 900 C"));
     const Json limits =
@@ -115,6 +117,11 @@ TEST_CASE("run --temperature: the limit on the first screen, in the report and a
     CHECK(sandbox.read("results/report.html") == containing("<figure id=\"temperature\">"));
     succeeded(sandbox, "figure temperature results -o viscosity.svg");
     CHECK(sandbox.read("viscosity.svg") == containing("Giordano et al. 2008"));
+    const std::string hot = succeeded(sandbox, "run case.json --temperature '1500 C' --no-report -o hot").out;
+    CHECK(hot == containing(" m/s is a lower bound that elastic theory gives"));
+    CHECK(succeeded(sandbox, "export openfoam hot -o foam").err == containing("is a lower bound"));
+    CHECK(sandbox.read("foam/assumptions.md") ==
+          containing("- \"FA 7\": at 1500 C the glass is liquid during the contact"));
     check_refused(sandbox, "run case.json --temperature '900 m'", "--temperature");
     check_refused(sandbox, "run case.json --temperature '900 C' --from fit",
                   "--temperature: is part of the case");

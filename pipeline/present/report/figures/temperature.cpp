@@ -59,11 +59,10 @@ void add_contact_lines(const SampleComparison& compared, XyPanel& panel) {
             level(limits, time, elastic_ratio, "elastic above: " + text, "elastic above", 1));
         panel.series.push_back(level(limits, time, liquid_ratio, "liquid below: " + text, "liquid below", 2));
     };
-    const ContactTemperatures* own =
-        compared.reported && compared.reported->law ? limits.laws.find(*compared.reported->law) : nullptr;
-    if (own != nullptr) return add(own->contact_time, std::string(compared.reported->law->name()));
-    for (const SizeTemperatures& size : limits.by_size)
-        if (size.diameter == compared.diameter) add(size.contact.contact_time, "hertz");
+    const auto& law = compared.reported ? compared.reported->law : std::nullopt;
+    const bool by_law = law && limits.laws.find(*law) != nullptr;
+    if (const ContactTemperatures* contact = deciding_contact(compared))
+        add(contact->contact_time, by_law ? std::string(law->name()) : "hertz");
 }
 
 }  // namespace

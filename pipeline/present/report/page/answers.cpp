@@ -61,20 +61,22 @@ std::string laws_in_interval(const std::optional<ReportedLaw>& run) {
 
 /// "a particle sticks when it is slower than 1.86 m/s (95 %: 1.60 to 2.16 m/s), by Maugis-Dugdale: ..."
 /// @param run whose law and admissible laws are named
-std::string reported_sentence(const ReportedVelocity& reported, std::optional<ContactRegime> regime,
+std::string reported_sentence(const ReportedVelocity& reported, std::optional<ContactRegime> relaxing,
                               const std::optional<ReportedLaw>& run) {
     const Answer answer = answer_of(reported);
     if (answer.kind == Answer::Kind::none) return "no critical velocity: " + escaped(reported.reason) + ".";
     const std::string velocity = fmt::format("<span class=\"value\">{}</span>", value_words(answer.velocity));
+    if (relaxing)
+        return (answer.kind == Answer::Kind::below
+                    ? std::string("elastic theory gives no lower bound")
+                    : velocity + " is a lower bound that elastic theory gives") +
+               fmt::format(": the glass is {} at this temperature", name_of(*relaxing)) +
+               escaped((reported.law ? ", by " + display_name(reported.law->name()) : "") + ": " +
+                       reported.reason + ".");
     if (answer.kind == Answer::Kind::above)
         return "the critical velocity lies above " + velocity + escaped(": " + reported.reason + ".");
     if (answer.kind == Answer::Kind::below)
         return "the critical velocity lies below " + velocity + escaped(": " + reported.reason + ".");
-    if (regime.value_or(ContactRegime::elastic) != ContactRegime::elastic)
-        return fmt::format(
-                   "{} is a lower bound that elastic theory gives: the glass is {} at this temperature",
-                   velocity, name_of(*regime)) +
-               escaped(", by " + display_name(reported.law->name()) + ": " + reported.reason + ".");
     const std::string bounds = bounds_text(reported.interval);
     const bool outside = answer.velocity > fastest_in_model;
     return (outside ? "the critical velocity is " : "a particle sticks when it is slower than ") + velocity +
@@ -100,12 +102,6 @@ std::string reproduction_sentence(const SampleData& sample, const ComparisonResu
                               readable(reproduction.diameter_change, "m"));
 }
 
-/// What the glass does during the contact of the reported law; none: not known.
-std::optional<ContactRegime> regime_of(const SampleComparison& sample) {
-    if (!sample.temperature || !sample.reported) return std::nullopt;
-    return sample.temperature->regime_of(sample.reported->law);
-}
-
 /// "Elastic up to 1180 C ...": the temperature limit of the reported law, and what the chemistry changes.
 std::string temperature_sentence(const SampleComparison& sample) {
     if (!sample.temperature) return {};
@@ -116,10 +112,7 @@ std::string temperature_sentence(const SampleComparison& sample) {
             text += " Nothing is known of the glass there without its chemistry.";
         return text;
     }
-    const ContactTemperatures* contact =
-        sample.reported && sample.reported->law ? limits.laws.find(*sample.reported->law) : nullptr;
-    for (const SizeTemperatures& size : limits.by_size)
-        if (contact == nullptr && size.diameter == sample.diameter) contact = &size.contact;
+    const ContactTemperatures* contact = deciding_contact(sample);
     if (contact == nullptr || !contact->giordano2008.elastic_up_to) return text;
     text += (text.empty() ? "" : " ") + fmt::format("The glass is elastic during the contact up to {}",
                                                     celsius(*contact->giordano2008.elastic_up_to));
@@ -160,7 +153,7 @@ std::string inputs_sentence(const SampleComparison& sample) {
 std::string answer(const SampleData& sample, const ComparisonResult& result) {
     std::string html = fmt::format("<li><strong>{}</strong>: {}", html_name(sample.name()),
                                    reported_sentence(sample.comparison->reported.value_or(ReportedVelocity{}),
-                                                     regime_of(*sample.comparison), result.reported));
+                                                     relaxing_glass(*sample.comparison), result.reported));
     for (const std::string& rest :
          {reproduction_sentence(sample, result), by_each_law(sample), measured_sentence(sample),
           temperature_sentence(*sample.comparison), inputs_sentence(*sample.comparison)})
