@@ -347,6 +347,20 @@ std::optional<ResolvedPhase> PhaseCatalogue::by_stem(std::string_view name) cons
     return phase;
 }
 
+void PhaseCatalogue::refuse_shared_formula(std::string_view name) const {
+    const std::string key = without_additions(phase_key(name));
+    const Found found = find(key, sets_.size());
+    if (!found.phase || phase_key(found.phase->formula) != key) return;
+    std::vector<std::string> readings;
+    for (const Phase& phase : sets_[found.set].phases)
+        if (phase_key(phase.formula) == key) readings.push_back(phase.name);
+    for (const LackingPhase& phase : sets_[found.set].lacking)
+        if (phase_key(phase.formula) == key) readings.push_back(phase.name);
+    if (readings.size() > 1)
+        throw InputError(in_quotes(name) + " is the formula of " + joined(readings),
+                         "one of them by its name");
+}
+
 void PhaseCatalogue::refuse_lacking(std::string_view name) const {
     const std::string key = phase_key(name);
     for (const PhaseSet& set : sets_)
@@ -366,7 +380,10 @@ void PhaseCatalogue::refuse_lacking(std::string_view name) const {
 
 ResolvedPhase PhaseCatalogue::resolve(std::string_view name) const {
     const std::string key = phase_key(name);
-    if (auto phase = known(name, name)) return *phase;
+    if (auto phase = known(name, name)) {
+        refuse_shared_formula(name);
+        return *phase;
+    }
     if (auto phase = by_parts(name)) return *phase;
     if (auto phase = of_group(name)) return *phase;
     std::vector<std::string> members;

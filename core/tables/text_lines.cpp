@@ -2,6 +2,7 @@
 #include "core/tables/text_lines.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "core/quantities/quantity.hpp"
 #include "core/tables/vocabulary.hpp"
@@ -13,10 +14,39 @@ namespace {
 
 constexpr std::size_t longest_line = std::size_t{1} << 20;
 
+/// Whether bytes begin as UTF-16, such as the "Unicode text" of Excel.
+bool is_utf16(std::string_view bytes) {
+    return bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff");
+}
+
+/// UTF-16 as UTF-8. @throws InputError for half characters
+std::string decoded_utf16(std::string_view bytes) {
+    const std::size_t low = bytes.front() == '\xff' ? 0 : 1;  // place of the lower byte of a unit
+    const auto unit = [&](std::size_t at) {
+        return static_cast<unsigned char>(bytes[at + low]) +
+               256U * static_cast<unsigned char>(bytes[at + 1 - low]);
+    };
+    std::string text;
+    bool whole = bytes.size() % 2 == 0;
+    for (std::size_t at = 2; whole && at < bytes.size(); at += 2) {
+        char32_t code = unit(at);
+        if (code >= 0xd800 && code < 0xe000) {
+            whole = code < 0xdc00 && at + 2 < bytes.size() && (unit(at + 2) & 0xfc00U) == 0xdc00U;
+            if (!whole) break;
+            at += 2;
+            code = 0x10000 + ((code & 0x3ffU) << 10U) + (unit(at) & 0x3ffU);
+        }
+        const unsigned more = code < 0x80 ? 0 : code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
+        constexpr std::array<unsigned, 4> leads{0, 0xc0, 0xe0, 0xf0};
+        text += static_cast<char>(leads[more] | (code >> (6 * more)));
+        for (unsigned k = more; k-- > 0;) text += static_cast<char>(0x80U | ((code >> (6 * k)) & 0x3fU));
+    }
+    if (!whole) refuse_line(1, "this begins as UTF-16 and is damaged", "whole characters, or UTF-8 text");
+    return text;
+}
+
 /// Refuses a file that cannot be a text, before anything is copied.
 void check_bytes(std::string_view bytes, const TextLimits& limits) {
-    if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
-        refuse_line(1, "this is UTF-16", "UTF-8, ASCII or Latin-1 text");
     std::size_t line_start = 0;
     std::size_t line = 1;
     for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -36,6 +66,16 @@ void check_bytes(std::string_view bytes, const TextLimits& limits) {
                             " MB or less");
     }
     if (trimmed(bytes).empty()) refuse_line(1, "the file is empty", std::string(limits.content));
+}
+
+/// Whether a line closes the quoted cell that the line before it leaves open: "v_in" above "[m/s]".
+bool joins(std::string_view before, std::string_view line) {
+    if (std::ranges::count(before, '"') % 2 == 0 || std::ranges::count(line, '"') % 2 == 0) return false;
+    constexpr std::string_view separators = "\t;,";
+    const auto open = before.rfind('"');
+    const auto close = line.find('"');
+    return (open == 0 || separators.find(before[open - 1]) != std::string_view::npos) &&
+           (close + 1 == line.size() || separators.find(line[close + 1]) != std::string_view::npos);
 }
 
 /// Removes a cell in quotes from the front of `text`, which begins behind the opening quote, and returns its
@@ -68,18 +108,30 @@ std::string at_cell(std::size_t line, std::size_t column) {
     return at_line(line) + ", cell " + std::to_string(column + 1);
 }
 
-TextLines::TextLines(std::string_view bytes, const TextLimits& limits) {
+TextLines::TextLines(std::string_view raw, const TextLimits& limits) {
+    const std::string decoded = is_utf16(raw) ? decoded_utf16(raw) : std::string();
+    std::string_view bytes = decoded.empty() ? raw : decoded;
     if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
     if (bytes.ends_with('\x1a')) bytes.remove_suffix(1);  // end-of-file mark of DOS editors
     check_bytes(bytes, limits);
     was_latin1_ = !is_utf8(bytes);
     text_ = was_latin1_ ? from_latin1(bytes) : std::string(bytes);
-    std::string_view rest = text_;
-    while (!rest.empty()) {
-        const auto end = std::min(rest.find_first_of("\r\n"), rest.size());
-        lines_.push_back({.number = lines_.size() + 1, .text = rest.substr(0, end)});
-        const bool crlf = rest.substr(end).starts_with("\r\n");
-        rest.remove_prefix(std::min(rest.size(), end + (crlf ? 2 : 1)));
+    std::size_t number = 0;
+    for (std::size_t begin = 0; begin < text_.size();) {
+        const auto end = std::min(text_.find_first_of("\r\n", begin), text_.size());
+        const bool crlf = text_.compare(end, 2, "\r\n") == 0;
+        const std::string_view line = std::string_view(text_).substr(begin, end - begin);
+        begin = std::min(text_.size(), end + (crlf ? 2 : 1));
+        ++number;
+        if (lines_.empty() || !joins(lines_.back().text, line)) {
+            lines_.push_back({.number = number, .text = line});
+            continue;
+        }
+        TextLine& before = lines_.back();  // a line break in a cell of the heading is a blank
+        const auto at = static_cast<std::size_t>(before.text.data() - text_.data());
+        std::fill(text_.begin() + static_cast<std::ptrdiff_t>(at + before.text.size()),
+                  text_.begin() + static_cast<std::ptrdiff_t>(end - line.size()), ' ');
+        before.text = std::string_view(text_).substr(at, end - at);
     }
 }
 

@@ -29,8 +29,9 @@ struct TextLimits {
 /// A text file in uniform encoding: UTF-8 without byte-order mark, lines without CR.
 class TextLines {
   public:
-    /// Errors: InputError with a line number for an empty, blank or binary file, for UTF-16, for a line of
-    /// more than a megabyte, and for a file that is longer than `limits`.
+    /// UTF-16 with its mark is read, and a quoted cell over two lines. Errors: InputError with a line number
+    /// for an empty, blank or binary file, for damaged UTF-16, for a line of more than a megabyte, and for a
+    /// file that is longer than `limits`.
     TextLines(std::string_view bytes, const TextLimits& limits);
 
     TextLines(const TextLines&) = delete;

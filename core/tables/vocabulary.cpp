@@ -55,8 +55,10 @@ bool any_word(std::string_view text, Predicate&& holds) {
     return false;
 }
 
+constexpr std::array<std::string_view, 3> plus_minus{"\u00b1", "+-", "+/-"};
+
 bool holds_plus_minus(std::string_view text) {
-    return std::ranges::any_of(std::array<std::string_view, 3>{"\u00b1", "+-", "+/-"},
+    return std::ranges::any_of(plus_minus,
                                [&](auto sign) { return text.find(sign) != std::string_view::npos; });
 }
 
@@ -205,6 +207,16 @@ bool is_summary(std::string_view text) {
 const WordLists& uncertainty_words() {
     static const WordLists words("uncertainty", "+");
     return words;
+}
+
+std::string number_behind_plus_minus(std::string_view heading) {
+    for (const std::string_view sign : plus_minus) {
+        const auto at = heading.find(sign);
+        if (at == std::string_view::npos) continue;
+        const std::string_view rest = trimmed(heading.substr(at + sign.size()));
+        return std::string(rest.substr(0, std::min(rest.find_first_not_of("0123456789.,%"), rest.size())));
+    }
+    return {};
 }
 
 StatedCoverage read_coverage(std::string_view heading) {

@@ -70,6 +70,9 @@ struct StatedCoverage {
 /// and alone. A confidence interval without "±" and an expanded uncertainty without k are problems.
 [[nodiscard]] StatedCoverage read_coverage(std::string_view heading);
 
+/// The number that follows "±", as in "v_in ± 0.03": one uncertainty for a whole column. Empty without one.
+[[nodiscard]] std::string number_behind_plus_minus(std::string_view heading);
+
 /// Whether a text is a word for an uncertainty and names no quantity: "Fehler", "u", "s.u.", "±".
 [[nodiscard]] bool is_uncertainty_word(std::string_view text);
 

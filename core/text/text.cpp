@@ -64,7 +64,7 @@ bool continues(char c) {
 using Spelling = std::pair<std::string_view, std::string_view>;
 
 /// Composed letters first, then combining marks as macOS writes them: "u" and U+0308 is "ue", too.
-constexpr std::array<Spelling, 74> spellings{{
+constexpr std::array<Spelling, 77> spellings{{
     {"ä", "ae"},       {"ö", "oe"},       {"ü", "ue"},       {"Ä", "Ae"},       {"Ö", "Oe"},
     {"Ü", "Ue"},       {"ß", "ss"},       {"ẞ", "SS"},       {"æ", "ae"},       {"œ", "oe"},
     {"ø", "o"},        {"å", "a"},        {"à", "a"},        {"á", "a"},        {"â", "a"},
@@ -79,7 +79,8 @@ constexpr std::array<Spelling, 74> spellings{{
     {"γ", "gamma"},    {"θ", "theta"},    {"σ", "sigma"},    {"Σ", "sum"},      {"±", "+-"},
     {"²", "2"},        {"³", "3"},        {"₀", "0"},        {"₁", "1"},        {"₂", "2"},
     {"₃", "3"},        {"₄", "4"},        {"₅", "5"},        {"₆", "6"},        {"₇", "7"},
-    {"₈", "8"},        {"₉", "9"},        {"·", "."},        {"\u00a0", " "},
+    {"₈", "8"},        {"₉", "9"},        {"ᵢ", "i"},        {"ᵣ", "r"},        {"ₙ", "n"},
+    {"·", "."},        {"\u00a0", " "},
 }};
 
 }  // namespace

@@ -37,7 +37,8 @@ FullProfPhase read_phase_line(std::string_view text, std::size_t line) {
 /// "11.41( 2.25)": the number in brackets is in the unit of the value, not in its last digit.
 std::optional<PrintedNumber> read_percentage(std::string_view text, std::size_t line) {
     text = trimmed(text);
-    if (text.starts_with('*')) return std::nullopt;  // a number too wide for its field
+    if (text.starts_with('*'))
+        refuse_line(line, "the fraction is too wide for its field, " + in_quotes(text), "a number");
     const auto open = std::min(text.find('('), text.size());
     const std::string_view printed = trimmed(text.substr(0, std::min(open, text.find(' '))));
     if (says_no_number(printed)) return std::nullopt;

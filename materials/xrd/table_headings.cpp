@@ -184,6 +184,9 @@ Heading read_heading(std::string_view text) {
         coverage.rest.resize(coverage.rest.size() - sign.size());
     heading.written = text;
     heading.coverage = coverage;
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 1> per_mille{{{"\u2030", "%"}}};
+    const bool is_per_mille = coverage.rest.find("\u2030") != std::string::npos;
+    coverage.rest = replaced(coverage.rest, per_mille);
     take_repeats(coverage.rest);
     heading.of_crystalline = take_crystalline(coverage.rest);
     split_unit(heading, coverage.rest);
@@ -203,11 +206,14 @@ Heading read_heading(std::string_view text) {
     // "2 sigma" alone, or behind the name of a phase or sample, is the uncertainty of the column before it.
     if (!coverage.stated.empty() && (heading.text.empty() || heading.role == Role::other))
         heading.role = Role::uncertainty;
-    if (holds_per_cent(key) || holds_per_cent(unit)) heading.scale = Scale::per_cent;
+    if (holds_per_cent(key) || holds_per_cent(unit))
+        heading.scale = is_per_mille ? Scale::per_mille : Scale::per_cent;
     if (key.ends_with("ppm") || unit.ends_with("ppm")) heading.scale = Scale::ppm;
     if (key.ends_with("fraction") && heading.scale == Scale::not_stated) heading.scale = Scale::fraction;
     if (unit == "1" || heading.unit == "-") heading.scale = Scale::fraction;
     if (quotient != nullptr && quotient->scale != Scale::not_stated) heading.scale = quotient->scale;
+    if (heading.scale == Scale::per_mille && heading.unit.ends_with('%'))
+        heading.unit.replace(heading.unit.size() - 1, 1, "\u2030");
     return heading;
 }
 
@@ -227,6 +233,9 @@ MarkedPhase read_phase_name(std::string_view text) {
         return MarkedPhase{.name = std::string(name), .mark = name.empty() ? PhaseMark::none : mark_of(mark)};
     };
     text = trimmed(text);
+    for (const std::string_view sign : footnote_signs)
+        if (text.size() > sign.size() && text.ends_with(sign))
+            return read_phase_name(text.substr(0, text.size() - sign.size()));
     for (const auto& [open, close] : {std::pair{'(', ')'}, std::pair{'[', ']'}}) {
         const auto start = text.rfind(open);
         if (start == std::string_view::npos || !text.ends_with(close)) continue;

@@ -62,6 +62,10 @@ struct Heading {
 /// What the row of a name contains: a total of all or of the crystalline phases, else a phase.
 [[nodiscard]] RowMeaning meaning_of_row(std::string_view name);
 
+/// Signs of footnotes behind the names of phases; "Corundum**" has its longest one.
+inline constexpr std::array<std::string_view, 8> footnote_signs{"***",    "**",     "*",      "\u00b9",
+                                                                "\u00b2", "\u00b3", "\u2020", "\u2021"};
+
 /// A phase as a table names it, without its mark.
 struct MarkedPhase {
     std::string name;

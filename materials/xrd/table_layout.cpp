@@ -367,14 +367,26 @@ void take_rows_of_uncertainties(Table& table) {
     table.rows = std::move(samples);
 }
 
-/// Adds what a note below the table, "* internal standard", says of the phases with its sign: "Corundum*".
+/// Adds what a remark beside a phase says of it, "internal standard", and what a note below the table says of
+/// the phases with its sign: "* internal standard" of "Corundum*".
 void take_notes_on_phases(Table& table, std::span<const TextLine> notes) {
     const std::size_t label = *table.column(Role::phase);
+    for (TableRow& row : table.rows)
+        for (std::size_t k = 0; k < row.cells.size(); ++k) {
+            const std::string mark = " (" + row.cells[k] + ")";
+            const bool beside =
+                table.headings[k].role == Role::measure || table.headings[k].role == Role::other;
+            if (beside && read_phase_name("x" + mark).mark == PhaseMark::standard &&
+                read_phase_name(row.cells[label]).mark == PhaseMark::none)
+                row.cells[label] += mark;
+        }
     for (const TextLine& note : notes) {
         const std::string_view text = trimmed(note.text.substr(0, note.text.find(table.separator)));
-        const auto end = text.find_first_not_of('*');
-        if (end == 0 || end == std::string_view::npos) continue;
-        const std::string_view sign = text.substr(0, end);
+        const auto* const found = std::ranges::find_if(
+            footnote_signs, [&](std::string_view each) { return text.starts_with(each); });
+        if (found == footnote_signs.end()) continue;
+        const std::string_view sign = *found;
+        const std::size_t end = sign.size();
         const std::string mark = " (" + std::string(trimmed(text.substr(end))) + ")";
         if (read_phase_name("x" + mark).mark == PhaseMark::none) continue;
         for (TableRow& row : table.rows) {
@@ -542,6 +554,13 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     if (table.has(Role::phase) && !table.has(Role::sample)) mark_sums(table);
     prefer_fractions(table);
     check_units_of_uncertainties(table);
+    for (const Heading& each : table.headings)
+        if (const std::string number = number_behind_plus_minus(each.coverage.rest);
+            !number.empty() && each.role != Role::measure)
+            refuse_line(table.heading_line,
+                        "the heading " + in_quotes(each.written) + " states one uncertainty, " + number +
+                            ", for all numbers of its column",
+                        "a column of the uncertainties, with the heading " + in_quotes("esd"));
     for (std::size_t i = 0; i < *heading; ++i) require_unit_of_title(lines[i], table);
     for (std::size_t i = 0; i < *heading; ++i)
         table.warnings.push_back({xrd_code, Severity::background,

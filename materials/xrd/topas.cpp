@@ -115,14 +115,23 @@ class TopasReader {
                     "a complete file");
     }
 
+    /// Refuses phases and weights that count only where a macro is defined. @throws InputError
+    void require_unconditional(std::size_t line) const {
+        if (conditions_.empty()) return;
+        refuse_line(line, "the line counts only if the " + conditions_.back() + " above it holds",
+                    "a file without the lines that do not count, and without #if ... #endif");
+    }
+
     /// The pattern being read; a file of phases alone has one without an xdd.
     TopasPattern& pattern(std::size_t line) {
+        require_unconditional(line);
         if (patterns_.empty()) patterns_.push_back({.name = {}, .line = line, .phases = {}});
         return patterns_.back();
     }
 
     /// The phase being read. @throws InputError at @p token where none has begun
     TopasPhase& phase(const Token& token) {
+        require_unconditional(token.line);
         if (patterns_.empty() || patterns_.back().phases.empty())
             refuse_line(token.line, in_quotes(token.text) + " stands before the first phase", "str above it");
         return patterns_.back().phases.back();
@@ -161,7 +170,12 @@ class TopasReader {
 
     void read_keyword(const Token& token) {
         const std::string& word = token.text;
-        if (word == "xdd" || word == "xdd_scr") {
+        if (word.starts_with("#if")) {
+            conditions_.push_back(word);
+        } else if (word == "#endif") {
+            if (!conditions_.empty()) conditions_.pop_back();
+        } else if (word == "xdd" || word == "xdd_scr") {
+            require_unconditional(token.line);
             patterns_.push_back({.name = {}, .line = token.line, .phases = {}});
             if (at_ >= tokens_.size()) cut_off(token);
             patterns_.back().name = tokens_[at_++].text;
@@ -195,6 +209,7 @@ class TopasReader {
     const TextLines& file_;
     std::vector<Token> tokens_;
     std::vector<TopasPattern> patterns_;
+    std::vector<std::string> conditions_;  ///< #ifdef and the like that are open
     std::size_t at_ = 0;
 };
 
@@ -241,9 +256,15 @@ XrdSample sample_of(const TopasPattern& pattern) {
             refuse_line(phase.listed.line, "a phase has no phase_name", "phase_name \"...\" in each str");
         phases.push_back(phase.listed);
     }
-    add_fractions(sample, phases, "weight", "weight_percent or MVW with a weight per cent above zero",
-                  pattern.line);
-    return completed(std::move(sample), pattern);
+    const double total = add_fractions(
+        sample, phases, "weight", "weight_percent or MVW with a weight per cent above zero", pattern.line);
+    sample = completed(std::move(sample), pattern);
+    if (std::abs(total - 100) > 100 * default_closure_tolerance)
+        refuse_line(pattern.line,
+                    "the weights of the phases add up to " + shortest(std::round(total * 1e3) / 1e3) +
+                        " %: the file seems to be cut off or edited",
+                    "100 % within 0.5 %, the crystalline part as TOPAS writes it");
+    return sample;
 }
 
 /// Gives unnamed or equally named patterns a number.

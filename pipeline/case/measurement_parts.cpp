@@ -219,6 +219,9 @@ MeasurementSet read_measurement_columns(const View& node) {
 }
 
 void check_impacts(const MeasurementSet& set) {
+    if (set.rebound_alone_uncertain)
+        throw InputError("the uncertainty of the velocities after the impact belongs to one of those before",
+                         "a column u(v_in) beside u(v_r), or the camera of both");
     for (std::size_t i = 0; i < set.points.size(); ++i) {
         const Measurement& point = set.points[i];
         at_place(place_of(point, i), [&] {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -151,6 +152,8 @@ TEST_CASE("phases are named without their marks") {
     is("Corundum (internal standard)", "Corundum", PhaseMark::standard);
     is("corundum (spike)", "corundum", PhaseMark::standard);
     is("Corundum, int. std.", "Corundum", PhaseMark::standard);
+    is("Corundum (ISTD)", "Corundum", PhaseMark::standard);
+    is("Quartz\u00b9", "Quartz", PhaseMark::none);
     is("Corundum [IS]", "Corundum", PhaseMark::standard);
     is("Interner Standard (Korund)", "Korund", PhaseMark::standard);
     is("Spike: corundum", "corundum", PhaseMark::standard);
@@ -246,6 +249,26 @@ TEST_CASE("cells of .xlsx hold what the spreadsheet shows") {
     CHECK(cell("<c r='AB1'><v>5</v></c>") == std::string(27, '\t') + "5");
     CHECK(cell("<x:c xmlns:x='y' r='B1'><x:v>5</x:v></x:c>") == "\t5");
     CHECK(text_of(xlsx("<row r='3'><c><v>1</v></c></row>")) == "\n\n1\n");
+    for (const auto& [formula, sums] : {std::pair{"SUM(B1:B3)", true},
+                                        {"ROUND(AVERAGE(B$1:B$3),2)", true},
+                                        {"_xlfn.STDEV.S(B1:B3)", true},
+                                        {"STABW.N($B1:$B3)", true},
+                                        {"MAX(B2:B3)", true},
+                                        {"AVERAGE(C4:E4)", false},
+                                        {"SUM(C1:C3)", false},
+                                        {"MAX(B4:B9)", false},
+                                        {"B1+B2", false}}) {
+        CAPTURE(formula);
+        const std::string cell_of = "<c r='B4'><f>" + std::string(formula) + "</f><v>3</v></c>";
+        const auto sheet = read_workbook(xlsx("<row r='4'>" + cell_of + "</row>")).front();
+        CHECK(sheet.summaries().contains(4) == sums);
+    }
+    CHECK(read_workbook(ods("<table:table-row/><table:table-row/><table:table-row><table:table-cell "
+                            "table:formula='of:=SUM([.A1:.A2])' office:value-type='float' office:value='3'/>"
+                            "</table:table-row>"))
+              .front()
+              .summaries()
+              .contains(3));
     CHECK(cell_name(6, 1) == "B7");
     CHECK(cell_name(0, 26) == "AA1");
     CHECK(cell_name(0, 701) == "ZZ1");
@@ -406,6 +429,22 @@ TEST_CASE("a second heading line holds units, and lines of one text behind a bla
     REQUIRE(notes.size() == 2);
     CHECK(notes[0].text == "line 5 below the table is not read: \"* lost;\"");
     CHECK(lines.size() == 3);
+}
+
+TEST_CASE("Unicode text as Excel saves it, and a quoted cell over two lines") {
+    for (const bool little : {true, false}) {
+        std::string bytes = little ? "\xff\xfe" : "\xfe\xff";
+        for (const unsigned unit : {0x70U, 0xd8U, 0x20acU, 0xd83dU, 0xde00U, 0x0aU}) {
+            const std::array both{static_cast<char>(unit >> 8U), static_cast<char>(unit & 0xffU)};
+            bytes += little ? std::string{both[1], both[0]} : std::string{both[0], both[1]};
+        }
+        CHECK(TextLines(bytes, {}).text() == "p\u00d8\u20ac\U0001f600\n");
+    }
+    const TextLines file("a;\"v_in\r\n[m/s]\"\r\n5\" pipe;1\n6\" pipe;2\n", {});
+    REQUIRE(file.lines().size() == 3);
+    CHECK(cut_row(file.lines()[0], ';').cells.back() == "v_in  [m/s]");
+    CHECK(file.lines()[1].number == 3);
+    CHECK(file.lines()[2].text == "6\" pipe;2");
 }
 
 TEST_CASE("what is wrong in a spreadsheet is said with its sheet and cell") {

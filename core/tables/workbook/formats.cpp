@@ -216,6 +216,7 @@ class OdsRows {
             const auto name = local_name(cell.name());
             if (name != "table-cell" && name != "covered-table-cell") continue;
             const std::size_t copies = repeats(cell, "number-columns-repeated");
+            sheet_.see_formula(row_, column, attribute_of(cell, "formula").value_or(""));
             std::string text = ods_cell_text(cell, styles_);
             if (styles_.strikes(cell)) text = struck_out(std::move(text));
             for (std::size_t i = 0; !text.empty() && i < copies; ++i) {
@@ -441,6 +442,7 @@ Sheet read_xlsx_sheet(const std::string& content, const std::string& name, const
             std::string text = xlsx_cell_text(cell, shared);
             if (style < shared.struck.size() && shared.struck[style]) text = struck_out(std::move(text));
             sheet.put(place, column, text);
+            sheet.see_formula(place, column, child_of(cell, "f").child_value());
             next_column = column + 1;
         }
         next_row = place + 1;

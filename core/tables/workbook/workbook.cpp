@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <regex>
 
 #include <fmt/format.h>
 
@@ -96,6 +97,26 @@ void Sheet::put(std::size_t row, std::size_t column, std::string_view text) {
         ' ');
 }
 
+void Sheet::see_formula(std::size_t row, std::size_t column, const std::string& formula) {
+    constexpr std::size_t longest = 200;  // a regular expression needs stack for each byte
+    static const std::regex summary(
+        R"((?:SUMME?|AVERAGE|MITTELWERT|MEDIAN|STDEV[A-Z.]*|STABW[A-Z.]*|MAX|MIN)\(\[?\.?(\$?[A-Z]+)\$?(\d{1,7}):\.?(\$?[A-Z]+)\$?(\d{1,7}))",
+        std::regex::icase);
+    std::smatch match;
+    if (formula.size() > longest || formula.find(':') == std::string::npos ||
+        !std::regex_search(formula, match, summary))
+        return;
+    const auto cell = [](std::string letters, const std::string& digits) {
+        std::erase(letters, '$');
+        return letters + digits;
+    };
+    const std::size_t last = std::stoul(match.str(4));
+    const bool above = std::stoul(match.str(2)) < last && last <= row;
+    const std::string own = cell_name(last - 1, column);
+    if (above && cell(match.str(1), match.str(4)) == own && cell(match.str(3), match.str(4)) == own)
+        summaries_.insert(row + 1);
+}
+
 InputError Sheet::too_large() const {
     return InputError("the sheet " + in_quotes(name_) + " is too large",
                       std::to_string(most_cells) + " cells and " + std::to_string(most_bytes >> 20) +
@@ -133,6 +154,7 @@ ChosenSheet::ChosenSheet(std::string_view bytes, const SheetRequest& request) {
     const std::vector<Sheet> sheets = read_workbook(bytes);
     const Sheet& sheet = chosen(sheets, request);
     name_ = sheet.name();
+    summaries_ = sheet.summaries();
     try {
         lines_ = lines_of(sheet, request.limits);
     } catch (const InputError& error) {

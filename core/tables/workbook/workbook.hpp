@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,10 +26,14 @@ class Sheet {
     /// Refuses what no table has. @throws InputError
     void require_column(std::size_t row, std::size_t column) const;
     void count_hidden_row() { ++hidden_rows_; }
+    /// States that a cell holds this formula: SUM, AVERAGE and the like of cells above it sum up rows.
+    void see_formula(std::size_t row, std::size_t column, const std::string& formula);
 
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] bool empty() const { return rows_.empty(); }
     [[nodiscard]] std::size_t hidden_rows() const { return hidden_rows_; }
+    /// Rows, counted from one, with a formula that sums up rows above.
+    [[nodiscard]] const std::set<std::size_t>& summaries() const { return summaries_; }
     /// Memory that the cells take, about.
     [[nodiscard]] std::size_t bytes() const { return bytes_ + cells_ * sizeof(std::string); }
     [[nodiscard]] InputError too_large() const;
@@ -49,6 +54,7 @@ class Sheet {
     std::size_t cells_ = 0;
     std::size_t bytes_ = 0;  ///< of the texts
     std::size_t hidden_rows_ = 0;
+    std::set<std::size_t> summaries_;
 };
 
 /// The name of a cell, counted from zero: "B7".
@@ -80,6 +86,9 @@ class ChosenSheet {
     /// Sheets that are not read, and hidden rows.
     [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
 
+    /// Whether a formula in a line sums up lines above it.
+    [[nodiscard]] bool sums_up(std::size_t line) const { return summaries_.contains(line); }
+
     /// "line 7, cell 2" is `sheet "XRD", cell B7`, and "line 7" is row 7 of it.
     [[nodiscard]] std::string place(const std::string& line) const;
     /// Returns what @p read makes of the lines. The places of its errors are rows and cells of the sheet.
@@ -97,6 +106,7 @@ class ChosenSheet {
 
     std::string name_;
     std::unique_ptr<TextLines> lines_;
+    std::set<std::size_t> summaries_;
     std::vector<Finding> findings_;
 };
 

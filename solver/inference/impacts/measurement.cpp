@@ -107,6 +107,7 @@ double Camera::velocity_uncertainty() const {
 
 MeasurementSet with_camera(MeasurementSet set, const Camera& camera) {
     const double u = camera.velocity_uncertainty();
+    set.rebound_alone_uncertain = false;
     const double moves = camera.frame_rate * camera.pixel_size / (camera.frames - 1);
     if (std::ranges::any_of(set.points, [](const Measurement& point) { return point.noise.has_value(); }))
         set.warnings.push_back({impacts_code, Severity::remark,

@@ -75,10 +75,18 @@ std::string_view change_in(std::string_view name) {
     return {};
 }
 
+/// A unit in ASCII; "ms-1" of a velocity is no inverse millisecond.
+std::string velocity_unit(std::string_view text) {
+    std::string unit = ascii_unit(text);
+    for (const std::string_view joined : {"ms-1", "ms^-1", "ms**-1"})
+        if (unit == joined) return "m/s";
+    return unit;
+}
+
 }  // namespace
 
 bool is_velocity_unit(std::string_view text) {
-    const auto unit = read_unit(ascii_unit(text));
+    const auto unit = read_unit(velocity_unit(text));
     return unit && unit->powers == Unit{1, {1, 0, -1, 0}}.powers;
 }
 
@@ -149,8 +157,13 @@ std::optional<MeasuredQuantity> value_at(const MeasurementHeading& heading, std:
 /// What a column holds. One that names an uncertainty and no quantity belongs to the column before it.
 std::optional<Meaning> meaning_in(const MeasurementHeading& heading, std::string_view name,
                                   const StatedCoverage& coverage, std::size_t position) {
-    if (const auto both = value_before_plus_minus(name))
+    if (const auto both = value_before_plus_minus(name)) {
+        if (!number_behind_plus_minus(name).empty())
+            throw InputError("the heading " + in_quotes(name) + " states one uncertainty, " +
+                                 number_behind_plus_minus(name) + ", for all numbers of its column",
+                             "a column of the uncertainties, such as \"u(v_in) [m/s]\"");
         return Meaning{both->quantity, heading.of(both->quantity).has_value()};
+    }
     auto meaning = meaning_of(name);
     if (meaning && !meaning->is_uncertainty && !coverage.stated.empty())
         meaning->is_uncertainty = heading.of(meaning->quantity).has_value();
@@ -242,9 +255,9 @@ void settle_sideways(MeasurementHeading& heading) {
 
 double factor_of(std::string_view unit, MeasuredQuantity quantity) {
     const bool is_ratio = quantity == MeasuredQuantity::restitution;
-    return unit.empty() || (is_ratio && unit == "-")
-               ? 1.0
-               : to_si(1.0, unit, is_ratio ? Dimension::fraction : Dimension::velocity);
+    return unit.empty() || (is_ratio && unit == "-") ? 1.0
+           : is_ratio                                ? to_si(1.0, unit, Dimension::fraction)
+                                                     : to_si(1.0, velocity_unit(unit), Dimension::velocity);
 }
 
 /// Enters a column of values or uncertainties.
@@ -275,7 +288,7 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
     const StatedCoverage coverage = read_coverage(cell);
     const auto [name, unit] = split(coverage.rest);
     if (take_sideways(heading, cell, name, unit, position) || take_other(heading, name, position)) return;
-    const auto meaning = meaning_in(heading, name, coverage, position);
+    auto meaning = meaning_in(heading, name, coverage, position);
     if (!meaning) {
         if (announces_remarks(name))
             heading.remarks.push_back({position, cell});
@@ -293,16 +306,27 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
         throw InputError(
             "column " + in_quotes(cell) + " holds " + with_article(change) + ", not the quantity",
             "v_in, v_r or e_n and their standard uncertainties; another name for what is not read");
+    const auto& incident = heading.of(MeasuredQuantity::velocity);
+    const bool follows_v0 = incident && key_of(incident->name) == "v0";
+    if (follows_v0 && key_of(name).find("v1") != std::string::npos)
+        meaning->quantity = MeasuredQuantity::rebound;
     heading.coverages.emplace_back(cell, coverage);
     if (meaning->is_uncertainty && !coverage.problem.empty()) return;
     const bool named = meaning_of(name).has_value();
     const auto& value = heading.of(meaning->quantity);
+    const bool is_ratio = meaning->quantity == MeasuredQuantity::restitution;
+    const bool is_relative = meaning->is_uncertainty && !is_ratio && unit == "%";
     MeasuredColumn column{
         {position, named ? std::string(name) : cell},
-        at_place("column " + in_quotes(cell), [&, &of = unit] { return factor_of(of, meaning->quantity); }),
-        !unit.empty() || meaning->quantity == MeasuredQuantity::restitution,
-        meaning->quantity == MeasuredQuantity::restitution,
-        coverage.problem.empty() ? coverage.factor : 0};
+        at_place("column " + in_quotes(cell),
+                 [&, &of = unit] {
+                     return factor_of(of, is_relative ? MeasuredQuantity::restitution : meaning->quantity);
+                 }),
+        !unit.empty() || (is_ratio && !meaning->is_uncertainty),
+        is_ratio || is_relative,
+        coverage.problem.empty() ? coverage.factor : 0,
+        false,
+        is_relative};
     if (unit.empty() && !named && meaning->is_uncertainty && value) {
         column.to_si = value->to_si;
         column.unit_given = value->unit_given;

@@ -58,6 +58,7 @@ struct MeasuredColumn : TextColumn {
     bool is_fraction;  ///< cells may be in per cent
     double coverage;   ///< its uncertainties over standard ones; 0: they cannot be read
     bool unit_in_cells = false;
+    bool is_relative = false;  ///< its uncertainties are fractions of the velocities
 };
 
 /// The column of the angle of incidence, or of the velocity along the wall.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -67,6 +68,21 @@ void take_units_of_cells(MeasurementHeading& heading, std::span<const TextLine> 
         });
 }
 
+/// Gives an uncertainty without a unit that of its column: "u(e_n)" beside "e_n [%]" is in per cent.
+void take_units_of_values(MeasurementHeading& heading) {
+    for (std::size_t i = 0; i < heading.value.size(); ++i) {
+        const auto& value = heading.value[i];
+        auto& uncertainty = heading.uncertainty[i];
+        if (!value || !value->unit_given || !uncertainty || uncertainty->unit_given) continue;
+        uncertainty->to_si = value->to_si;
+        uncertainty->unit_given = true;
+        if (value->is_fraction && value->to_si == 1.0) continue;
+        heading.notes.push_back({impacts_code, Severity::remark,
+                                 "column " + in_quotes(uncertainty->name) +
+                                     " has no unit: taken in that of column " + in_quotes(value->name)});
+    }
+}
+
 /// Reads cells of one table.
 class TableCells {
   public:
@@ -95,7 +111,8 @@ class TableCells {
         Entry entry = read(row, column);
         if (const auto& uncertainty = heading_.uncertainty_of(quantity)) {
             if (entry.standard_uncertainty) fail(*uncertainty, row, "is given twice", "one uncertainty");
-            entry.standard_uncertainty = read(row, *uncertainty).value / uncertainty->coverage;
+            entry.standard_uncertainty = read(row, *uncertainty).value / uncertainty->coverage *
+                                         (uncertainty->is_relative ? entry.value : 1.0);
         }
         if (entry.standard_uncertainty && !(*entry.standard_uncertainty > 0.0))
             fail(column, row, "has an uncertainty that is not positive", "> 0");
@@ -106,7 +123,7 @@ class TableCells {
     [[nodiscard]] Entry uncertainty(const TableRow& row, MeasuredQuantity quantity) const {
         Entry entry{0.0, std::nullopt};
         const auto& column = heading_.uncertainty_of(quantity);
-        if (column && !row.cells[column->position].empty())
+        if (column && !column->is_relative && !row.cells[column->position].empty())
             entry.standard_uncertainty = read(row, *column).value / column->coverage;
         return entry;
     }
@@ -170,12 +187,13 @@ class TableCells {
         if (!number) fail(column, row, "is not a number", "a finite number; 0 for a capture");
         if (number->per_cent && !column.is_fraction)
             fail(column, row, "is in per cent", "the unit of the heading");
-        constexpr double greatest_restitution = 1.5;  // beyond any noise
-        if (column.is_fraction && !number->per_cent && number->value * column.to_si > greatest_restitution &&
-            column.position == heading_.reading().position)
+        const bool is_reading = column.position == heading_.reading().position;
+        const double greatest = is_reading ? 1.5 : 0.5;  // beyond any noise, and of an uncertainty
+        if (column.is_fraction && !number->per_cent && number->value * column.to_si > greatest)
             fail(
                 column, row,
-                "may be " + shortest(number->value) + " % or a restitution whose decimal mark was lost",
+                "may be " + shortest(number->value) + " % or a " + (is_reading ? "restitution" : "fraction") +
+                    " whose decimal mark was lost",
                 "0 to 1; per cent with the unit, \"e_n [%]\"; --decimal point or comma if a mark is misread");
         const double factor = number->per_cent ? 0.01 : column.to_si;
         Entry entry{number->value * factor, std::nullopt};
@@ -295,7 +313,8 @@ void require_no_rebound(const std::string& told_by, const Measurement& point) {
 }
 
 /// Reads the noise of a row, and its reading unless it is a capture without one.
-void read_rebound(Measurement& point, const MeasurementHeading& heading, const TableCells& cells,
+/// @return whether v_r has an uncertainty and v_in none
+bool read_rebound(Measurement& point, const MeasurementHeading& heading, const TableCells& cells,
                   const TableRow& row, bool has_reading) {
     const bool as_velocity = heading.of(MeasuredQuantity::rebound).has_value();
     const auto quantity = as_velocity ? MeasuredQuantity::rebound : MeasuredQuantity::restitution;
@@ -304,6 +323,7 @@ void read_rebound(Measurement& point, const MeasurementHeading& heading, const T
     point.rebound = as_velocity ? reading.value : reading.value * velocity.value;
     point.noise = as_velocity ? noise_of_rebound(velocity, reading) : noise_of_restitution(velocity, reading);
     if (point.noise && as_velocity) point.noise = correlated(*point.noise, heading, cells, row);
+    return as_velocity && reading.standard_uncertainty && !velocity.standard_uncertainty;
 }
 
 /// Refuses a remark of several words that speaks of another outcome than the reading. @throws InputError
@@ -325,8 +345,9 @@ void require_agreeing_remarks(const MeasurementHeading& heading, const TableRow&
 }
 
 /// One row; none where its outcome is not known. @param remark the outcome in its remarks
+/// @param lone set where v_r has an uncertainty and v_in none
 std::optional<Measurement> measurement_of(const MeasurementHeading& heading, const TableCells& cells,
-                                          const TableRow& row, OutcomeWord remark) {
+                                          const TableRow& row, OutcomeWord remark, bool& lone) {
     const Entry velocity = cells.normal_velocity(row);
     if (!(velocity.value > 0.0))
         throw InputError("v_in is " + shortest(velocity.value) + " m/s", "> 0 m/s, a magnitude");
@@ -347,7 +368,7 @@ std::optional<Measurement> measurement_of(const MeasurementHeading& heading, con
                       .noise = {},
                       .line = row.line,
                       .tangential = cells.tangential(row)};
-    read_rebound(point, heading, cells, row, !word && !blank);
+    lone = read_rebound(point, heading, cells, row, !word && !blank) || lone;
     if (!word && !blank && remark != OutcomeWord::none) {
         if (remark != OutcomeWord::rebound) require_no_rebound("remark", point);
         outcome = remark == OutcomeWord::rebound ? NotedOutcome::rebound : NotedOutcome::capture;
@@ -492,13 +513,41 @@ void require_unit_of_title(const TextLine& title, const MeasurementHeading& head
                 .at(at_line(title.number));
 }
 
-/// Refuses a last row, or last but one before its spread, that holds the means of the rows above.
+/// What a row without a label may hold of the rows above it.
+struct Summary {
+    std::string_view name;
+    double (*of)(const Moments&);
+};
+constexpr std::array summaries{
+    Summary{"means", [](const Moments& above) { return above.mean; }},
+    Summary{"sums", [](const Moments& above) { return above.mean * static_cast<double>(above.count); }},
+    Summary{"standard deviations", [](const Moments& above) { return std::sqrt(above.variance()); }},
+    Summary{"standard deviations",
+            [](const Moments& above) { return std::sqrt(above.second / static_cast<double>(above.count)); }}};
+
+/// Whether a number is the other one, rounded to its last digit.
+bool is_rounded(double value, double exact) {
+    constexpr double cut_off = 0.01;  // a digit that is cut, not rounded
+    constexpr double coarsest = 0.1;  // of the value: one digit alone says little
+    const std::string digits = shortest(value);
+    const auto point = std::min(digits.find('.'), digits.size() - 1);
+    const double half =
+        0.5 * std::pow(10.0, static_cast<double>(point + 1) - static_cast<double>(digits.size()));
+    return std::abs(value - exact) <=
+           std::max(cut_off * value, half <= coarsest * value ? 1.001 * half : 0.0);
+}
+
+[[noreturn]] void refuse_summary(const std::string& holds, std::size_t line) {
+    throw InputError("the row holds " + holds + " of the rows above: it may be an impact, or sum up others",
+                     "a column that numbers the impacts, or a file without this row")
+        .at(at_line(line));
+}
+
+/// Refuses a last row, or last but one, that holds the means, sums or standard deviations of the rows above.
 /// @throws InputError
-void refuse_mean(const MeasurementSet& set, bool by_restitution) {
+void refuse_summaries(const MeasurementSet& set, bool by_restitution) {
     constexpr std::size_t fewest = 3;      // rows above
-    constexpr double rounding = 5e-3;      // of a mean, to three digits
     constexpr double least_spread = 0.05;  // of the velocities, so that equal rows are no mean
-    const auto is_near = [](double value, double mean) { return std::abs(value - mean) <= rounding * value; };
     std::vector<double> velocities;
     std::vector<double> readings;
     for (const Measurement& point : set.points) {
@@ -506,12 +555,11 @@ void refuse_mean(const MeasurementSet& set, bool by_restitution) {
         if (velocities.size() >= fewest && velocities.size() + 2 >= set.points.size() &&
             point.rebound > 0.0) {
             const Moments above = Moments::of(velocities);
-            if (above.maximum > (1.0 + least_spread) * above.minimum && is_near(point.velocity, above.mean) &&
-                is_near(reading, Moments::of(readings).mean))
-                throw InputError(
-                    "the row holds the means of the rows above: it may be an impact, or sum up others",
-                    "a column that numbers the impacts, or a file without this row")
-                    .at(at_line(point.line));
+            const Moments read = Moments::of(readings);
+            for (const auto& [name, of] : summaries)
+                if (above.maximum > (1.0 + least_spread) * above.minimum &&
+                    is_rounded(point.velocity, of(above)) && is_rounded(reading, of(read)))
+                    refuse_summary("the " + std::string(name), point.line);
         }
         velocities.push_back(point.velocity);
         readings.push_back(reading);
@@ -547,6 +595,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
     MeasurementHeading heading =
         at_place(at_line(lines[place].number), [&] { return read_measurement_heading(headings.cells); });
     take_units_of_cells(heading, std::span(lines).subspan(first), separator);
+    take_units_of_values(heading);
     for (std::size_t i = 0; i < place; ++i) require_unit_of_title(lines[i], heading);
     MeasurementSet set{.source = std::string(name), .points = {}, .warnings = warnings_of(heading)};
     for (Finding& note : take_notes(lines, first, separator, impacts_code))
@@ -573,7 +622,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
                 return;
             }
             const OutcomeWord remark = remarked_outcome(heading, row);
-            if (auto point = measurement_of(heading, cells, row, remark)) {
+            if (auto point = measurement_of(heading, cells, row, remark, set.rebound_alone_uncertain)) {
                 if (remark_counts(heading, row, remark, *point)) unread.take_remarked(row);
                 unread.take_impact(row);
                 set.points.push_back(*point);
@@ -584,7 +633,12 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
         });
     }
     unread.tell(set.warnings);
-    if (!labels.number_rows()) refuse_mean(set, heading.reading().is_fraction);
+    if (!labels.number_rows()) refuse_summaries(set, heading.reading().is_fraction);
+    if (heading.correlation && !set.has_noise())
+        throw InputError(
+            "the correlation of two velocities is that of their uncertainties, which are not stated",
+            "columns u(v_in) and u(v_r) beside it")
+            .at(at_line(lines[place].number));
     add_implausible(*heading.of(MeasuredQuantity::velocity), set);
     if (set.points.empty() && set.unknown > 0)
         throw InputError("the outcome of every impact is unknown", "rebounds or captures");
@@ -611,6 +665,8 @@ MeasurementSet read_from_workbook(std::string_view bytes, std::string_view name,
                                      .holds_table = holds_impacts});
     return chosen.read([&](const TextLines& lines) {
         MeasurementSet set = read_table(lines, name, options.decimal);
+        for (const Measurement& point : set.points)
+            if (chosen.sums_up(point.line)) refuse_summary("a formula", point.line);
         for (Finding& warning : set.warnings) warning.text = in_rows(std::move(warning.text));
         set.warnings.insert(set.warnings.begin(), chosen.findings().begin(), chosen.findings().end());
         validate(set);

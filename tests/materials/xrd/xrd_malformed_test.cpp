@@ -66,7 +66,7 @@ TEST_CASE("empty, blank, binary and unknown files") {
         "\x7f"
         "ELF\x02\x01",
         "line 1: this is a binary file");
-    refuses("\xff\xfep", "line 1: this is UTF-16");
+    refuses("\xff\xfep", "line 1: this begins as UTF-16 and is damaged");
     refuses("Dear colleague,\nthe ash holds much glass.\n", "line 1: the format is not known");
     refuses("10.00 512\n10.02 498\n10.04 530\n", "allowed: a BGMN/Profex .lst, a GSAS-II .lst");
 }

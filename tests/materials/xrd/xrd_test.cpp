@@ -295,6 +295,12 @@ TEST_CASE("headings of fractions are read as what they state, and what is no fra
         CHECK(result.samples.front().name.find_first_of("%(") == std::string::npos);
     }
     for (const auto& [heading, amounts] : {std::pair{"ppm", "600000;400000"},
+                                           {"Gehalt [\u2030]", "600;400"},
+                                           {"wt\u2030", "600;400"},
+                                           {"% poids", "60;40"},
+                                           {"% en masse", "60;40"},
+                                           {"wt% of total", "60;40"},
+                                           {"\"wt%\n(n=3)\"", "60;40"},
                                            {"w [mg/kg]", "600000;400000"},
                                            {"g/kg", "600;400"},
                                            {"Gehalt in g/kg", "600;400"},
@@ -332,14 +338,16 @@ TEST_CASE("headings of fractions are read as what they state, and what is no fra
                                 "Volume [cm3]",
                                 "FA1 mol%",
                                 "FA1 [at.%]",
-                                "Gehalt [\u2030]",
-                                "wt\u2030",
                                 "St\u00fcck-%",
                                 "cts"}) {
         CAPTURE(heading);
         CHECK(contains(input_error_of([&] { static_cast<void>(of(heading)); }),
                        "no weight or volume fractions"));
     }
+    for (const char* heading : {"A \u00b1 2 [wt%]", "wt% (\u00b12)"})
+        CHECK_MESSAGE(contains(input_error_of([&] { static_cast<void>(of(heading)); }),
+                               "states one uncertainty, 2, for all numbers of its column"),
+                      heading);
     for (const char* heading : {"Rel. Int. [%]", "Fl\u00e4chen-%", "relative intensity"}) {
         CAPTURE(heading);
         CHECK(
@@ -507,10 +515,15 @@ TEST_CASE("an internal standard that is only named, and phases that were not det
                  "mixture with it, or those of the sample beside it"),
         marked);
     CHECK(contains(marked, "--internal-standard Corundum --added-fraction"));
-    CHECK(read_xrd("Phase;wt%\nQuartz;80\nCorundum*;20\n\n* internal standard\n", "t.csv")
-              .samples.front()
-              .analysis.phases.back()
-              .is_standard);
+    for (const char* rows :
+         {"Corundum*;20;\n\n* internal standard\n", "Corundum\u00b9;20;\n\n\u00b9 internal standard\n",
+          "Corundum (ISTD);20;\n", "Corundum;20;internal standard\n", "Corundum;20;Spike\n"})
+        CHECK_MESSAGE(read_xrd(std::string("Phase;wt%;Remark\nQuartz\u00b2;80;\n") + rows, "t.csv")
+                          .samples.front()
+                          .analysis.phases.back()
+                          .is_standard,
+                      rows);
+    CHECK(digest(table("Lime\u00b9;0")) == "Quartz 2000, Mullite 3000, Lime 0, Glass 5000");
     const XrdSample mixture =
         read_xrd("Phase;wt%\nQuartz;30\nMullite;50\nCorundum (spike);20\n", "t.csv").samples.front();
     CHECK(amorphous_of(with_internal_standard(mixture, "corundum", 0.1)) ==
@@ -538,12 +551,12 @@ TEST_CASE("what a table says of itself in two ways is refused") {
     CHECK(contains(refusal("Sample;Quartz [ppm];Glass\nA;200000;800000\n"),
                    "line 1: the columns \"Quartz [ppm]\" and \"Glass\" are not in one unit"));
     CHECK(contains(refusal("Sample;Quartz [g/kg];Glass [ppm]\nA;200;800000\n"), "are not in one unit"));
-    for (const char* table :
-         {"Component;wt%\nSiO2;50\nAl2O3;25\nFe2O3;8\nCaO;10\nMgO;7\n",
-          "Sample;SiO2;Al2O3;CaO;LOI\nA;60;25;11;4\n", "Component;wt%\nSiO2;60\nAl2O3;40\n"})
-        for (const char* says : {"are oxides of a chemical analysis (XRF)", "the analysis as --oxides FILE"})
-            CHECK_MESSAGE(contains(refusal(table), says), refusal(table));
-    CHECK(refusal("Phase;wt%\nSiO2;20\nMullite;30\nFe2O3;10\nGlass;40\n").empty());
+    for (const char* table : {"Component;wt%\nSiO2;50\nAl2O3;25\nFe2O3;8\nCaO;10\nMgO;7\n",
+                              "Sample;SiO2;Al2O3;CaO;LOI\nA;60;25;11;4\n"})
+        CHECK_MESSAGE(contains(refusal(table), "are oxides of a chemical analysis (XRF)"), refusal(table));
+    CHECK(contains(refusal("Phase;wt%\nSiO2;20\nMullite;30\nMgO;10\nGlass;40\n"),
+                   "line 2: \"SiO2\" is the formula of quartz, cristobalite, fused-silica"));
+    CHECK(refusal("Phase;wt%\nCaO;20\nMullite;30\nMgO;10\nGlass;40\n").empty());
     CHECK(contains(refusal("Phase;Intensity;RIR\nQuartz;1.753;3\nMullite;540;2\n"),
                    "\"1.753\" is 1.753 or 1753"));
     CHECK(contains(refusal("Phase;ppm\nQuartz;200.000\nGlass;800.000\n"), "\"200.000\" is"));

@@ -239,11 +239,45 @@ TEST_CASE("uncertainties of impacts that are multiples of standard ones are read
 }
 
 TEST_CASE("an uncertainty without a quantity is that of the column before it, in its unit") {
-    CHECK(noise_of_rebound("v_in [m/s],v_r [mm/s],Fehler\n2.1,400,20\n2.2,500,20\n") ==
+    CHECK(noise_of_rebound("v_in [m/s],u,v_r [mm/s],Fehler\n2.1,0.03,400,20\n2.2,0.03,500,20\n") ==
           doctest::Approx(0.02).epsilon(1e-12));
     const std::string two = "v_in [m/s],u,v_r [m/s],u\n2.1,0.03,0.4,0.02\n2.2,0.03,0.5,0.02\n";
     CHECK(noise_of_incident(two) == doctest::Approx(0.03).epsilon(1e-12));
     CHECK(noise_of_rebound(two) == doctest::Approx(0.02).epsilon(1e-12));
+}
+
+TEST_CASE("an uncertainty is in the unit of its column, in its own, or in per cent of the velocity") {
+    for (const auto& [heading, cell] :
+         {std::pair{"u(e_n)", "4"}, {"u(e_n) [%]", "4"}, {"u(e_n) [1]", "0.04"}}) {
+        CAPTURE(heading);
+        CHECK(noise_of_rebound("v_in [m/s];u(v_in) [m/s];e_n [%];" + std::string(heading) + "\n2;0.1;50;" +
+                               cell + "\n") == doctest::Approx(std::hypot(0.5 * 0.1, 2 * 0.04)));
+    }
+    const std::string slow = "v_in [mm/s];u(v_in);v_r [mm/s];u(v_r)\n2000;30;500;20\n";
+    CHECK(noise_of_incident(slow) == doctest::Approx(0.03));
+    CHECK(contains(warnings_of(read_measurements(slow, "t.csv")),
+                   "column \"u(v_in)\" has no unit: taken in that of column \"v_in\""));
+    CHECK(noise_of_incident("v_in [m/s];u(v_in) [%];v_r [m/s]\n2;3;0.5\n") == doctest::Approx(0.06));
+    CHECK(contains(
+        input_error_of([] { return read_measurements("v_in;u(v_in);e_n;u(e_n)\n2;0.1;0.5;4\n", "t.csv"); }),
+        "\"4\" in column \"u(e_n)\" may be 4 % or a fraction whose decimal mark was lost"));
+    CHECK(read_measurements("v_in;v_r;u(v_r)\n2;0.5;0.02\n", "t.csv").rebound_alone_uncertain);
+    CHECK_FALSE(
+        read_measurements("v_in;u(v_in);v_r;u(v_r)\n2;0.1;0.5;0.02\n", "t.csv").rebound_alone_uncertain);
+}
+
+TEST_CASE("one uncertainty in the heading, and a correlation without uncertainties, are refused") {
+    for (const auto& [heading, says] :
+         {std::pair{"v_in \u00b1 0.03 [m/s];v_r [m/s]", "\"v_in \u00b1 0.03\" states one uncertainty, 0.03"},
+          {"v_in +/- 0.03 [m/s];v_r [m/s]", "states one uncertainty, 0.03"},
+          {"v_in [m/s];v_r (\u00b10.02) [m/s]", "states one uncertainty, 0.02"},
+          {"v_in [m/s];e_n \u00b1 0.02", "states one uncertainty, 0.02"},
+          {"v_in [m/s];v_r [m/s];correlation",
+           "the correlation of two velocities is that of their uncertainties"}}) {
+        const std::string table = std::string(heading) + "\n2;0.5;0.5\n";
+        CHECK_MESSAGE(contains(input_error_of([&] { return read_measurements(table, "t.csv"); }), says),
+                      table);
+    }
 }
 
 TEST_CASE("uncertainties of unclear coverage are not read, and one line says why and how to write them") {
@@ -270,7 +304,9 @@ TEST_CASE("the usual headings of impacts are known, in English, German and Frenc
           "Einfallsgeschwindigkeit v_ein in m/s;R\u00fcckprallgeschwindigkeit, v_aus in m/s",
           "Einfall (m/s);Abprall (m/s)", "Anfluggeschwindigkeit;v_Rückprall",
           "impact speed [m/s];rebound speed [m/s]", "incoming velocity;outgoing velocity",
-          "v_impact;v_rebound", "vitesse d'impact;rebond"}) {
+          "v_impact;v_rebound", "vitesse d'impact;rebond", "U_in [m/s];U_out [m/s]", "v_0 [m/s];v_1 [m/s]",
+          "v\u1d62 [m/s];v\u1d63 [m/s]", "v_{in} [ms-1];v_r [ms\u207b\u00b9]", "vel in;vel out",
+          "pre-impact velocity;post-impact velocity", "\"v_in\n[m/s]\";v_r"}) {
         CAPTURE(heading);
         const MeasurementSet set = read_measurements(std::string(heading) + "\n2,1;0,4\n", "t.csv");
         REQUIRE(set.points.size() == 1);
@@ -376,6 +412,15 @@ TEST_CASE("a last row without a label that holds the means of the others is refu
     const char* const ratios = "v_in;e\n1,52;0,48\n2,51;0,53\n3,03;0,62\n3,91;0,70\n2,743;0,5825\n";
     CHECK(contains(input_error_of([&] { static_cast<void>(read_measurements(ratios, "t.csv")); }),
                    "the row holds the means"));
+    const std::string dense = "v_in;v_r\n0.5;0\n0.7;0\n1.02;0.21\n1.33;0.47\n1.95;0.93\n2.5;1.31\n3.1;1.7\n";
+    for (const auto& [row, holds] : {std::pair{"11.1;4.62", "sums"},
+                                     {"1.6;0.7", "means"},
+                                     {"0.96;0.7", "standard deviations"},
+                                     {"0.895;0.62", "standard deviations"}})
+        CHECK_MESSAGE(contains(input_error_of([&] { return read_measurements(dense + row + "\n", "t.csv"); }),
+                               std::string("the row holds the ") + holds + " of the rows above"),
+                      row);
+    CHECK(read_measurements(dense + "1.7;0.7\n", "t.csv").points.size() == 8);
     CHECK(read_measurements(rows + "2,74;1,02\n", "t.csv").points.size() == 5);
     CHECK(read_measurements("v_in;v_r\n2;0,5\n2;0,5\n2;0,5\n2;0,5\n", "t.csv").points.size() == 4);
     CHECK(read_measurements("Nr.;v_in;v_r\n1;1;0,5\n2;3;1,5\n3;2;1\n4;2;1\n", "t.csv").points.size() == 4);
