@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
@@ -283,6 +284,18 @@ void take_captured(MeasurementHeading& heading) {
     heading.unused.erase(found);
 }
 
+/// Keeps v_r of v_r and e_n, which have to agree in every row.
+void take_checked(MeasurementHeading& heading) {
+    auto& restitution = heading.value[static_cast<std::size_t>(MeasuredQuantity::restitution)];
+    if (!heading.of(MeasuredQuantity::rebound) || !restitution || heading.sideways ||
+        heading.uncertainty_of(MeasuredQuantity::restitution))
+        return;
+    heading.notes.push_back({impacts_code, Severity::remark,
+                             "column " + in_quotes(restitution->name) + " only has to agree with column " +
+                                 in_quotes(heading.of(MeasuredQuantity::rebound)->name)});
+    heading.checked = std::exchange(restitution, std::nullopt);
+}
+
 /// Enters the column of one cell of the heading.
 void take_column(MeasurementHeading& heading, const std::string& cell, std::size_t position) {
     const StatedCoverage coverage = read_coverage(cell);
@@ -381,6 +394,7 @@ MeasurementHeading read_measurement_heading(const std::vector<std::string>& cell
     heading.columns = cells.size();
     for (std::size_t i = 0; i < cells.size(); ++i) take_column(heading, cells[i], i);
     take_captured(heading);
+    take_checked(heading);
     require_columns(heading);
     settle_sideways(heading);
     for (Finding& note : coverage_findings(impacts_code, heading.coverages))

@@ -71,6 +71,7 @@ struct SidewaysColumn : TextColumn {
 struct MeasurementHeading {
     std::array<std::optional<MeasuredColumn>, 3> value;        ///< by MeasuredQuantity
     std::array<std::optional<MeasuredColumn>, 3> uncertainty;  ///< by MeasuredQuantity
+    std::optional<MeasuredColumn> checked;                     ///< e_n beside v_r, which is used
     std::optional<std::size_t> outcome;                        ///< position of the column of outcomes
     bool outcome_is_capture = false;                           ///< that column holds yes for a capture, or no
     std::optional<std::size_t> correlation;  ///< of the column of the correlation of the two velocities

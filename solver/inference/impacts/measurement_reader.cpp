@@ -94,6 +94,7 @@ class TableCells {
         for (const auto* all : {&heading.value, &heading.uncertainty})
             for (const auto& column : *all)
                 if (column) holds_numbers[column->position] = true;
+        if (heading.checked) holds_numbers[heading.checked->position] = true;
         if (heading.correlation) holds_numbers[*heading.correlation] = true;
         if (heading.sideways) holds_numbers[heading.sideways->position] = true;
         constexpr double small_unit = 0.05;  // of cm/s, mm/s: a velocity may be thousands
@@ -126,6 +127,16 @@ class TableCells {
         if (column && !column->is_relative && !row.cells[column->position].empty())
             entry.standard_uncertainty = read(row, *column).value / column->coverage;
         return entry;
+    }
+
+    /// Refuses an e_n that is not v_r over v_in, but for rounding. @throws InputError
+    void require_agreement(const TableRow& row, const Measurement& point) const {
+        const auto& column = heading_.checked;
+        if (!column || outcome_word(row.cells[column->position]) != OutcomeWord::none) return;
+        const double rounding = 0.01 + 0.01 / point.velocity;  // of numbers with two decimals
+        if (std::abs(read(row, *column).value - point.restitution()) > rounding)
+            fail(*column, row, "is not v_r over v_in, which is " + shortest(point.restitution()),
+                 "one of the two columns, or a file without this row");
     }
 
     /// v_in, normal to the wall.
@@ -187,7 +198,8 @@ class TableCells {
         if (!number) fail(column, row, "is not a number", "a finite number; 0 for a capture");
         if (number->per_cent && !column.is_fraction)
             fail(column, row, "is in per cent", "the unit of the heading");
-        const bool is_reading = column.position == heading_.reading().position;
+        const bool is_reading = column.position == heading_.reading().position ||
+                                (heading_.checked && column.position == heading_.checked->position);
         const double greatest = is_reading ? 1.5 : 0.5;  // beyond any noise, and of an uncertainty
         if (column.is_fraction && !number->per_cent && number->value * column.to_si > greatest)
             fail(
@@ -623,6 +635,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
             }
             const OutcomeWord remark = remarked_outcome(heading, row);
             if (auto point = measurement_of(heading, cells, row, remark, set.rebound_alone_uncertain)) {
+                cells.require_agreement(row, *point);
                 if (remark_counts(heading, row, remark, *point)) unread.take_remarked(row);
                 unread.take_impact(row);
                 set.points.push_back(*point);

@@ -340,6 +340,17 @@ TEST_CASE("a heading of a square, a root or a difference is not the quantity") {
     CHECK(set.warnings.front().severity == Severity::remark);  // on the screen of `run`
 }
 
+TEST_CASE("v_r beside e_n is read where both agree") {
+    const MeasurementSet set =
+        read_measurements("v_in;v_r;e_n [%]\n2;0.5;25\n1.33;0.47;35.3\n0.7;0;0\n0.5;0;\n", "t.csv");
+    CHECK(set.points.size() == 4);
+    CHECK(set.points[1].rebound == 0.47);
+    CHECK(contains(warnings_of(set), "column \"e_n\" only has to agree with column \"v_r\""));
+    CHECK(contains(
+        input_error_of([] { return read_measurements("v_in;v_r;e_n\n2;0.5;0.25\n2;0.9;0.55\n", "t.csv"); }),
+        "line 3, cell 3: \"0.55\" in column \"e_n\" is not v_r over v_in, which is 0.45"));
+}
+
 TEST_CASE("a quantity over its unit, and velocities before and after") {
     const MeasurementSet ratio = read_measurements("v vor/(mm/s);e_n/%\n2000;50,5\n", "t.csv");
     CHECK(ratio.points.front().velocity == 2.0);
