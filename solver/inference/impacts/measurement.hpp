@@ -75,8 +75,7 @@ struct MeasurementSet {
     std::vector<Measurement> points;
     std::vector<Finding> warnings{};
     std::size_t unknown = 0;  ///< impacts of the file left out because their outcome is not known
-    /// Whether the file states uncertainties of v_r and none of v_in; then those of v_in are taken as equal.
-    bool rebound_alone_uncertain = false;
+    bool rebound_alone_uncertain = false;  ///< the file states u(v_r) and not u(v_in)
 
     [[nodiscard]] std::size_t captures() const {
         return static_cast<std::size_t>(std::ranges::count_if(points, &Measurement::captured));

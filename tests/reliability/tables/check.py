@@ -19,6 +19,7 @@ import os
 import pathlib
 import random
 import re
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -131,17 +132,17 @@ def workbook(rows):
 
 # What they hold: headings to be read (none: to be refused) || headings that may be read or refused.
 SHARES = """
-w 100: wt%;wt.%;wt.-%;wt-%;wt %;Wt%;Gew.-%;Gew.%;Gew-%;Gew. %;Massen-%;Masse-%;Ma.-%;weight %;Weight [%];mass %;weight [wt%];Massenanteil [%];
+w 100: wt%;wt.%;wt.-%;wt-%;wt %;Wt%;Gew.-%;Gew.%;Gew-%;Gew. %;Massen-%;Masse-%;Ma.-%;weight %;Weight [%];mass %;% poids;% en masse;wt% of total;weight [wt%];Massenanteil [%];
  mass fraction [%];Weight percent;Gewichtsprozent;Gehalt [Gew.-%];content [wt%];Massenanteil in %;% w/w;m%;M.-%;m-%;Content (% w/w);Gehalt % w/w;FA1 wt %;wt% (n=3);FA1 (n = 3) [wt%] ||
  w [%];Rietveld;Rietveld [wt%];
  Quant. [%];Content (%);Anteil [%];%;% masse;% pds;viktprocent;SemiQuant [%];Konz. [%];wt%¹;wt% *;wt% (XRD);Weight%;Gew.-% (normiert);
  g/100 g;wt pct;W%;Weight (%);g;m [g]
 w 1: mass fraction;weight fraction;Massenanteil;weight fraction [g/g];w [kg/kg];kg/kg || w;wf;w [1];mass fraction [-];Massenbruch
-w 1000: g/kg;w [g/kg];Gehalt in g/kg;mg/g || wt‰;Gew.-‰;w [‰];g kg-1
+w 1000: g/kg;w [g/kg];Gehalt in g/kg;mg/g;wt‰;Gew.-‰;w [‰] || g kg-1
 w 1000000: content mg/kg || ppm;ppmw;mg/kg;w [ug/g]
 v 100: Vol-%;Vol.-%;vol%;vol.%;Vol %;volume %;Volumenanteil [%] || Volumen-%;V%;% v/v;v/v %;Vol. pct;% vol;Volumenprozent;content, vol%
 v 1:  || volume fraction;Volumenanteil;φ;v/v
-none 100: Mol-%;mol%;mole fraction [%];Stoffmengenanteil [%];at.%;at%;Atom-%;Flächen-%;area %;Rel. Int. [%];rel. intensity;I/Imax [%];I [%];
+none 100: wt% ± 2;Mol-%;mol%;mole fraction [%];Stoffmengenanteil [%];at.%;at%;Atom-%;Flächen-%;area %;Rel. Int. [%];rel. intensity;I/Imax [%];I [%];
  Peakfläche [%];counts;Counts [cts];FWHM;FWHM [°2Th];2θ [°];Score;Δwt%;Δ Gew.-%;(wt%)²;wt%²;√wt%;ln(wt%);log wt%;1/wt%;σ(wt%);esd(wt%);
  u²(wt%);change in wt%;wt% loss;LOI [wt%];Rwp [%];Cryst. size [nm];d [Å];scale factor;mol/mol;n [mol];ppmv;Gehalt [Mol-%];
  Gehalt [Flächen-%];Stück-% ||
@@ -155,10 +156,10 @@ none:  || rel. error [%];RSD [%];CV [%];u_rel [%];variance;Varianz;σ²;esd²;u�
 """  # uncertainties: factor to the standard one
 VELOCITIES = """
 1: v_in [m/s];v_in (m/s);V_in [m/s];v_in in m/s;v_i [m/s];incident velocity [m/s];Einfallsgeschwindigkeit [m/s];vitesse d'impact [m/s];
- v_ein [m/s];v_in [m s-1];v_in [m·s⁻¹];v_in [m s^-1];v_in m/s;v_in, m/s || v vor [m/s];v1 [m/s];v0 [m/s];v before [m/s];U_in [m/s];v_in,n [m/s];
+ v_ein [m/s];vᵢ [m/s];v_0 [m/s];U_in [m/s];vel in [m/s];pre-impact velocity [m/s];v_in [ms-1];v_in [m s-1];v_in [m·s⁻¹];v_in [m s^-1];v_in m/s;v_in, m/s || v vor [m/s];v1 [m/s];v0 [m/s];v before [m/s];v_in,n [m/s];
  v_in [m/sec];v_in;v_in / m/s;v_in/(m/s);Vin[m/s]
 0.001: v_in [mm/s];impact velocity (mm/s);v_in mm/s || v_before [mm/s];v_in [mm s⁻¹];v_in in mm/s;v_in / mm/s;velocity in [mm/s]
-none: v_in² [m²/s²];v_in^2 [m/s];v_in**2;√v_in [m/s];sqrt(v_in);ln(v_in);1/v_in [s/m];Δv [m/s];Δv_in [m/s];v_t [m/s];u(v_in) [m/s];
+none: v_in ± 0.03 [m/s];v_in +/- 0.03 [m/s];v_in (±0.03) [m/s];v_in² [m²/s²];v_in^2 [m/s];v_in**2;√v_in [m/s];sqrt(v_in);ln(v_in);1/v_in [s/m];Δv [m/s];Δv_in [m/s];v_t [m/s];u(v_in) [m/s];
  σ(v_in) [m/s];E_in [J];v_in [m];v_in [%];a_in [m/s²];v_in - v_r [m/s];v_in·v_r [m²/s²];v_crit [m/s];v_in,t [m/s];v_in³;(v_in)² [m/s];
  -ln v_in;v_in^0.5;delta v_in [m/s] ||
 """  # v_in: factor to m/s
@@ -374,6 +375,9 @@ XRD_EDITS = [
 ]
 IMPACT_EDITS = [
     *BOTH_EDITS, ("rows that sum up", READ, lambda t, i, r, f: numbered(t, f, r.choice(["Mittel", "Mean", "Standardabw.", "SD", "s", "n", "max", "Schnitt", "SD (n=3)", "n=3", "RSD %", "Ø 1-3"]), r.choice([0, 1]))),
+    ("a row of sums", REFUSE, lambda t, i, r, f: add(t, *(written(sum(column), f) for column in zip(*t.truth)))),
+    ("a row of deviations", REFUSE, lambda t, i, r, f: add(t, *(written(statistics.stdev(column), f, 4) for column in zip(*t.truth)))),
+    ("v_r beside e_n", READ, lambda t, i, r, f: t.rows.__setitem__(slice(None), [[*row, written(t.truth[k - 1][1] / t.truth[k - 1][0], f, 2) if k else "e_n"] for k, row in enumerate(t.rows)])),
     ("a row of another kind", REFUSE, lambda t, i, r, f: numbered(t, f, r.choice(["Serie", "foo", "", "?"]), r.choice([0, 1]))),
     ("a remark of an invalid impact", REFUSE, lambda t, i, r, f: remark(t, i, r.choice(["ungültig", "Ausreißer!", "exclude", "outlier (camera)", "haftet an der Wand"]))),
     ("a remark", READ, lambda t, i, r, f: remark(t, i, r.choice(["Bild unscharf", "kein Ausreißer", "ok", "haftet nicht"]))),
