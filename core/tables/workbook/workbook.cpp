@@ -100,7 +100,7 @@ void Sheet::put(std::size_t row, std::size_t column, std::string_view text) {
 void Sheet::see_formula(std::size_t row, std::size_t column, const std::string& formula) {
     constexpr std::size_t longest = 200;  // a regular expression needs stack for each byte
     static const std::regex summary(
-        R"((?:SUMME?|AVERAGE|MITTELWERT|MEDIAN|STDEV[A-Z.]*|STABW[A-Z.]*|MAX|MIN)\(\[?\.?(\$?[A-Z]+)\$?(\d{1,7}):\.?(\$?[A-Z]+)\$?(\d{1,7}))",
+        R"((?:SUM(?:ME)?|AVERAGE|MITTELWERT|MEDIAN|STDEV[A-Z.]*|STABW[A-Z.]*|MAX|MIN)\(\[?\.?(\$?[A-Z]+)\$?(\d{1,7}):\.?(\$?[A-Z]+)\$?(\d{1,7}))",
         std::regex::icase);
     std::smatch match;
     if (formula.size() > longest || formula.find(':') == std::string::npos ||
