@@ -2,7 +2,6 @@
 #include "pipeline/present/report/deposition/deposition_page.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -15,8 +14,6 @@
 namespace ashimpact::report {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// A column of numbers along an axis, as a line.
 template <class Row, class X, class Y>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <string>
 #include <variant>
@@ -17,6 +18,8 @@ struct Range {
     double from;
     double to;
 };
+
+inline constexpr double degree = std::numbers::pi / 180;  ///< [rad]
 
 /// An axis; what is drawn along it comes in SI.
 struct Axis {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <numbers>
-
 #include <fmt/format.h>
 
 #include "core/quantities/quantity.hpp"
@@ -9,8 +7,6 @@
 namespace ashimpact::report {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 Axis angle_axis(std::string label) {
     return {.label = std::move(label), .unit = "°", .scale = degree, .from = 0, .to = 90 * degree};
