@@ -35,6 +35,9 @@ constexpr double form_error = 0.04;
 constexpr double outlier_share = 0.02;
 constexpr double outliers_at_rest = 0.1;  ///< share of outliers that read zero
 
+/// Rebound velocity over v - v_c of the slowest rebounds that are reckoned with where no curve is.
+constexpr double slow_restitution = 0.2;
+
 /// Degrees of freedom with which noise is known before: its logarithm within 0.2, or within a factor of 3.
 constexpr double stated_freedom = 12.0;
 constexpr double unstated_freedom = 0.5;
@@ -241,10 +244,19 @@ double CurvePosterior::log_outcomes(double log_critical_velocity) const {
         const double width =
             std::hypot(unit * impact.incident_u / impact.velocity, prior_.scatter.value_or(0.01));
         const double captured = normal_below((log_critical_velocity - impact.log_velocity) / width);
-        sum += impact.count *
-               (impact.recorded == Recorded::rebound
-                    ? std::log((1.0 - outlier_share) * (1.0 - captured) + outlier_share)
-                    : std::log((1.0 - outlier_share) * captured + outlier_share * outliers_at_rest));
+        if (impact.recorded == Recorded::rebound) {
+            sum += impact.count * std::log((1.0 - outlier_share) * (1.0 - captured) + outlier_share);
+            continue;
+        }
+        double at_rest = captured;
+        if (impact.recorded == Recorded::zero) {
+            const double slow =
+                slow_restitution * std::max(0.0, impact.velocity - std::exp(log_critical_velocity));
+            at_rest += (1.0 - captured) * (impact.resolution > 0.0
+                                               ? std::clamp(1.0 - slow / impact.resolution, 0.0, 1.0)
+                                               : normal_below(-slow / (unit * impact.rebound_u)));
+        }
+        sum += impact.count * std::log((1.0 - outlier_share) * at_rest + outlier_share * outliers_at_rest);
     }
     return sum;
 }
