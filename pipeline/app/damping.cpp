@@ -197,8 +197,8 @@ void run_measured_damping_command(const CommandOptions& options, std::ostream& o
     if (options.has("--velocity-scale-uncertainty"))
         how.estimate.scale_uncertainty = read_scale_uncertainty(options);
     const MeasuredDamping result = analyse_impacts(choice.law, choice.detachment, choice.contact, set, how);
-    const auto dampings = study_dampings({choice.law, choice.detachment}, {{choice.contact, set.points}},
-                                         {options["--impacts"]});
+    const auto dampings =
+        study_dampings({choice.law, choice.detachment}, {{choice.contact, set.points}}, {"impacts"});
     std::vector<Finding> doubts = options.doubts();
     for (const auto* option : {"--size-scatter", "--velocity-scale-uncertainty"})
         if (options.has(option) && !result.estimate)

@@ -162,10 +162,11 @@ TEST_CASE("impacts given twice count twice") {
     for (const auto& [key, column] : once.items())
         for (const Json& value : column) data[key].push_back(value);
     const Artifacts doubled = computed_from(laboratory.document, "critical-velocity");
-    // The estimate of v_c moves a little, as its priors count for half as much.
+    // The estimate of v_c moves by part of its uncertainty: its density is skewed, the less the narrower it
+    // is.
     const Json& headline = result(doubled, "7-critical-velocity.json")["dmt"]["critical_velocity"];
     CHECK(std::abs(estimated(of_laboratory()) - estimated(doubled)) <
-          0.3 * headline["standard_uncertainty"].get<double>());
+          headline["standard_uncertainty"].get<double>());
     const auto deviation = [](const Artifacts& artifacts) {
         return result(artifacts, "6-fit.json")["dmt"]["critical_damping"]["standard_uncertainty"]
             .get<double>();

@@ -249,12 +249,10 @@ double CurvePosterior::log_outcomes(double log_critical_velocity) const {
             continue;
         }
         double at_rest = captured;
-        if (impact.recorded == Recorded::zero) {
+        if (impact.recorded == Recorded::zero && impact.resolution > 0.0) {
             const double slow =
                 slow_restitution * std::max(0.0, impact.velocity - std::exp(log_critical_velocity));
-            at_rest += (1.0 - captured) * (impact.resolution > 0.0
-                                               ? std::clamp(1.0 - slow / impact.resolution, 0.0, 1.0)
-                                               : normal_below(-slow / (unit * impact.rebound_u)));
+            at_rest += (1.0 - captured) * std::max(0.0, 1.0 - slow / impact.resolution);
         }
         sum += impact.count * std::log((1.0 - outlier_share) * at_rest + outlier_share * outliers_at_rest);
     }

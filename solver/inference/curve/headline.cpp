@@ -98,6 +98,15 @@ void add_velocities(std::vector<std::pair<double, double>>& values, const Densit
     for (std::size_t i = first; i < values.size(); ++i) values[i].second *= share / total;
 }
 
+/// The least damping that captures; none is needed up to the undamped v_c of the law [kg/s].
+double capture_damping(const ContactModel& model, double velocity) {
+    const double first = model.range().lower;
+    if (velocity >= first) return model.damping(velocity, 0.0).value;
+    // The energy that damping has to take goes with the square of the undamped restitution.
+    const double share = model.greatest_restitution(velocity) / model.greatest_restitution(first);
+    return model.damping(first, 0.0).value * share * share;
+}
+
 /// The damping along a curve, begun at its v_c. @param fastest impact [m/s]
 EstimatedDamping damping_along(const ContactModel& model, const OnsetCurve& curve, double fastest) {
     constexpr int points = 40;
@@ -108,9 +117,10 @@ EstimatedDamping damping_along(const ContactModel& model, const OnsetCurve& curv
         const double share = static_cast<double>(i) / points;
         const double x = critical + share * share * range;  // e begins with a root of ln v
         const double v = std::exp(x);
+        if (i > 0 && v < model.range().lower) continue;
+        const double e = std::min(curve.restitution(x), 0.999 * model.greatest_restitution(v));
         damping.velocity.push_back(v);
-        damping.damping.push_back(
-            model.damping(v, std::min(curve.restitution(x), 0.999 * model.greatest_restitution(v))).value);
+        damping.damping.push_back(i == 0 ? capture_damping(model, v) : model.damping(v, e).value);
     }
     return damping;
 }
@@ -214,6 +224,15 @@ std::optional<Finding> onset_note(const std::vector<RecordedImpact>& impacts, do
     return std::nullopt;
 }
 
+/// Note on a work of adhesion that alone captures faster impacts than those that do.
+std::optional<Finding> adhesion_note(const ContactModel& model, double critical) {
+    if (model.greatest_restitution(critical) > 0.0) return std::nullopt;
+    return Finding{
+        "adhesion-too-strong", Severity::doubt,
+        "by this law and work of adhesion impacts are captured up to a higher velocity without any "
+        "damping: the impacts contradict it"};
+}
+
 /// Note on damping that is greater at faster impacts, which the prior hardly expects.
 std::optional<Finding> rising_note(const EstimatedDamping& curve) {
     constexpr double reach = 2.5;  // of v_c
@@ -244,7 +263,6 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
         impacts = grouped(std::move(impacts));
     }
     const double fastest = std::ranges::max_element(impacts, {}, &RecordedImpact::velocity)->velocity;
-    const auto capture_damping = [&](double at) { return model.damping(at, 0.0).value; };
     const std::pair<double, double> range = range_of(impacts);
     CurvePrior prior{.noise_known = noise_known,
                      .noise = std::clamp(neighbours, 1e-6 * fastest, 0.2 * fastest),
@@ -252,7 +270,7 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
     if (options.size_scatter) {
         const double near = std::exp(range.second);
         const double by_damping =
-            std::log(1.2) / std::log(capture_damping(near) / capture_damping(near / 1.2));
+            std::log(1.2) / std::log(capture_damping(model, near) / capture_damping(model, near / 1.2));
         prior.scatter = std::max(1e-4, 2.0 * by_damping * *options.size_scatter);
     }
     const CurvePosterior posterior(impacts, prior);
@@ -274,19 +292,20 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
                                   velocity.quantile(1.0 - tail)};
     const LikeliestCurve likeliest = posterior.at(std::log(found_velocity.value));
     const OnsetCurve& curve = likeliest.curve;
-    const double slope =
-        (capture_damping(1.001 * found_velocity.value) - capture_damping(0.999 * found_velocity.value)) /
-        (0.002 * found_velocity.value);
+    const double slope = (capture_damping(model, 1.001 * found_velocity.value) -
+                          capture_damping(model, 0.999 * found_velocity.value)) /
+                         (0.002 * found_velocity.value);
+    const double damping = capture_damping(model, found_velocity.value);
     CriticalVelocityEstimate estimate{
         .curve = {.critical_velocity = found_velocity,
-                  .critical_damping = {capture_damping(found_velocity.value),
-                                       slope * found_velocity.standard_uncertainty,
-                                       capture_damping(*found_velocity.lower),
-                                       capture_damping(*found_velocity.upper)},
+                  .critical_damping = {damping, slope * found_velocity.standard_uncertainty,
+                                       capture_damping(model, *found_velocity.lower),
+                                       capture_damping(model, *found_velocity.upper)},
                   .damping = damping_along(model, curve, fastest),
                   .scatter = likeliest.scatter,
-                  .damping_scatter = likeliest.scatter.threshold * slope * found_velocity.value /
-                                     capture_damping(found_velocity.value)},
+                  .damping_scatter =
+                      damping > 0.0 ? likeliest.scatter.threshold * slope * found_velocity.value / damping
+                                    : 0.0},
         .rebounds = set.rebounds(),
         .captures = set.captures(),
         .noise_known = set.has_noise()};
@@ -297,10 +316,10 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
                              shortest(*v.upper) + " m/s",
                          "impacts closer to v_c");
     const bool grouped_without_noise = noise_known && !set.has_noise();
-    for (const auto& note :
-         {slow_rebound_note(estimate.curve, curve, impacts),
-          misfit_note(estimate.curve.scatter, set.has_noise()), no_captures_note(set),
-          rising_note(estimate.curve.damping), onset_note(impacts, noise_known ? 1.0 : neighbours)})
+    for (const auto& note : {slow_rebound_note(estimate.curve, curve, impacts),
+                             misfit_note(estimate.curve.scatter, set.has_noise()), no_captures_note(set),
+                             adhesion_note(model, found_velocity.value), rising_note(estimate.curve.damping),
+                             onset_note(impacts, noise_known ? 1.0 : neighbours)})
         if (note) estimate.findings.push_back(*note);
     if (grouped_without_noise) estimate.curve.scatter.noise *= neighbours;  // a velocity, as without groups
     return estimate;
