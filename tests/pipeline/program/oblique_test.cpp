@@ -82,9 +82,8 @@ TEST_CASE("options of impacts at an angle that miss or contradict one another") 
     check_refused(sandbox, impact + " --spin '1000 rad/s'", "--friction: is missing");
     check_refused(sandbox, impact + " --friction 0.2 --angle '30 deg' --tangential-velocity '1 m/s'",
                   "--angle, --tangential-velocity: both are given");
-    check_refused(
-        sandbox, impact + " --friction 0.2 --angle 45",
-        "--angle: 45 is 2578.310078 degrees from the normal; allowed: 0 to below 90 degrees");
+    check_refused(sandbox, impact + " --friction 0.2 --angle 45",
+                  "--angle: 45 is 2578.310078 degrees from the normal; allowed: 0 to below 90 degrees");
     check_refused(sandbox, impact + " --friction 0.2 --angle '-5 deg'", "--angle");
     check_refused(sandbox, impact + " --friction -0.2 --angle '5 deg'", "--friction: friction is -0.2");
     check_refused(sandbox, impact + " --friction 0.2 --spin '50 Hz'",

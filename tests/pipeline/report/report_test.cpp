@@ -28,11 +28,14 @@ namespace {
 using test::ashimpact_program;
 using test::Sandbox;
 
-constexpr const char* figures_of_a_run[] = {
-    "composition", "static-force",      "regime-map",   "restitution", "damping",
-    "damping-fit", "damping-laws",      "contact-time", "sizes",       "histories",
-    "energy",      "critical-velocity", "which-sizes",  "critical-velocity-by-size",
-    "sensitivity"};
+constexpr const char* figures_of_a_run[] = {"composition",  "static-force",
+                                            "regime-map",   "restitution",
+                                            "damping",      "damping-fit",
+                                            "damping-laws", "contact-time",
+                                            "sizes",        "histories",
+                                            "energy",       "critical-velocity",
+                                            "which-sizes",  "critical-velocity-by-size",
+                                            "sensitivity"};
 
 const Sandbox& paper() {
     static const Sandbox sandbox;
