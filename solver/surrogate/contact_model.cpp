@@ -61,7 +61,7 @@ double zero_of_decreasing(const std::function<double(double)>& function, const F
     constexpr double tolerance = 1e-10;
     double before = first.centre;
     double miss_before = function(before);
-    double at = first.centre - 0.1 * first.half_width;
+    double at = first.centre + (first.centre > first.half_width ? -0.1 : 0.1) * first.half_width;
     for (int i = 0; i < 8; ++i) {
         const double miss = function(at);
         const double step = -miss * (at - before) / (miss - miss_before);
