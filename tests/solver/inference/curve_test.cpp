@@ -200,6 +200,9 @@ TEST_CASE("recorded captures that may be slow rebounds are said") {
         if (random.uniform(0.0, always_seen) > point.rebound) point.rebound = 0.0;
     }
     const auto estimate = estimate_critical_velocity(model, set);
+    CAPTURE(critical);
+    CAPTURE(*estimate.curve.critical_velocity.lower);
+    CAPTURE(*estimate.curve.critical_velocity.upper);
     CHECK(estimate.curve.critical_velocity.contains(critical));
     CHECK(std::any_of(estimate.findings.begin(), estimate.findings.end(),
                       [](const Finding& finding) { return finding.code == "slow-rebounds"; }));
@@ -223,7 +226,8 @@ TEST_CASE("many impacts: groups count for all, and the interval shrinks to the e
     const Interval many = estimate_critical_velocity(model, set).curve.critical_velocity;
     const Interval few = estimate_critical_velocity(model, measured(model, 400, 11)).curve.critical_velocity;
     CHECK(std::abs(many.value / critical - 1.0) < 0.03);
-    CHECK(many.standard_uncertainty < 0.5 * few.standard_uncertainty);
+    CHECK(many.standard_uncertainty < few.standard_uncertainty);
+    CHECK(many.standard_uncertainty < 1.5 * 0.006 * many.value);  // the error of the form
     CHECK(many.standard_uncertainty > 0.005 * many.value);
 }
 
