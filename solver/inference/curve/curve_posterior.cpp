@@ -36,7 +36,7 @@ constexpr double outlier_share = 0.02;
 constexpr double outliers_at_rest = 0.1;  ///< share of outliers that read zero
 
 /// Rebound velocity over v - v_c of the slowest rebounds that are reckoned with where no curve is.
-constexpr double slow_restitution = 0.2;
+constexpr double slow_restitution = 0.05;
 
 /// Degrees of freedom with which noise is known before: its logarithm within 0.2, or within a factor of 3.
 constexpr double stated_freedom = 12.0;
