@@ -6,7 +6,8 @@
 function kindOf(file, place) {
     if (/interval|uncertainty|covariance|lower|upper|quantile|probability|deviation|scatter|residuals|prediction_error/.test(place)) return 'interval';
     // The contact radius is the root of the overlap: at the end of a contact a rounding of 1e-16 becomes 1e-8 of the greatest.
-    if (/curves.*contact_radius/.test(place)) return 'root';
+    // Brach & Dunn's attraction goes with that radius.
+    if (/(curves|trajectory).*contact_radius|brach-dunn.*attractive_force/.test(place)) return 'root';
     return /^(6-fit|7-critical-velocity|8-histories|comparison)/.test(file) ? 'fitted' : 'direct';
 }
 
