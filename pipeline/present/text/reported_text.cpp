@@ -100,7 +100,8 @@ std::string own_interval(const SampleComparison& sample) {
     if (!sample.reported->law) return {};
     const LawComparison* own = sample.laws.find(*sample.reported->law);
     if (own == nullptr || !own->velocity || own->velocity->interval == sample.reported->interval) return {};
-    return bounds_text(own->velocity->interval);
+    const std::string bounds = bounds_text(own->velocity->interval);
+    return bounds == bounds_text(sample.reported->interval) ? std::string() : bounds;
 }
 
 /// The samples from small to large, whatever their order in the case.

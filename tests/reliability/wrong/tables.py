@@ -96,7 +96,7 @@ def spoiled_table(rows, names, first_line=2):
     yield "text", None, b"<html><body>404</body></html>\n"
     yield "text", None, bytes(range(256)) * 4
     yield "text", None, b"PK\x03\x04" + bytes(200)
-    yield "encoding", None, text.encode("utf-16")
+    yield "encoding", None, text.encode("utf-32")
     yield "control", None, text.replace(".", "\0.", 1).encode()
     yield "long", None, (",".join(f"c{i}" for i in range(20_000)) + "\n").encode()
     yield "long", None, (text_of(rows) + "x" * 2_000_000 + "\n").encode()
