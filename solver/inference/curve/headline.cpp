@@ -197,7 +197,7 @@ std::optional<Finding> no_captures_note(const MeasurementSet& set) {
 std::optional<Finding> onset_note(const std::vector<RecordedImpact>& impacts, double unit) {
     constexpr double wide = 1.5;
     constexpr double resolved = 2.5;  // in standard uncertainties
-    constexpr double sharp = 6.0;     // beyond which the onset is sharp rather than hidden
+    constexpr double sharp = 12.0;    // beyond which the onset is sharp rather than hidden
     double capture = 0.0;
     bool zero = false;
     const RecordedImpact* slowest = nullptr;
