@@ -330,7 +330,7 @@ void add_report_commands(const CommandLine& line) {
                  "ashimpact figure restitution results -o restitution.pdf\n"
                  "Figures: composition, static-force, regime-map, restitution, damping, damping-fit, "
                  "contact-time, sizes, histories,\n"
-                 "energy, critical-velocity, critical-velocity-by-size, sensitivity, temperature.",
+                 "energy, critical-velocity, critical-velocity-by-size, sensitivity, oblique, temperature.",
                  run_figure_command);
     figure.add("name", "NAME", "of the figure")->required();
     figure

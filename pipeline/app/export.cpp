@@ -246,7 +246,8 @@ void add_export(const CommandLine& line, const CommandBody& body) {
     command.add_contact_options(false);
     command.add_damping_option();
     command.add("--velocity", "Q", "one more impact to check; default: that of --at");
-    command.add("--friction", "MU", "coefficient of Coulomb friction, for openfoam, fluent; default: none");
+    command.add("--friction", "MU",
+                "coefficient of Coulomb friction on a wall; default: that of the run's case, else none");
     command.add("--from-diameter", "Q", "smallest size; default: that of the sphere or samples");
     command.add("--to-diameter", "Q", "largest size; default: that of the sphere or samples");
     command.add("--to-velocity", "Q", "largest velocity; default: 10 v_c, at least 10 m/s");

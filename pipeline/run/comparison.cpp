@@ -319,6 +319,8 @@ ComparisonResult comparison_stage(const Run& run, StageRecord& record) {
         if (reporting) sample.reported = reported_of(of, *reporting, no_damping.at(of.sample.name));
         sample.temperature = temperature_limits(
             {data.temperature, of.modulus, of.contact, of.velocities.laws, sample.reported});
+        sample.oblique = oblique_curves(
+            {data, of.contact, of.velocities.laws, run.histories.samples[i].curves, sample.reported});
         const bool bounded =
             sample.reported &&
             (sample.reported->velocity || (sample.reported->interval && sample.reported->interval->lower));

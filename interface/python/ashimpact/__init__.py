@@ -23,7 +23,20 @@ from ashimpact._batch import (
 )
 from ashimpact._core import ConvergenceError, InputError
 from ashimpact._core import version as __version__
-from ashimpact._program import analyse_impacts, calibrate, columns, contact, export, figure, literature, modulus, run, sweep, to_pandas
+from ashimpact._program import (
+    analyse_impacts,
+    calibrate,
+    columns,
+    contact,
+    deposit,
+    export,
+    figure,
+    literature,
+    modulus,
+    run,
+    sweep,
+    to_pandas,
+)
 
 __all__ = [
     "ConvergenceError",

@@ -74,6 +74,8 @@ struct ContactChoice {
 /// The contact of the options of a command. @throws InputError naming the option
 [[nodiscard]] ContactChoice read_contact(const CommandOptions& options);
 
+/// Refuses the options of a contact beside a run, which has them all but the law. @throws InputError
+void refuse_contact_options(const CommandOptions& options);
 /// A contact law with properties that spheres of all sizes share.
 struct MaterialChoice {
     ContactChoice reference;  ///< of a sphere of reference_diameter

@@ -197,9 +197,10 @@ TEST_CASE("options of measured impacts that others replace, or that there is not
         CAPTURE(command);
         CHECK(test::succeeded(sandbox, command + adhesive_sphere).err == containing(says));
     }
-    check_refused(sandbox,
-                  "export lammps --law dmt --damping 4e-3 --follow-velocity -o out" + adhesive_sphere,
-                  "--follow-velocity: there is no run whose damping follows the velocity");
+    check_refused(
+        sandbox,
+        std::string("export lammps --law dmt --damping 4e-3 --follow-velocity -o out") + adhesive_sphere,
+        "--follow-velocity: there is no run whose damping follows the velocity");
 }
 
 TEST_CASE("run names what changes nothing in a case, calibrate too") {
