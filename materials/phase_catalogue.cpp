@@ -323,7 +323,7 @@ std::optional<ResolvedPhase> PhaseCatalogue::of_group(std::string_view name) con
             if (phase_key(group) == phase_key(name))
                 return ResolvedPhase{
                     .phase = resolve(representative).phase,
-                    .note = in_quotes(name) + " is a mineral group: " + representative + " stands for it"};
+                    .note = in_quotes(name) + " is a mineral group: " + representative + " is used"};
     return std::nullopt;
 }
 
@@ -343,7 +343,7 @@ std::optional<ResolvedPhase> PhaseCatalogue::by_stem(std::string_view name) cons
     if (!is_share && !(phase->phase.group == "feldspar" && std::regex_match(rest, order)))
         return std::nullopt;
     phase->note = in_quotes(name) + (is_share ? " is a solid solution: " : " is another form: ") +
-                  phase->phase.name + " stands for it";
+                  phase->phase.name + " is used";
     return phase;
 }
 

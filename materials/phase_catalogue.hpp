@@ -114,7 +114,7 @@ class PhaseCatalogue {
     [[nodiscard]] std::optional<ResolvedPhase> known(std::string_view name, std::string_view part) const;
     /// The phase that the parts of a name agree on. @throws InputError if they name two
     [[nodiscard]] std::optional<ResolvedPhase> by_parts(std::string_view name) const;
-    /// The phase that stands for a mineral group.
+    /// Representative phase of a mineral group.
     [[nodiscard]] std::optional<ResolvedPhase> of_group(std::string_view name) const;
     /// The phase of the stem of a solid solution.
     [[nodiscard]] std::optional<ResolvedPhase> by_stem(std::string_view name) const;

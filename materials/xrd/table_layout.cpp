@@ -367,8 +367,8 @@ void take_rows_of_uncertainties(Table& table) {
     table.rows = std::move(samples);
 }
 
-/// Adds what a remark beside a phase says of it, "internal standard", and what a note below the table says of
-/// the phases with its sign: "* internal standard" of "Corundum*".
+/// Appends to the name of a phase the remark beside it, "internal standard", and the note below the table
+/// that has its mark: "* internal standard" for "Corundum*".
 void take_notes_on_phases(Table& table, std::span<const TextLine> notes) {
     const std::size_t label = *table.column(Role::phase);
     for (TableRow& row : table.rows)

@@ -12,7 +12,7 @@ struct SizeClass {
     double from = 0, to = 0;  ///< diameters [m]
     double share = 0;         ///< of the mass [1]
 
-    /// That which stands for all.
+    /// Representative diameter, the geometric mean of the bounds [m].
     [[nodiscard]] double diameter() const { return std::sqrt(from * to); }
 };
 

@@ -15,11 +15,6 @@ namespace ashimpact {
             (0.5 * t - 0.5) * t * t};
 }
 
-/// Derivatives of cubic_weights(), per step.
-[[nodiscard]] constexpr std::array<double, 4> cubic_weight_slopes(double t) {
-    return {(-1.5 * t + 2.0) * t - 0.5, (4.5 * t - 5.0) * t, (-4.5 * t + 4.0) * t + 0.5, (1.5 * t - 1.0) * t};
-}
-
 /// Estimates the position x at which a rising function f has a wanted value, for searches in which f is
 /// expensive. Interpolates x over f through the nearest points so far (Neville's scheme). The interval that
 /// contains x, as far as it is known, is kept beside them.

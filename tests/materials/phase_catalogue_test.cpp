@@ -95,8 +95,7 @@ TEST_CASE("names are found whatever their case, punctuation, spelling and data-b
         CAPTURE(pair.first);
         CHECK(catalogue.resolve(pair.first).phase.name == pair.second);
     }
-    CHECK(catalogue.resolve("Plagioclase").note ==
-          "\"Plagioclase\" is a mineral group: anorthite stands for it");
+    CHECK(catalogue.resolve("Plagioclase").note == "\"Plagioclase\" is a mineral group: anorthite is used");
     CHECK(catalogue.resolve("Quartz").note.empty());
     CHECK(catalogue.resolve("Anorthite, sodian").note == "\"Anorthite, sodian\" is read as anorthite");
     for (const auto& [name, phases] : {std::pair{"SiO2", "quartz, cristobalite, fused-silica"},
@@ -128,7 +127,7 @@ TEST_CASE("members of solid solutions and other forms of feldspars are found by 
         CAPTURE(name);
         const ResolvedPhase found = catalogue.resolve(name);
         CHECK(found.phase.name == phase);
-        CHECK(contains(found.note, std::string(": ") + phase + " stands for it"));
+        CHECK(contains(found.note, std::string(": ") + phase + " is used"));
     }
     for (const char* name :
          {"Quartz high", "Quartz_high", "Quartz 2", "Cristobalite high", "Tridymite_An65"}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run says of impacts at an angle where its case has a friction.
+// Impacts at an angle in a run whose case states a friction coefficient.
 #include "solver/oblique/oblique.hpp"
 
 #include <cmath>

@@ -235,18 +235,25 @@ std::vector<Finding> CommandOptions::doubts() const {
     return all;
 }
 
+/// Refuses the options named, and those of the parameters of laws, if they are given.
+static void refuse_given(const CommandOptions& options, std::vector<std::string> names,
+                         const std::string& problem, const std::string& allowed) {
+    for (const LawParameter& parameter : law_parameters()) names.push_back(option_of(parameter));
+    for (const std::string& name : names)
+        if (options.has(name)) throw InputError(problem, allowed).at(name);
+}
+
 void refuse_contact_options(const CommandOptions& options) {
-    const auto refuse = [](const std::string& name) {
-        throw InputError("the run has it", "a run, or the options of an impact").at(name);
-    };
-    for (const char* name :
-         {"--radius", "--diameter", "--density", "--mass", "--partner-radius", "--partner-diameter",
-          "--partner-density", "--partner-mass", "--roughness", "--contact-modulus", "--work-of-adhesion",
-          "--yield-pressure", "--damping", "--damping-restitution", "--detachment"})
-        if (options.has(name)) refuse(name);
-    for (const LawParameter& parameter : law_parameters())
-        if (options.has(option_of(parameter))) refuse(option_of(parameter));
-    if (options["--damping-law"] != name_of(DampingLaw::constant)) refuse("--damping-law");
+    constexpr auto problem = "the run has it";
+    constexpr auto allowed = "a run, or the options of an impact";
+    refuse_given(
+        options,
+        {"--radius", "--diameter", "--density", "--mass", "--partner-radius", "--partner-diameter",
+         "--partner-density", "--partner-mass", "--roughness", "--contact-modulus", "--work-of-adhesion",
+         "--yield-pressure", "--damping", "--damping-restitution", "--detachment"},
+        problem, allowed);
+    if (options["--damping-law"] != name_of(DampingLaw::constant))
+        throw InputError(problem, allowed).at("--damping-law");
 }
 
 ContactChoice read_contact(const CommandOptions& options) {
@@ -281,11 +288,10 @@ MaterialChoice read_material(CommandOptions options) {
 }
 
 void refuse_material(const CommandOptions& options, const std::string& without) {
-    std::vector<std::string> names{
-        "--law", "--density", "--contact-modulus", "--work-of-adhesion", "--yield-pressure", "--damping"};
-    for (const LawParameter& parameter : law_parameters()) names.push_back(option_of(parameter));
-    for (const std::string& name : names)
-        if (options.has(name)) throw InputError("is given without " + without, "with " + without).at(name);
+    refuse_given(
+        options,
+        {"--law", "--density", "--contact-modulus", "--work-of-adhesion", "--yield-pressure", "--damping"},
+        "is given without " + without, "with " + without);
 }
 
 DampingLaw read_damping_law(const CommandOptions& options) {

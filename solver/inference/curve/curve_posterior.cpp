@@ -46,7 +46,7 @@ constexpr double unstated_freedom = 0.5;
 struct ScatterPrior {
     double threshold;
     double stated;    ///< weight where the noise is stated
-    double unstated;  ///< a file without noise tells nothing of its particles either
+    double unstated;  ///< weight where it is not: particles are assumed to differ more
 };
 constexpr std::array scatters{ScatterPrior{0.003, 0.55, 0.25}, ScatterPrior{0.02, 0.28, 0.3},
                               ScatterPrior{0.06, 0.11, 0.22}, ScatterPrior{0.15, 0.04, 0.14},

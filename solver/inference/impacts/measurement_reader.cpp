@@ -540,7 +540,7 @@ constexpr std::array summaries{
 /// Whether a number is the other one, rounded to its last digit.
 bool is_rounded(double value, double exact) {
     constexpr double cut_off = 0.01;  // a digit that is cut, not rounded
-    constexpr double coarsest = 0.1;  // of the value: one digit alone says little
+    constexpr double coarsest = 0.1;  // of the value; a number of one digit matches too easily
     const std::string digits = shortest(value);
     const auto point = std::min(digits.find('.'), digits.size() - 1);
     const double half =

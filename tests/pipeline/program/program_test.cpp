@@ -295,7 +295,7 @@ TEST_CASE("run takes the same files, groups, synonyms of own phases, and the por
                      "composition": {"xrd": "ash.csv", "amorphous": "none"}}]})");
     test::succeeded(sandbox, "run case.json -o r");
     const Json first = sandbox.json("r/0-case.json");
-    CHECK(first["warnings"].dump() == containing("anorthite stands for it"));
+    CHECK(first["warnings"].dump() == containing("anorthite is used"));
     CHECK(first["warnings"].dump() == containing("quartz of the set user is taken"));
     const Json modulus = sandbox.json("r/1-modulus.json")["result"]["samples"][0];
     const double dense = value(modulus["density"]);
