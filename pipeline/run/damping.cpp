@@ -2,6 +2,7 @@
 #include "solver/damping/damping.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <numeric>
 
@@ -14,6 +15,7 @@
 #include "solver/batch/parallel.hpp"
 #include "solver/inference/calibration/published_damping.hpp"
 #include "solver/motion/damping_inversion.hpp"
+#include "solver/motion/regime.hpp"
 
 namespace ashimpact {
 
@@ -151,6 +153,19 @@ std::vector<Finding> findings_on(const DampingSeries& series, std::size_t points
     return findings;
 }
 
+/// That the fastest rebound goes beyond the yield pressure, if it does.
+std::optional<Finding> finding_on_yield(const DampingSeries& series, const LawChoice& choice,
+                                        const Case& data, const ContactPair& contact) {
+    if (series.velocity.empty() || !std::isfinite(contact.yield_pressure)) return std::nullopt;
+    const auto fastest = std::ranges::max_element(series.velocity) - series.velocity.begin();
+    const Impact impact{choice.law,
+                        choice.detachment,
+                        {data.damping_law, series.damping[fastest]},
+                        contact,
+                        series.velocity[fastest]};
+    return yield_finding(impact, regime_of(impact, solve_impact(impact).maximum_overlap));
+}
+
 /// The laws of the case that take their data from the fit of @p law.
 std::vector<Law> laws_served(const Case& data, const Reconstruction& plan, Law law) {
     std::vector<Law> laws;
@@ -237,7 +252,10 @@ DampingStageResult damping_stage(const Case& data, const ContactResult& contacts
             const RestitutionSeries* series = sample.of(choice.law);
             if (series == nullptr) return {};
             const DampingSeries damping = damping_of(*series, choice, data, contacts.samples[i].pair, models);
-            return {damping, findings_on(damping, series->impacts.points.size())};
+            ResultOfLaw<DampingSeries> found{damping, findings_on(damping, series->impacts.points.size())};
+            if (const auto yields = finding_on_yield(damping, choice, data, contacts.samples[i].pair))
+                found.findings.push_back(*yields);
+            return found;
         };
         result.samples.push_back(
             {sample.name, results_by_law<DampingSeries>(data, sample.name, record, read)});

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -34,9 +35,10 @@ HistoryMomentum momentum_of(const Impact& impact) {
             .verdict = verdict_of(balance)};
 }
 
-History history_of(HistoryPart part, const Impact& impact, int points) {
+History history_of(HistoryPart part, const Impact& impact, int points, std::vector<Finding>& findings) {
     const ImpactResult result = solve_impact(impact);
     const Regime regime = regime_of(impact, result.maximum_overlap);
+    if (const auto finding = yield_finding(impact, regime)) findings.push_back(*finding);
     History history{.part = part,
                     .velocity = impact.velocity,
                     .damping = impact.damping.coefficient,
@@ -52,8 +54,10 @@ History history_of(HistoryPart part, const Impact& impact, int points) {
 }
 
 /// The histories of one law.
-std::vector<History> histories_of(const Case& data, const LawChoice& choice, const SampleInputs& in) {
+ResultOfLaw<std::vector<History>> histories_of(const Case& data, const LawChoice& choice,
+                                               const SampleInputs& in) {
     std::vector<History> histories;
+    std::vector<Finding> findings;
     Impact impact{.law = choice.law,
                   .detachment = choice.detachment,
                   .damping = {data.damping_law, 0.0},
@@ -63,14 +67,17 @@ std::vector<History> histories_of(const Case& data, const LawChoice& choice, con
     if (critical != nullptr && critical->velocity) {
         impact.damping.coefficient = critical->damping;
         impact.velocity = critical->velocity->value * (1 + data.histories.critical_excess);
-        histories.push_back(history_of(HistoryPart::critical, impact, data.histories.points));
+        histories.push_back(history_of(HistoryPart::critical, impact, data.histories.points, findings));
     }
     const DampingSeries* series = in.dampings.find(choice.law);
-    if (const auto middle = series != nullptr ? curves::median_impact(*series, 0) : std::nullopt) {
-        std::tie(impact.velocity, impact.damping.coefficient) = *middle;
-        histories.push_back(history_of(HistoryPart::rising, impact, data.histories.points));
+    if (series != nullptr) {
+        const double end = series->rising ? series->rising->to : std::numeric_limits<double>::infinity();
+        if (const auto middle = curves::median_impact(*series, 0, end)) {
+            std::tie(impact.velocity, impact.damping.coefficient) = *middle;
+            histories.push_back(history_of(HistoryPart::rising, impact, data.histories.points, findings));
+        }
     }
-    return histories;
+    return {histories, findings};
 }
 
 /// Contact times at the velocities of published ones, with the damping eta(e) of the fit.
@@ -100,9 +107,7 @@ HistoriesResult histories_stage(const Case& data, const ContactResult& contacts,
     for (std::size_t i = 0; i < data.samples.size(); ++i) {
         const SampleInputs in{data.samples[i], contacts.samples[i].pair, dampings.samples[i].laws,
                               fits.samples[i].laws, velocities.samples[i].laws};
-        const auto solve = [&](const LawChoice& choice) -> ResultOfLaw<std::vector<History>> {
-            return {histories_of(data, choice, in)};
-        };
+        const auto solve = [&](const LawChoice& choice) { return histories_of(data, choice, in); };
         result.samples.push_back(
             {.name = in.sample.name,
              .contact_times = contact_times_of(data, in),

@@ -143,7 +143,10 @@ class Judge {
 
     void judge_yield() {
         if (is_cohesive(impact_.law, contact_)) return judge_cohesive_yield();
-        const double yield_number = ThorntonNing<double>::yield_number(contact_, scale_.length);
+        // An even tension adds to the Hertz pressure that the centre bears before it yields.
+        const double tension = impact_.law.pressure(contact_, 0.0).even_tension;
+        const double yield_number = ThorntonNing<double>::yield_number(contact_, scale_.length) *
+                                    (1.0 + tension / contact_.yield_pressure);
         const double adhesion = is_jkr(impact_.law) ? regime_.adhesion_number : 0.0;
         const double at_yield = YieldedContact<double>{adhesion, yield_number}.yield_point();
         const double energy =
@@ -195,11 +198,7 @@ class Judge {
         if (beyond_closure_)
             warn(
                 "adhesion alone yields the contact at first touch: outside the range of the plastic closure");
-        if (!regime_.yields || impact_.law.is_plastic()) return;
-        warn(fmt::format(
-            "the contact yields: velocity {:.3g} m/s, yield velocity {:.3g} m/s (adhesion included, "
-            "without damping); law thornton-ning applies",
-            impact_.velocity, *regime_.law_yield_velocity));
+        if (const auto finding = yield_finding(impact_, regime_)) regime_.warnings.push_back(*finding);
     }
 
     void warn_of_geometry() {
@@ -234,6 +233,14 @@ double tabor_parameter_of(const ContactPair& contact) {
     const bool by_range = !states_cohesion(contact) || contact.parameters.has(cohesion_range);
     if (by_range) return tabor_parameter(numbers_of(contact), separation_of(contact));
     return transition_parameter_of(contact) / transition_per_tabor();
+}
+
+std::optional<Finding> yield_finding(const Impact& impact, const Regime& regime) {
+    if (!regime.yields || impact.law.is_plastic()) return std::nullopt;
+    return Finding{regime_code, Severity::remark,
+                   fmt::format("the contact yields: velocity {:.3g} m/s, yield velocity {:.3g} m/s (adhesion "
+                               "included, without damping); law thornton-ning applies",
+                               impact.velocity, *regime.law_yield_velocity)};
 }
 
 Regime regime_of(const Impact& impact, double maximum_overlap) {

@@ -55,6 +55,9 @@ inline constexpr double widest_contact = 0.3;
 /// potential of the law gives the velocity. Brach-Dunn is empirical and has no range of Tabor parameters.
 [[nodiscard]] Regime regime_of(const Impact& impact, double maximum_overlap);
 
+/// The finding that an impact by a law without yield goes beyond the yield pressure, if it does.
+[[nodiscard]] std::optional<Finding> yield_finding(const Impact& impact, const Regime& regime);
+
 /// Velocity at which the part of the damping that is constant is of order one, beta = 1: eta^5/(m^3 k^2); 0
 /// without such a part [m/s].
 [[nodiscard]] double velocity_of_damping(const Damping& damping, const ContactPair& contact);

@@ -295,7 +295,8 @@ std::vector<History> drawn_histories(const Case& data, const CurveSources& in) {
     if (in.velocity != nullptr && in.velocity->velocity)
         add(HistoryPart::at_critical, in.velocity->velocity->value, in.velocity->damping, fine_instants);
     if (in.damping != nullptr && in.damping->rising)
-        if (const auto point = median_impact(*in.damping, in.damping->rising->to))
+        if (const auto point =
+                median_impact(*in.damping, in.damping->rising->to, std::numeric_limits<double>::infinity()))
             add(HistoryPart::falling, point->first, point->second, instants);
     return histories;
 }
@@ -318,10 +319,11 @@ void cut_off(const SampleHistories& sample, std::span<LawCurve> curves) {
 
 }  // namespace
 
-std::optional<std::pair<double, double>> median_impact(const DampingSeries& series, double slowest) {
+std::optional<std::pair<double, double>> median_impact(const DampingSeries& series, double from, double to) {
     std::vector<std::pair<double, double>> impacts;
     for (std::size_t i = 0; i < series.velocity.size(); ++i)
-        if (series.velocity[i] > slowest) impacts.emplace_back(series.velocity[i], series.damping[i]);
+        if (series.velocity[i] > from && series.velocity[i] <= to)
+            impacts.emplace_back(series.velocity[i], series.damping[i]);
     if (impacts.empty()) return std::nullopt;
     std::ranges::sort(impacts);
     return impacts[impacts.size() / 2];

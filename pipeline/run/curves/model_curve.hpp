@@ -36,9 +36,10 @@ struct CurveProblem {
     std::vector<CurveKnot> knots;   ///< at least one; the curve does not depend on them
 };
 
-/// Velocity [m/s] and damping of the impact of median velocity, of those faster than @p slowest [m/s].
-[[nodiscard]] std::optional<std::pair<double, double>> median_impact(const DampingSeries& series,
-                                                                     double slowest);
+/// Velocity [m/s] and damping of the impact of median velocity, of those beyond @p from and up to @p to
+/// [m/s].
+[[nodiscard]] std::optional<std::pair<double, double>> median_impact(const DampingSeries& series, double from,
+                                                                     double to);
 
 struct SearchedContact {
     LawChoice choice;

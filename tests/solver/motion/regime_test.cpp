@@ -161,6 +161,15 @@ TEST_CASE("the velocity at which a contact just yields, with the adhesion of its
             CHECK(regime_of(impact, solve_impact(impact).maximum_overlap).yields == (side > 0.0));
         }
     }
+    // An even tension over the contact delays yield by itself.
+    Impact even = impact_with(Law::of<Sjkr>(), 0.0, 0.5);
+    even.contact.parameters = {{cohesion_energy_density.name, 3e8}};
+    even.contact.yield_pressure = 2e9;
+    for (const double velocity : {0.5, 0.8, 1.0, 1.2, 1.5, 2.0, 4.0}) {
+        even.velocity = velocity;
+        const Regime regime = regime_of(even, solve_impact(even).maximum_overlap);
+        CHECK(regime.yields == (regime.greatest_pressure > 2e9));
+    }
     // DMT pulls itself into yield; a contact that adhesion alone yields has no velocity to wait for.
     Impact impact = impact_with(Law::of<Dmt>(), 0.3);
     impact.contact.yield_pressure = 2e9;
