@@ -112,6 +112,14 @@ double roughness_reduction(double effective_radius, const Roughness& roughness) 
     return 1 / (1 + effective_radius / asperity_radius) + 1 / (wall_distance * wall_distance);
 }
 
+std::optional<Finding> roughness_doubt(double effective_radius, double rms) {
+    if (rms <= 20e-9 && rms <= 0.1 * effective_radius) return std::nullopt;
+    return Finding{
+        "roughness", Severity::remark,
+        "the reduction of the work of adhesion by roughness is meant for an rms of 20 nm at most, far "
+        "below the radius"};
+}
+
 double separation_energy_constant(Separation separation) {
     // -Phi at first touch and Phi at the break, in units of pi^(5/3)/10 (w^5 R^4/E*^2)^(1/3).
     const double minus_touch = 6 * std::cbrt(4.0);

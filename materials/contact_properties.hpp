@@ -94,6 +94,10 @@ struct Roughness {
 /// Errors: InputError for a negative rms or a radius or H_0 that is not positive.
 [[nodiscard]] double roughness_reduction(double effective_radius, const Roughness& roughness);
 
+/// The finding that roughness_reduction() is not meant for this @p rms: above 20 nm, or above a tenth of R*
+/// [m].
+[[nodiscard]] std::optional<Finding> roughness_doubt(double effective_radius, double rms);
+
 /// Where a JKR contact breaks; K = (4/3) E*.
 enum class Separation {
     pull_off,         ///< displacement control, at the fold a^3 = (1/6) pi w R^2/K; the paper's choice

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <ostream>
+#include <ranges>
 #include <string>
 #include <vector>
 
@@ -108,16 +109,16 @@ void run_impact_command(const CommandOptions& options, std::ostream& out) {
     out << write_json(json, Digits::seventeen);
 }
 
-std::string verdict_text(const CriticalVelocity& result) {
+std::string verdict_text(const CriticalVelocity& result, bool plastic) {
     if (result.verdict == CaptureVerdict::finite) return value_text(*result.value, "m/s");
-    return result.verdict == CaptureVerdict::always_captured ? "none: captured at every velocity"
-                                                             : "none: rebounds at every velocity";
+    const std::string outcome = result.verdict == CaptureVerdict::always_captured ? "captured" : "rebounds";
+    return fmt::format("none: {} at every velocity{}", outcome, plastic ? " with an overlap up to R*" : "");
 }
 
 std::string result_text(const CriticalVelocityProblem& problem, const CriticalVelocity& result) {
     TextList list;
     add_model(list, problem.law, problem.detachment, problem.damping, problem.contact);
-    list.add("critical velocity", verdict_text(result));
+    list.add("critical velocity", verdict_text(result, problem.law.is_plastic()));
     if (result.verdict == CaptureVerdict::finite) {
         list.add("contact time",
                  result.contact_time
@@ -127,8 +128,11 @@ std::string result_text(const CriticalVelocityProblem& problem, const CriticalVe
         list.add("energy", fmt::format("{} dissipated, {} spent in yielding, {} to break the contact",
                                        readable(result.dissipated, "J"), readable(result.plastic, "J"),
                                        readable(result.detachment_energy, "J")));
-        for (const double crossing : result.crossings)
-            if (crossing != *result.value) list.add("another crossing", value_text(crossing, "m/s"));
+        bool rebounds = true;  // beyond v_c
+        for (const double crossing : result.crossings | std::views::drop(1)) {
+            rebounds = !rebounds;
+            list.add(rebounds ? "rebounds again" : "captured again", "above " + value_text(crossing, "m/s"));
+        }
     }
     return list.text(0);
 }

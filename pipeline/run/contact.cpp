@@ -137,11 +137,7 @@ void set_roughness(const Stated& roughness, const std::string& sample, SampleCon
     contact.roughness = roughness;
     contact.smooth_work_of_adhesion = contact.work_of_adhesion;
     contact.work_of_adhesion = rough_adhesion(contact.work_of_adhesion, roughness, radius);
-    if (roughness.value() > greatest_roughness || roughness.value() > greatest_relative_roughness * radius)
-        record.note({"roughness", Severity::remark,
-                     "the reduction of the work of adhesion by roughness is meant for an rms of "
-                     "20 nm at most, far below the radius"},
-                    sample);
+    if (const auto doubt = roughness_doubt(radius, roughness.value())) record.note(*doubt, sample);
 }
 
 SampleContact contact_of(const Sample& sample, const Case& data, const SampleModulus& modulus,

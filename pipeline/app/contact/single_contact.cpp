@@ -75,6 +75,7 @@ double read_roughness(const CommandOptions& options, Law law, double effective_r
     if (!options.has("--roughness")) return 1;
     warn_if_idle(options, "--roughness", law, "work_of_adhesion");
     const double rms = options.number("--roughness", Dimension::length);
+    if (const auto doubt = roughness_doubt(effective_radius, rms)) warn_of({*doubt}, "--roughness");
     return at_place("--roughness", [&] { return roughness_reduction(effective_radius, {.rms = rms}); });
 }
 
