@@ -354,6 +354,12 @@ void Command::add_damping_option() {
     add("--at", "Q", "velocity at which it does, \"2 m/s\"; not needed for tsuji");
 }
 
+void Command::add_method_options() {
+    add("--method", "NAME",
+        "taylor (exact) or paper-explicit (the paper's scheme, first order in the time step)", "taylor");
+    add("--time-step", "Q", "of paper-explicit; default: 10000 steps a contact");
+}
+
 TableOptions table_options(const CommandOptions& options) {
     TableOptions table{.sheet = options["--sheet"]};
     if (options.has("--decimal"))

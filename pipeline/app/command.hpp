@@ -51,6 +51,8 @@ class Command {
     void add_damping_parameter_options();
     /// --damping, or --damping-restitution with --at.
     void add_damping_option();
+    /// --method and --time-step, as read_explicit_step() reads them.
+    void add_method_options();
 
   private:
     void add_parameter(const LawParameter& parameter);

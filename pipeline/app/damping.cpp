@@ -20,6 +20,7 @@
 #include "solver/inference/impacts/measurement.hpp"
 #include "solver/inference/measured_damping.hpp"
 #include "solver/motion/damping_inversion.hpp"
+#include "solver/motion/explicit_scheme.hpp"
 
 namespace ashimpact {
 
@@ -187,6 +188,8 @@ std::string result_text(const MeasuredDamping& result, const MeasurementSet& set
 
 /// `damping --impacts FILE`: intervals are those of the impacts; the contact counts as exactly known.
 void run_measured_damping_command(const CommandOptions& options, std::ostream& out) {
+    if (options["--method"] != "taylor" || options.has("--time-step"))
+        throw InputError("is for one impact", "--velocity and --restitution").at("--method");
     const ContactChoice choice = read_contact(options);
     if (read_damping_law(options) != DampingLaw::constant)
         throw InputError("a series of impacts is read with constant damping", "constant").at("--damping-law");
@@ -232,10 +235,19 @@ void run_damping_command(const CommandOptions& options, std::ostream& out) {
     const Impact impact = choice.impact(inversion.damping, problem.velocity);
     warn_of(regime_of(impact, inversion.impact.maximum_overlap).warnings);
     Json json = impact_json(impact, inversion.impact);
+    std::string text = impact_text(impact, inversion.impact);
+    if (const auto step = read_explicit_step(options, impact)) {
+        const double coefficient = at_place("--method, --time-step", [&] {
+            return explicit_damping(impact, problem.restitution, {.time_step = *step});
+        });
+        json["paper_explicit"] = {{"damping", quantity_json(coefficient, unit_of(problem.damping_law))},
+                                  {"time_step", quantity_json(*step, Dimension::time)}};
+        text += fmt::format("by the paper's scheme, time step {}: damping {}\n", readable(*step, "s"),
+                            readable(coefficient, unit_of(problem.damping_law)));
+    }
     json["greatest_restitution"] = quantity_json(inversion.greatest_restitution, Dimension::fraction);
     add_notes(json, options.doubts());
-    out << (options.has("--json") ? write_json(json, Digits::seventeen)
-                                  : impact_text(impact, inversion.impact));
+    out << (options.has("--json") ? write_json(json, Digits::seventeen) : text);
 }
 
 }  // namespace
@@ -280,6 +292,7 @@ void add_damping(const CommandLine& line) {
     command.add("--bin", "N", "rebounds to be put into one point")
         ->check(whole_number(1, 1'000'000))
         ->needs(table);
+    command.add_method_options();
     command.add_json_flag();
 }
 

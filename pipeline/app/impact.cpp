@@ -50,29 +50,19 @@ std::string trajectory_csv(const std::vector<TrajectoryPoint>& points) {
     return csv;
 }
 
-/// How an impact was solved: 0 for the time step of the exact method.
+/// How an impact was solved: without a time step by the exact method.
 struct Solution {
     ImpactResult result;
-    double time_step;
+    std::optional<double> time_step;  ///< [s]
 };
 
 Solution solve(const CommandOptions& options, const Impact& impact) {
-    constexpr double steps = 1e4;
-    if (options["--method"] == "taylor") {
-        if (options.has("--time-step"))
-            throw InputError("belongs to the explicit method", "--method paper-explicit").at("--time-step");
-        return {solve_impact(impact), 0};
-    }
-    if (options["--method"] != "paper-explicit")
-        throw InputError("unknown method " + in_quotes(options["--method"]), "taylor, paper-explicit")
-            .at("--method");
+    const auto time_step = read_explicit_step(options, impact);
+    if (!time_step) return {solve_impact(impact), time_step};
     if (options.has("--trajectory"))
         throw InputError("is written by the exact method alone", "--method taylor").at("--trajectory");
-    validate(impact);
-    const double time_step = !options.has("--time-step") ? explicit_time_step(impact, steps)
-                                                         : options.positive("--time-step", Dimension::time);
     return at_place("--method, --time-step", [&] {
-        return Solution{solve_impact_explicit(impact, {.time_step = time_step}), time_step};
+        return Solution{solve_impact_explicit(impact, {.time_step = *time_step}), time_step};
     });
 }
 
@@ -104,7 +94,7 @@ void run_impact_command(const CommandOptions& options, std::ostream& out) {
     if (rebound) add_oblique(json, *at_angle, *rebound);
     add_requested(json, damping);
     json["method"] = options["--method"];
-    if (time_step > 0) json["time_step"] = quantity_json(time_step, Dimension::time);
+    if (time_step) json["time_step"] = quantity_json(*time_step, Dimension::time);
     add_notes(json, options.doubts());
     out << write_json(json, Digits::seventeen);
 }
@@ -115,10 +105,28 @@ std::string verdict_text(const CriticalVelocity& result, bool plastic) {
     return fmt::format("none: {} at every velocity{}", outcome, plastic ? " with an overlap up to R*" : "");
 }
 
-std::string result_text(const CriticalVelocityProblem& problem, const CriticalVelocity& result) {
+/// A critical velocity by the scheme of the paper.
+struct ByScheme {
+    double velocity;   ///< [m/s]
+    double time_step;  ///< [s]
+};
+
+std::optional<ByScheme> by_scheme(const CommandOptions& options, const Impact& critical) {
+    const auto time_step = read_explicit_step(options, critical);
+    if (!time_step) return std::nullopt;
+    return at_place("--method, --time-step", [&] {
+        return ByScheme{explicit_critical_velocity(critical, {.time_step = *time_step}), *time_step};
+    });
+}
+
+std::string result_text(const CriticalVelocityProblem& problem, const CriticalVelocity& result,
+                        const std::optional<ByScheme>& scheme) {
     TextList list;
     add_model(list, problem.law, problem.detachment, problem.damping, problem.contact);
     list.add("critical velocity", verdict_text(result, problem.law.is_plastic()));
+    if (scheme)
+        list.add("by the paper's scheme", fmt::format("{}, time step {}", value_text(scheme->velocity, "m/s"),
+                                                      readable(scheme->time_step, "s")));
     if (result.verdict == CaptureVerdict::finite) {
         list.add("contact time",
                  result.contact_time
@@ -148,7 +156,9 @@ void run_critical_velocity_command(const CommandOptions& options, std::ostream& 
     std::string regime_at_capture;
     std::vector<Finding> doubts = options.doubts();
     const auto angle = read_angle(options);
+    std::optional<ByScheme> scheme;
     if (result.value) {
+        scheme = by_scheme(options, choice.impact(problem.damping, *result.value));
         if (const auto doubt = outside_model(*result.value)) {
             warn_of({*doubt});
             doubts.push_back(*doubt);
@@ -162,14 +172,19 @@ void run_critical_velocity_command(const CommandOptions& options, std::ostream& 
         Json json{{"law", problem.law.name()}};
         json.update(critical_velocity_json(law_critical_velocity(problem), problem.damping.law));
         if (angle) add_at_angle(json, *angle, result.value);
+        if (scheme)
+            json["paper_explicit"] = {
+                {"critical_velocity", quantity_json(scheme->velocity, Dimension::velocity)},
+                {"time_step", quantity_json(scheme->time_step, Dimension::time)}};
         add_further_damping(json, problem.damping, problem.contact);
         add_requested(json, damping);
         add_notes(json, doubts);
         out << write_json(json, Digits::seventeen);
         return;
     }
-    out << result_text(problem, result) + (angle ? at_angle_text(*angle, result.value) : std::string()) +
-               regime_at_capture + requested_text(damping);
+    out << result_text(problem, result, scheme) +
+               (angle ? at_angle_text(*angle, result.value) : std::string()) + regime_at_capture +
+               requested_text(damping);
 }
 
 /// One body of the pair. @p young and @p poisson name the options
@@ -333,10 +348,7 @@ void add_contact_commands(const CommandLine& line) {
     impact.add("--tangential-velocity", "Q", "along the wall, instead of --angle");
     impact.add("--friction", "MU", "coefficient of Coulomb friction, 0.1");
     impact.add("--spin", "Q", "\"1000 rad/s\"; positive where it adds to the slip (backspin)");
-    impact.add("--method", "NAME",
-               "taylor (exact) or paper-explicit (the paper's scheme, first order in the time step)",
-               "taylor");
-    impact.add("--time-step", "Q", "of paper-explicit; default: 10000 steps a contact");
+    impact.add_method_options();
     auto* trajectory =
         impact.add("--trajectory", "FILE", "write overlap, velocity and forces against time (CSV)");
     impact.add("--points", "INT", "number of points of the trajectory", "201")
@@ -353,6 +365,7 @@ void add_contact_commands(const CommandLine& line) {
     critical_velocity.add_damping_option();
     critical_velocity.add("--angle", "Q",
                           "from the normal, \"30 deg\": the critical velocity is then that of the sphere");
+    critical_velocity.add_method_options();
     critical_velocity.add_json_flag();
 }
 

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
 
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
@@ -153,6 +155,44 @@ ImpactResult solve_impact_explicit(const Impact& impact, const ExplicitSchemeOpt
     if (!captured) result.contact_time = (static_cast<double>(count - 1) + r.crossing()) * options.time_step;
     if (orbit.turned) result.approach_time = static_cast<double>(turned_at) * options.time_step;
     return result;
+}
+
+/// The number near @p start above which a statement holds, to rounding; it fails below.
+/// @throws ConvergenceError if it holds or fails over 2^60 on both sides of @p start
+template <class Statement>
+static double least_that(Statement&& holds, double start) {
+    double low = start;
+    double high = start;
+    double factor = 1.01;
+    for (int i = 0; i < 10 && holds(low); ++i, factor *= factor) high = std::exchange(low, low / factor);
+    for (int i = 0; i < 10 && !holds(high); ++i, factor *= factor) low = std::exchange(high, high * factor);
+    if (holds(low) || !holds(high)) throw ConvergenceError("the explicit scheme has no such impact");
+    while (high - low > 4 * std::numeric_limits<double>::epsilon() * high) {
+        const double middle = (low + high) / 2;
+        (holds(middle) ? high : low) = middle;
+    }
+    return high;
+}
+
+double explicit_critical_velocity(const Impact& near, const ExplicitSchemeOptions& options) {
+    Impact impact = near;
+    return least_that(
+        [&](double velocity) {
+            impact.velocity = velocity;
+            return solve_impact_explicit(impact, options).outcome == Outcome::rebound;
+        },
+        near.velocity);
+}
+
+double explicit_damping(const Impact& near, double restitution, const ExplicitSchemeOptions& options) {
+    Impact impact = near;
+    return least_that(
+        [&](double coefficient) {
+            impact.damping.coefficient = coefficient;
+            const ImpactResult result = solve_impact_explicit(impact, options);
+            return result.outcome == Outcome::capture || result.restitution < restitution;
+        },
+        near.damping.coefficient);
 }
 
 }  // namespace ashimpact

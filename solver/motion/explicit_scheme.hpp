@@ -28,4 +28,17 @@ struct ExplicitSchemeOptions {
 /// m/eta in which damping acts [s].
 [[nodiscard]] double explicit_time_step(const Impact& impact, double steps);
 
+/// The velocity that parts captured from rebounding impacts of the scheme, as the paper's Table 4 has it
+/// [m/s].
+/// @param near an impact with the damping asked about, at a velocity to start from: the exact v_c
+/// @throws InputError for what the scheme cannot treat, ConvergenceError where it parts none
+[[nodiscard]] double explicit_critical_velocity(const Impact& near, const ExplicitSchemeOptions& options);
+
+/// The damping coefficient whose impact by the scheme has that restitution, section 4.2 of the paper; for 0
+/// the smallest that captures [unit of the damping law].
+/// @param near the impact with a damping above 0 to start from: the exact one
+/// @throws InputError for what the scheme cannot treat, ConvergenceError if no damping is found
+[[nodiscard]] double explicit_damping(const Impact& near, double restitution,
+                                      const ExplicitSchemeOptions& options);
+
 }  // namespace ashimpact

@@ -21,6 +21,7 @@
 #include "pipeline/present/text/layout.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/damping/damping.hpp"
+#include "solver/motion/explicit_scheme.hpp"
 
 namespace ashimpact {
 
@@ -372,6 +373,21 @@ void warn_idle(const std::string& option, const std::string& reason) {
 
 void add_notes(Json& json, const std::vector<Finding>& findings) {
     for (const Finding& finding : findings) json["notes"].push_back(finding.text);
+}
+
+std::optional<double> read_explicit_step(const CommandOptions& options, const Impact& impact) {
+    constexpr double steps = 1e4;
+    if (options["--method"] == "taylor") {
+        if (options.has("--time-step"))
+            throw InputError("belongs to the explicit method", "--method paper-explicit").at("--time-step");
+        return std::nullopt;
+    }
+    if (options["--method"] != "paper-explicit")
+        throw InputError("unknown method " + in_quotes(options["--method"]), "taylor, paper-explicit")
+            .at("--method");
+    validate(impact);
+    return options.has("--time-step") ? options.positive("--time-step", Dimension::time)
+                                      : explicit_time_step(impact, steps);
 }
 
 void warn_of(const std::vector<Finding>& findings, const std::string& place) {

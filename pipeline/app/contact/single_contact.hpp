@@ -74,6 +74,10 @@ struct ContactChoice {
 /// The contact of the options of a command. @throws InputError naming the option
 [[nodiscard]] ContactChoice read_contact(const CommandOptions& options);
 
+/// The time step of --method paper-explicit [s]; none: the exact method. @param impact about as long as those
+/// to be solved
+[[nodiscard]] std::optional<double> read_explicit_step(const CommandOptions& options, const Impact& impact);
+
 /// Refuses the options of a contact beside a run, which has them all but the law. @throws InputError
 void refuse_contact_options(const CommandOptions& options);
 /// A contact law with properties that spheres of all sizes share.
