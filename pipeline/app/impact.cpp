@@ -21,6 +21,7 @@
 #include "pipeline/app/contact/oblique_choice.hpp"
 #include "pipeline/app/contact/single_contact.hpp"
 #include "pipeline/app/contact/softened_contact.hpp"
+#include "pipeline/app/contact/static_contact.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/text/layout.hpp"
@@ -268,6 +269,9 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
     const auto soft = read_softening(options, pair, damped ? std::optional(choice.damping) : std::nullopt);
     std::vector<Finding> doubts = options.doubts();
     if (const auto doubt = outside_model(velocity)) doubts.push_back(*doubt);
+    Json at_rest = Json::object();
+    TextList rest;
+    add_static_contacts(options, pair, at_rest, rest);
     if (options.has("--json")) {
         Json json{{"contact_modulus", quantity_json(pair.contact_modulus, Dimension::pressure)},
                   {"effective_radius", quantity_json(pair.effective_radius, Dimension::length)},
@@ -283,6 +287,7 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
         }
         add_requested(json, choice);
         if (soft) json["softened"] = softened_json(*soft);
+        json.update(at_rest);
         add_notes(json, doubts);
         out << write_json(json, Digits::seventeen);
         return;
@@ -299,7 +304,7 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
     list.add("Tabor parameter", readable_number(tabor) + " (DMT holds below 0.1, JKR above 5)");
     if (damped) add_damping_lines(list, choice.damping, pair);
     if (soft) add_softened(list, *soft);
-    out << list.text(0) << requested_text(choice);
+    out << list.text(0) << rest.text(0) << requested_text(choice);
 }
 
 }  // namespace
@@ -333,6 +338,7 @@ void add_contact_commands(const CommandLine& line) {
     contact.add_damping_option();
     contact.add("--soften", "S",
                 "also the constants with E* divided by S > 1 and the same e and v_c, for DEM codes");
+    add_static_options(contact);
     contact.add_json_flag();
 
     Command impact = line.add("impact", "One impact of a sphere on a flat wall",

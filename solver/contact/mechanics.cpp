@@ -107,6 +107,10 @@ double PressureProfile::at(double radius) const {
     return pressure;
 }
 
+double PressureProfile::neutral_radius() const {
+    return contact_radius * std::sqrt(std::max(0.0, 1.0 - rim_tension / hertz_pressure));
+}
+
 double PressureProfile::force() const {
     const double a = contact_radius;
     const double c = outer_radius;
@@ -136,6 +140,17 @@ PressureProfile maugis_dugdale_pressure(const ContactPair& contact, double lambd
     profile.outer_radius = static_cast<double>(state.cohesive_radius) * units.radius;
     profile.cohesive_stress = lambda / 2.0 * units.force / (units.radius * units.radius);
     return profile;
+}
+
+std::vector<double> jkr_radii(const ContactPair& contact, double force) {
+    const double tension = pi * contact.work_of_adhesion * contact.effective_radius;
+    const double square = 6.0 * tension * force + 9.0 * tension * tension;
+    if (!(square >= 0.0) || force <= -1.5 * tension) return {};
+    const double compliance = contact.effective_radius / (4.0 / 3.0 * contact.contact_modulus);
+    std::vector<double> radii{std::cbrt(compliance * (force + 3.0 * tension + std::sqrt(square)))};
+    if (force <= -5.0 / 6.0 * tension)
+        radii.push_back(std::cbrt(compliance * (force + 3.0 * tension - std::sqrt(square))));
+    return radii;
 }
 
 }  // namespace ashimpact

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string_view>
+#include <vector>
 
 #include "core/quantities/names.hpp"
 #include "solver/contact/pair.hpp"
@@ -114,6 +115,9 @@ struct PressureProfile {
     [[nodiscard]] double at(double radius) const;
     /// Pressure in the centre, the greatest there is [Pa].
     [[nodiscard]] double central() const { return at(0.0); }
+    /// r_c = a sqrt(1 - q_0), q_0 = p_0'/p_0: the pressure of Eq. 17 pushes within and pulls beyond [m]; 0 if
+    /// it pulls everywhere. For the first two terms.
+    [[nodiscard]] double neutral_radius() const;
     /// Integral of p(r) over the area, in closed form [N]: Eq. 8 for Hertz, Eq. 19 for JKR.
     [[nodiscard]] double force() const;
 };
@@ -127,5 +131,10 @@ struct PressureProfile {
 /// Returns the pressure under a Maugis-Dugdale contact of radius @p a [m].
 /// @param lambda transition parameter > 0 [1]
 [[nodiscard]] PressureProfile maugis_dugdale_pressure(const ContactPair& contact, double lambda, double a);
+
+/// Returns the radii of a JKR contact under a force, Eq. 15 [m]: first that with + before the root, where the
+/// contact is stable under the force; then, up to the force of the fold -(5/6) pi w R*, that with -. None
+/// beyond the greatest tension -(3/2) pi w R*. @param force positive where it pushes the bodies apart [N]
+[[nodiscard]] std::vector<double> jkr_radii(const ContactPair& contact, double force);
 
 }  // namespace ashimpact

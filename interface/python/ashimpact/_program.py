@@ -186,6 +186,8 @@ def contact(
     adhesion_rule: Optional[str] = None,
     roughness: Union[float, str, None] = None,
     soften: Optional[float] = None,
+    contact_radius: Union[float, str, None] = None,
+    force: Union[float, str, None] = None,
 ) -> Document:
     """E*, R*, m, w, W_s and v_s of a sphere on a wall; as `ashimpact contact --json`. Numbers are SI, or texts with a unit."""
     return json.loads(_call("contact", *_options(contact, locals()), "--json"))  # type: ignore[no-any-return]

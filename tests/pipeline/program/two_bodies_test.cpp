@@ -348,3 +348,65 @@ TEST_CASE("docs/small-particles.md: every critical velocity in its tables is the
     CHECK(finite == 70);
     CHECK(never == 35);
 }
+
+TEST_CASE("contact lists the JKR contact at rest under a force or of a radius, with its pressure") {
+    const Sandbox sandbox;
+    const std::string pair =
+        "contact --radius '44 um' --density 2600 --contact-modulus '90 GPa' --work-of-adhesion ";
+    const Json under_force = printed(sandbox, pair + "'0.3 J/m2' --force '-60 uN' --pressure p.csv");
+    const Json& both = under_force["static"];
+    REQUIRE(both.size() == 2);
+    for (const Json& contact : both) {
+        CHECK(number(contact["force"]) == doctest::Approx(-60e-6).epsilon(1e-11));
+        const Json again = printed(sandbox, fmt::format("{}'0.3 J/m2' --contact-radius {:.17g}", pair,
+                                                        number(contact["contact_radius"])));
+        CHECK(again["static"][0] == contact);
+        CHECK(number(contact["neutral_radius"]) ==
+              doctest::Approx(number(contact["contact_radius"]) *
+                              std::sqrt(std::max(0.0, 1 - number(contact["tension_ratio"])))));
+    }
+    std::istringstream csv(read_file(sandbox.folder() / "p.csv"));
+    std::string line;
+    std::getline(csv, line);
+    CHECK(line == "radius [m],pressure [Pa]");
+    std::getline(csv, line);
+    CHECK(std::stod(line.substr(2)) ==
+          doctest::Approx(number(both[0]["hertz_pressure"]) - number(both[0]["rim_tension"])));
+    CHECK(printed(sandbox, pair + "0 --force '1 mN'")["static"][0]["attractive_force"]["value"] == 0);
+    for (const auto& [options, message] : {std::pair{"--force '-1 mN'", "tears the contact off"},
+                                           std::pair{"--contact-radius '1 nm'", "below the fold"},
+                                           std::pair{"--contact-radius '1 um' --force 0", "both are given"},
+                                           std::pair{"--pressure p.csv", "of which contact"}}) {
+        const auto result = ashimpact_program(sandbox, pair + "'0.3 J/m2' " + options);
+        CHECK(result.status == 2);
+        CHECK(result.err == containing(message));
+    }
+}
+
+TEST_CASE("critical-velocity and damping by the paper's scheme stand beside the exact ones") {
+    const Sandbox sandbox;
+    const std::string ash = " --law brach-dunn --radius '44 um' --density 2600" + rest;
+    const std::string scheme = " --method paper-explicit --time-step '0.2 ns'";
+    const Json exact = printed(sandbox, "critical-velocity" + ash);
+    const Json both = printed(sandbox, "critical-velocity" + ash + scheme);
+    CHECK(both["critical_velocity"] == exact["critical_velocity"]);
+    const double velocity = number(both["paper_explicit"]["critical_velocity"]);
+    const double difference = velocity / number(exact["critical_velocity"]) - 1;
+    CHECK(std::abs(difference) > 1e-6);
+    CHECK(std::abs(difference) < 0.05);
+    const Json damping = printed(sandbox,
+                                 "damping --law brach-dunn --radius '44 um' --density 2600 --contact-modulus "
+                                 "'90 GPa' --work-of-adhesion '0.3 J/m2' --velocity 2 --restitution 0.3" +
+                                     scheme);
+    CHECK(std::abs(number(damping["paper_explicit"]["damping"]) / number(damping["damping"]) - 1) < 0.01);
+    CHECK(ashimpact_program(sandbox,
+                            "critical-velocity --law jkr --radius '44 um' --density 2600" + rest + scheme)
+              .err == containing("--method"));
+    // A second crossing says what it means.
+    CHECK(ashimpact_program(
+              sandbox,
+              "critical-velocity --law thornton-ning --radius '44 um' --density 2600 --contact-modulus "
+              "'90 GPa' --work-of-adhesion '0.3 J/m2' --yield-pressure '1 GPa' --damping-law "
+              "hunt-crossley --damping '5 s/m'")
+              .out == containing("captured again"));
+}

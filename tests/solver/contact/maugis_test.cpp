@@ -358,3 +358,32 @@ TEST_CASE("points outside the curve and impossible contacts are refused") {
     wrong.mass = 0.0;  // a static law has none
     CHECK(StaticCurve(Law::of<Dmt>(), wrong).at_overlap(1e-8).overlap > 0.0);
 }
+
+TEST_CASE("Eq. 15 with both signs: the radii of a JKR contact under a force") {
+    const ContactPair pair = ash(0.3);
+    const StaticCurve curve(Law::of<Jkr>(), pair);
+    const double tension = numbers::pi * 0.3 * pair.effective_radius;
+    const double unit = std::cbrt(tension * pair.effective_radius / (4.0 / 3.0 * pair.contact_modulus));
+    for (const double force : {10.0, 0.0, -0.5, -0.84, -1.0, -1.4999}) {
+        CAPTURE(force);
+        const auto radii = jkr_radii(pair, force * tension);
+        REQUIRE(radii.size() == (force < -5.0 / 6.0 ? 2 : 1));
+        for (const double a : radii)
+            CHECK(std::abs(curve.at_contact_radius(a).force() / tension - force) < 1e-11);
+        CHECK(std::pow(radii[0] / unit, 3) >= 1.5);
+        if (radii.size() == 2) CHECK(std::pow(radii[1] / unit, 3) < 1.5);
+    }
+    // At the fold + gives 25/6 and - gives 1/6.
+    const auto fold = jkr_radii(pair, std::nextafter(-5.0 / 6.0 * tension, -1.0));
+    REQUIRE(fold.size() == 2);
+    CHECK(std::pow(fold[0] / unit, 3) == doctest::Approx(25.0 / 6.0).epsilon(1e-12));
+    CHECK(std::pow(fold[1] / unit, 3) == doctest::Approx(1.0 / 6.0).epsilon(1e-12));
+    CHECK(jkr_radii(pair, -1.51 * tension).empty());
+    // The pressure changes sign at r_c; q_0 = 1 where it pulls everywhere.
+    const PressureProfile profile = jkr_pressure(pair, fold[0]);
+    const double neutral = profile.neutral_radius();
+    CHECK(profile.at(neutral * (1 - 1e-9)) > 0);
+    CHECK(profile.at(neutral * (1 + 1e-9)) < 0);
+    CHECK(hertz_pressure(pair, 1e-6).neutral_radius() == 1e-6);
+    CHECK(jkr_pressure(pair, 0.3 * unit).neutral_radius() == 0);
+}

@@ -10,6 +10,7 @@
 
 #include "solver/contact/mechanics.hpp"
 #include "solver/contact/static_curve.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/explicit_scheme.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "tests/support/checks.hpp"
@@ -448,4 +449,36 @@ TEST_CASE("the suggested time step gives about that many steps in an undamped He
     const double step = explicit_time_step(impact, 500.0);
     CHECK(relative_difference(step * 500.0, *solve_impact(impact).contact_time) < 1e-8);
     CHECK(std::abs(with_steps(impact, 500.0).steps - 500) <= 2);
+}
+
+TEST_CASE("the scheme's own critical velocity and damping, which tend to the exact ones with the step") {
+    for (const Impact& impact : treatable(0.3, 2.0)) {
+        CAPTURE(describe(impact));
+        const double exact =
+            *critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact}).value;
+        Impact critical = impact;
+        critical.velocity = exact;
+        std::vector<double> difference;
+        for (const double steps : {2e3, 4e3}) {
+            const ExplicitSchemeOptions options{.time_step = explicit_time_step(critical, steps)};
+            const double found = explicit_critical_velocity(critical, options);
+            difference.push_back(found / exact - 1);
+            critical.velocity = found * (1 + 1e-9);
+            CHECK(solve_impact_explicit(critical, options).outcome == Outcome::rebound);
+            critical.velocity = found * (1 - 1e-9);
+            CHECK(solve_impact_explicit(critical, options).outcome == Outcome::capture);
+            critical.velocity = exact;
+        }
+        CHECK(std::abs(difference[0]) < 0.02);
+        CHECK(difference[0] / difference[1] == doctest::Approx(2.0).epsilon(0.1));
+
+        const ExplicitSchemeOptions options{.time_step = explicit_time_step(impact, 2e3)};
+        Impact damped = impact;
+        damped.damping.coefficient = explicit_damping(impact, 0.3, options);
+        CHECK(std::abs(solve_impact_explicit(damped, options).restitution - 0.3) < 1e-9);
+        damped.damping.coefficient = explicit_damping(impact, 0.0, options);
+        CHECK(solve_impact_explicit(damped, options).outcome == Outcome::capture);
+        damped.damping.coefficient *= 1 - 1e-9;
+        CHECK(solve_impact_explicit(damped, options).outcome == Outcome::rebound);
+    }
 }

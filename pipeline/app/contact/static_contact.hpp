@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/json/document.hpp"
+#include "pipeline/app/command.hpp"
+#include "pipeline/present/text/layout.hpp"
+#include "solver/contact/pair.hpp"
+
+namespace ashimpact {
+
+/// The options --contact-radius, --force and --pressure: the JKR contact at rest, Dong et al. 2013, Eqs. 15
+/// to 20; Hertz's without adhesion.
+void add_static_options(Command& command);
+
+/// Adds the contacts at rest that the options name to a JSON object, as `static`, and to a list; writes the
+/// file of
+/// --pressure. @throws InputError naming the option
+void add_static_contacts(const CommandOptions& options, const ContactPair& pair, Json& json, TextList& list);
+
+}  // namespace ashimpact
