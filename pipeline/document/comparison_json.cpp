@@ -299,10 +299,25 @@ void fields(auto& io, Is<StageMomentum> auto& stage) {
     io("residual", stage.residual, Dimension::impulse);
 }
 
+template <Dimension D>
+void sides(auto& io, auto& both) {
+    io("left", both.left, D);
+    io("right", both.right, D);
+}
+void fields(auto& io, Is<Sides<Dimension::impulse>> auto& both) {
+    sides<Dimension::impulse>(io, both);
+}
+void fields(auto& io, Is<Sides<Dimension::energy>> auto& both) {
+    sides<Dimension::energy>(io, both);
+}
+
 void fields(auto& io, Is<HistoryMomentum> auto& momentum) {
     io("approach", momentum.approach);
     io("rebound", momentum.rebound);
     io("mean_force_ratio", momentum.mean_force_ratio);
+    io.unless_empty("equation_41", momentum.equation_41);
+    io.unless_empty("equation_42", momentum.equation_42);
+    io.unless_empty("equation_43", momentum.equation_43);
     io.object("equation_44", [&](auto& inner) {
         inner("damping_impulse", momentum.damping_impulse, Dimension::impulse);
         inner("momentum_lost", momentum.momentum_lost, Dimension::impulse);
@@ -314,6 +329,18 @@ void fields(auto& io, Is<HistoryMomentum> auto& momentum) {
         inner("holds", momentum.rebound_is_longer);
     });
     io("verdict", momentum.verdict);
+}
+
+void fields(auto& io, Is<EnergyLedger> auto& energy) {
+    io("incident", energy.incident, Dimension::energy);
+    io("at_touch", energy.at_touch, Dimension::energy);
+    io("remaining", energy.remaining, Dimension::energy);
+    io("potential", energy.potential, Dimension::energy);
+    io("dissipated", energy.dissipated, Dimension::energy);
+    io("plastic", energy.plastic, Dimension::energy);
+    io("jumps", energy.jumps, Dimension::energy);
+    io("residual", energy.residual, Dimension::energy);
+    io("minimum", energy.minimum, Dimension::energy);
 }
 
 constexpr FieldColumn<TrajectoryPoint> trajectory_columns[]{
@@ -336,6 +363,7 @@ void fields(auto& io, Is<History> auto& history) {
         io.lenient("maximum_overlap", history.maximum_overlap, Dimension::length);
         io.lenient("greatest_pressure", history.greatest_pressure, Dimension::pressure);
         io("yield_pressure", history.yield_pressure, Dimension::pressure);
+        io.unless_empty("energy", history.energy);
         io.unless_empty("momentum", history.momentum);
     }
     io.object("trajectory",
@@ -371,6 +399,10 @@ void fields(auto& io, Is<SampleHistories> auto& sample) {
     io.lenient("contact_times", sample.contact_times);
     io.under_laws(sample.laws, {"name", "contact_times", "curves"});
     io.lenient("curves", sample.curves);
+}
+
+Json energy_json(const EnergyLedger& energy) {
+    return to_json(energy, DampingLaw::constant);
 }
 
 template Json to_json(const HistoriesResult& result, DampingLaw law);

@@ -78,6 +78,9 @@ extern template ComparisonResult from_json(const View& result, DampingLaw law);
 /// Which damping law explains the impacts, as in comparison.json.
 [[nodiscard]] Json dampings_json(const DampingComparison& comparison);
 
+/// The ledger of an impact's energy.
+[[nodiscard]] Json energy_json(const EnergyLedger& energy);
+
 /// The paper's extrapolation and the estimate compared.
 [[nodiscard]] Json comparison_json(const FitComparison& comparison);
 

@@ -23,13 +23,21 @@ struct SampleInputs {
     const LawMap<LawCriticalVelocity>& velocities;
 };
 
-HistoryMomentum momentum_of(const Impact& impact) {
+HistoryMomentum momentum_of(const Impact& impact, const ImpactResult& result) {
     const MomentumBalance balance = momentum_balance(impact);
     return {.approach = balance.approach,
             .rebound = balance.rebound,
             .mean_force_ratio = balance.mean_force_ratio(),
             .damping_impulse = balance.damping_impulse,
             .momentum_lost = balance.momentum_lost,
+            .equation_41 =
+                Sides<Dimension::impulse>{balance.rebound.static_impulse - balance.approach.static_impulse,
+                                          balance.damping_impulse - balance.momentum_lost},
+            .equation_42 = Sides<Dimension::energy>{0.5 * balance.damping_impulse *
+                                                        (impact.velocity + result.rebound_velocity),
+                                                    result.energy.dissipated},
+            .equation_43 = Sides<Dimension::energy>{result.energy.dissipated,
+                                                    result.energy.incident - result.energy.remaining},
             .damping_exceeds_loss = balance.damping_exceeds_loss(),
             .rebound_is_longer = balance.rebound_is_longer(),
             .verdict = verdict_of(balance)};
@@ -48,8 +56,9 @@ History history_of(HistoryPart part, const Impact& impact, int points, std::vect
                     .maximum_overlap = result.maximum_overlap,
                     .greatest_pressure = regime.greatest_pressure,
                     .yield_pressure = regime.yield_pressure,
+                    .energy = result.energy,
                     .trajectory = trajectory(impact, points)};
-    if (result.outcome == Outcome::rebound) history.momentum = momentum_of(impact);
+    if (result.outcome == Outcome::rebound) history.momentum = momentum_of(impact, result);
     return history;
 }
 

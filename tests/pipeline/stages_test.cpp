@@ -227,6 +227,20 @@ TEST_CASE("8-histories: columns of the stated length, contact ends where it bega
                 const double lost = momentum["equation_44"]["momentum_lost"]["value"];
                 for (const auto* part : {"approach", "rebound"})
                     CHECK(std::abs(momentum[part]["residual"]["value"].get<double>()) < 1e-12 * lost);
+                const auto side = [&](const char* equation, const char* name) {
+                    return momentum[equation][name]["value"].template get<double>();
+                };
+                CHECK(std::abs(side("equation_41", "left") - side("equation_41", "right")) < 1e-12 * lost);
+                CHECK(side("equation_42", "left") > side("equation_42", "right"));
+                const auto term = [&](const char* name) {
+                    return history["energy"][name]["value"].template get<double>();
+                };
+                const double incident = term("incident");
+                CHECK(std::abs(term("remaining") + term("potential") - term("at_touch") + term("dissipated") +
+                               term("plastic") + term("jumps") + term("residual") - incident) <
+                      1e-12 * incident);
+                CHECK(std::abs(side("equation_43", "right") - side("equation_43", "left") -
+                               (term("potential") - term("at_touch"))) < 1e-9 * incident);
                 CHECK(momentum["verdict"].get<std::string>().starts_with("(44) holds: damping impulse "));
             }
         }

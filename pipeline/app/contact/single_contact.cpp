@@ -133,15 +133,6 @@ Detachment read_detachment(const std::string& name, Law law) {
     });
 }
 
-Json energy_json(const EnergyLedger& energy) {
-    const auto joule = [](double value) { return quantity_json(value, Dimension::energy); };
-    return {{"incident", joule(energy.incident)},     {"at_touch", joule(energy.at_touch)},
-            {"remaining", joule(energy.remaining)},   {"potential", joule(energy.potential)},
-            {"dissipated", joule(energy.dissipated)}, {"plastic", joule(energy.plastic)},
-            {"jumps", joule(energy.jumps)},           {"residual", joule(energy.residual)},
-            {"minimum", joule(energy.minimum)}};
-}
-
 /// A unit in which an energy shows four digits.
 struct EnergyUnit {
     std::string name;

@@ -23,7 +23,7 @@ struct ContactTimeAt {
 /// Which impact a history is of.
 enum class HistoryPart {
     critical,     ///< just above the critical velocity
-    rising,       ///< the middle point of the data
+    rising,       ///< the middle point of the rising branch
     at_critical,  ///< at the critical velocity
     falling,      ///< the middle one of the impacts beyond the rising branch
 };
@@ -39,12 +39,23 @@ struct Names<HistoryPart> {
     return part == HistoryPart::at_critical || part == HistoryPart::falling;
 }
 
+/// Both sides of an equation [unit of D].
+template <Dimension D>
+struct Sides {
+    double left = 0, right = 0;
+};
+
 /// Momentum balance of a history; Eqs. 35-45.
 struct HistoryMomentum {
     StageMomentum approach{}, rebound{};
-    double mean_force_ratio = 0;        ///< rebound over approach; the paper takes it for 1 [1]
-    double damping_impulse = 0;         ///< left side of (44) [N s]
-    double momentum_lost = 0;           ///< right side of (44) [N s]
+    double mean_force_ratio = 0;  ///< rebound over approach; the paper takes it for 1 [1]
+    double damping_impulse = 0;   ///< left side of (44) [N s]
+    double momentum_lost = 0;     ///< right side of (44) [N s]
+    std::optional<Sides<Dimension::impulse>> equation_41{};
+    /// Half the damping impulse times v_in + v_r against the work of damping.
+    std::optional<Sides<Dimension::energy>> equation_42{};
+    /// The work of damping against the kinetic energy lost.
+    std::optional<Sides<Dimension::energy>> equation_43{};
     bool damping_exceeds_loss = false;  ///< (44) holds
     bool rebound_is_longer = false;     ///< (45) holds
     std::string verdict{};              ///< in words
@@ -56,11 +67,12 @@ struct History {
     double velocity = 0;  ///< [m/s]
     double damping = 0;   ///< [unit of the damping law]
     Outcome outcome = Outcome::rebound;
-    double restitution = 0;                     ///< [1]
-    std::optional<double> contact_time{};       ///< [s]
-    double maximum_overlap = 0;                 ///< [m]
-    double greatest_pressure = 0;               ///< in the centre, by the law [Pa]
-    std::optional<double> yield_pressure{};     ///< none: the contact never yields [Pa]
+    double restitution = 0;                  ///< [1]
+    std::optional<double> contact_time{};    ///< [s]
+    double maximum_overlap = 0;              ///< [m]
+    double greatest_pressure = 0;            ///< in the centre, by the law [Pa]
+    std::optional<double> yield_pressure{};  ///< none: the contact never yields [Pa]
+    std::optional<EnergyLedger> energy{};
     std::optional<HistoryMomentum> momentum{};  ///< of a rebound
     std::vector<TrajectoryPoint> trajectory{};
 };
