@@ -12,6 +12,7 @@
 #include "solver/numeric/gsl/interpolation.hpp"
 #include "solver/numeric/gsl/solvers.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
+#include "solver/statistics/moments.hpp"
 #include "tests/solver/inference/ash_laboratory.hpp"
 #include "tests/support/checks.hpp"
 #include "tests/support/random.hpp"
@@ -492,4 +493,40 @@ TEST_CASE("coverage study: outcomes alone" * doctest::skip()) {
         CHECK(found.covered > 0.9 * repetitions);
         CHECK(found.covered < 0.98 * repetitions);
     }
+}
+
+TEST_CASE("the noise of a velocity and a restitution is that of simulated pairs") {
+    Random random(5);
+    std::vector<double> incident;
+    std::vector<double> rebound;
+    std::vector<double> difference;
+    for (int i = 0; i < 200'000; ++i) {
+        const double v = 2.0 + random.normal(0.08);
+        const double r = v * (0.4 + random.normal(0.02));
+        incident.push_back(v);
+        rebound.push_back(r);
+        difference.push_back(v - r);
+    }
+    const VelocityNoise noise = VelocityNoise::of_restitution(2.0, 0.4, 0.08, 0.02);
+    CHECK(relative_difference(noise.incident, Moments::of(incident).variance()) < 0.02);
+    CHECK(relative_difference(noise.rebound, Moments::of(rebound).variance()) < 0.02);
+    CHECK(relative_difference(noise.incident + noise.rebound - 2.0 * noise.covariance,
+                              Moments::of(difference).variance()) < 0.02);
+}
+
+TEST_CASE("a camera resolves one pixel between the first and the last of its frames") {
+    const Camera camera{.frame_rate = 80e3, .pixel_size = 2e-6, .frames = 5};
+    const MeasurementSet set = with_camera(series_of({impact(2.0, 0.6)}), camera);
+    const double between = 4 / 80e3;  // s
+    CHECK(relative_difference(set.points[0].resolution, 2e-6 / between) < 1e-14);
+}
+
+TEST_CASE("bins of a width begin at its multiples") {
+    const MeasurementSet bins = binned(series_of({impact(1.02, 0.2), impact(1.18, 0.3), impact(1.22, 0.4),
+                                                  impact(1.39, 0.5), impact(1.41, 0.6)}),
+                                       {.width = 0.2});
+    REQUIRE(bins.points.size() == 3);
+    CHECK(bins.points[0].count == 2);
+    CHECK(bins.points[1].count == 2);
+    CHECK(bins.points[2].velocity == 1.41);
 }
