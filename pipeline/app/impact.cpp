@@ -269,9 +269,20 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
     const auto soft = read_softening(options, pair, damped ? std::optional(choice.damping) : std::nullopt);
     std::vector<Finding> doubts = options.doubts();
     if (const auto doubt = outside_model(velocity)) doubts.push_back(*doubt);
+    TextList list;
+    list.add("E*, contact modulus", readable(pair.contact_modulus, "Pa"));
+    list.add("R*, effective radius", readable(pair.effective_radius, "m"));
+    list.add("m, mass in motion", readable(pair.mass, "kg"));
+    list.add("w, work of adhesion", readable(pair.work_of_adhesion, "J/m2"));
+    list.add("W_s, separation energy", readable(energy, "J"));
+    list.add("v_s, adhesion only",
+             critical_velocity_text(
+                 velocity, readable(velocity, "m/s") + ": below it adhesion captures without damping"));
+    list.add("Tabor parameter", readable_number(tabor) + " (DMT holds below 0.1, JKR above 5)");
+    if (damped) add_damping_lines(list, choice.damping, pair);
+    if (soft) add_softened(list, *soft);
     Json at_rest = Json::object();
-    TextList rest;
-    add_static_contacts(options, pair, at_rest, rest);
+    add_static_contacts(options, pair, at_rest, list);
     if (options.has("--json")) {
         Json json{{"contact_modulus", quantity_json(pair.contact_modulus, Dimension::pressure)},
                   {"effective_radius", quantity_json(pair.effective_radius, Dimension::length)},
@@ -292,19 +303,7 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
         out << write_json(json, Digits::seventeen);
         return;
     }
-    TextList list;
-    list.add("E*, contact modulus", readable(pair.contact_modulus, "Pa"));
-    list.add("R*, effective radius", readable(pair.effective_radius, "m"));
-    list.add("m, mass in motion", readable(pair.mass, "kg"));
-    list.add("w, work of adhesion", readable(pair.work_of_adhesion, "J/m2"));
-    list.add("W_s, separation energy", readable(energy, "J"));
-    list.add("v_s, adhesion only",
-             critical_velocity_text(
-                 velocity, readable(velocity, "m/s") + ": below it adhesion captures without damping"));
-    list.add("Tabor parameter", readable_number(tabor) + " (DMT holds below 0.1, JKR above 5)");
-    if (damped) add_damping_lines(list, choice.damping, pair);
-    if (soft) add_softened(list, *soft);
-    out << list.text(0) << rest.text(0) << requested_text(choice);
+    out << list.text(0) << requested_text(choice);
 }
 
 }  // namespace
