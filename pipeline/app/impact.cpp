@@ -121,10 +121,11 @@ std::optional<ByScheme> by_scheme(const CommandOptions& options, const Impact& c
 }
 
 std::string result_text(const CriticalVelocityProblem& problem, const CriticalVelocity& result,
-                        const std::optional<ByScheme>& scheme) {
+                        const std::optional<ByScheme>& scheme, bool at_angle) {
     TextList list;
     add_model(list, problem.law, problem.detachment, problem.damping, problem.contact);
-    list.add("critical velocity", verdict_text(result, problem.law.is_plastic()));
+    list.add(at_angle ? "critical velocity, normal" : "critical velocity",
+             verdict_text(result, problem.law.is_plastic()));
     if (scheme)
         list.add("by the paper's scheme", fmt::format("{}, time step {}", value_text(scheme->velocity, "m/s"),
                                                       readable(scheme->time_step, "s")));
@@ -183,7 +184,7 @@ void run_critical_velocity_command(const CommandOptions& options, std::ostream& 
         out << write_json(json, Digits::seventeen);
         return;
     }
-    out << result_text(problem, result, scheme) +
+    out << result_text(problem, result, scheme, angle.has_value()) +
                (angle ? at_angle_text(*angle, result.value) : std::string()) + regime_at_capture +
                requested_text(damping);
 }

@@ -124,6 +124,8 @@ void add_at_angle(Json& json, double angle, const std::optional<double>& normal)
     json["normal_critical_velocity"] = json["critical_velocity"];
     json["critical_velocity"] =
         quantity_json(normal ? std::optional(*normal / std::cos(angle)) : std::nullopt, Dimension::velocity);
+    if (const auto crossings = json.find("crossings"); crossings != json.end() && crossings->is_object())
+        for (Json& velocity : (*crossings)["values"]) velocity = velocity.get<double>() / std::cos(angle);
 }
 
 std::string at_angle_text(double angle, const std::optional<double>& normal) {

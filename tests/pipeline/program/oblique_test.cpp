@@ -73,6 +73,10 @@ TEST_CASE("the critical velocity at an angle is that of the sphere") {
                               2 * number_in(normal, "critical_velocity")) < 1e-12);
     CHECK(number_in(oblique, "normal_critical_velocity") == number_in(normal, "critical_velocity"));
     CHECK(relative_difference(number_in(oblique, "angle"), std::numbers::pi / 3) < 1e-15);
+    CHECK(relative_difference(oblique["crossings"]["values"][0].get<double>(),
+                              number_in(oblique, "critical_velocity")) < 1e-15);
+    CHECK(succeeded(sandbox, "critical-velocity --angle '60 deg'" + oblique_ash).out ==
+          containing("critical velocity, normal"));
 }
 
 TEST_CASE("options of impacts at an angle that miss or contradict one another") {

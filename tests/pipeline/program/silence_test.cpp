@@ -57,6 +57,19 @@ TEST_CASE("export, report and figure refuse artifacts computed from another stat
     CHECK(sandbox.read("out/assumptions.md") == containing("w = 0.5000 +- 0.0053 J/m2"));
 }
 
+TEST_CASE(
+    "one damping of a run, at a velocity: refused beside --follow-velocity, beyond the impacts said so") {
+    const Sandbox sandbox;
+    test::put_built_in_run(sandbox);
+    const std::string at = std::string(export_run) + " --at ";
+    check_refused(sandbox, at + "'2 m/s' --follow-velocity",
+                  "--follow-velocity, --at: one damping and one that");
+    CHECK(test::succeeded(sandbox, at + "'2 m/s'").err.find("no impact was faster") == std::string::npos);
+    CHECK(sandbox.read("out/assumptions.md") == containing("so that e is the measured one there"));
+    CHECK(test::succeeded(sandbox, at + "'90 m/s'").err == containing("--at: no impact was faster than"));
+    CHECK(sandbox.read("out/assumptions.md") == containing("none was as fast as 90"));
+}
+
 TEST_CASE("export computes from an edited critical velocity; a report waits for what follows from it") {
     const Sandbox sandbox;
     test::put_built_in_run(sandbox);
