@@ -126,6 +126,45 @@ OxideLine read_line(const std::string& text) {
     return line;
 }
 
+/// A line of text beside a table that states an amount: "LOI = 3.1 %".
+struct AmountNote {
+    std::size_t line = 0;
+    std::string text{};
+    OxideLine what{};
+    std::string amount{};
+};
+
+/// The amount in a text such as "LOI (950 °C): 3.1 wt%"; none in a text of another form.
+std::optional<AmountNote> read_note(const std::string& text, std::size_t line) {
+    static const std::regex form(
+        "(.*[^ =:])(?: *[=:] *| +)([<0-9][0-9., ]*(?:(?:\u00b1|[+]/?-) *[0-9.,]+)?) *([^0-9=:]*)");
+    std::smatch match;
+    if (text.size() > longest_name || !std::regex_match(text, match, form)) return std::nullopt;
+    const std::string unit = match.str(3);
+    const bool is_stated = text.find_first_of("=:") != std::string::npos;
+    const xrd::HeadingUnit states = xrd::read_heading("x [" + unit + "]").states;
+    if (unit.empty() ? !is_stated : states == xrd::HeadingUnit::other) return std::nullopt;
+    AmountNote note{.line = line, .text = text, .what = read_line(match.str(1)), .amount = match.str(2)};
+    if (!unit.empty()) {
+        const xrd::Heading of_unit = xrd::read_heading("x [" + unit + "]");
+        note.what.heading.unit = of_unit.unit;
+        note.what.heading.states = of_unit.states;
+        note.what.heading.scale = of_unit.scale;
+    }
+    return note;
+}
+
+/// Whether a text begins with the loss on ignition and holds a percentage.
+bool may_state_loss(const std::string& text) {
+    static const WordLists words("oxide columns");
+    constexpr std::size_t shortest_word = 3;
+    const std::string key = word_key(text);
+    return text.find('%') != std::string::npos && std::ranges::any_of(words.words(), [&](const auto& word) {
+               return word.second == "loss" && word.first.size() >= shortest_word &&
+                      key.starts_with(word.first);
+           });
+}
+
 /// Whether a cell is the heading of a column or row of units.
 bool names_units(const std::string& cell) {
     const std::string key = word_key(cell);
@@ -185,6 +224,7 @@ class OxideTable {
                                      std::to_string(longest_cell) + " characters or fewer")
                         .at(at_cell(line.number, i));
         }
+        take_amount_notes();
         const auto across =
             std::ranges::find_if(rows_, [](const TableRow& row) { return oxides_in(row.cells) >= 2; });
         if (across != rows_.end())
@@ -193,6 +233,8 @@ class OxideTable {
             read_down();
         if (samples.empty())
             refuse_line(rows_.back().line, "there are no amounts of oxides", "a number for each oxide");
+        add_amount_notes();
+        require_coverage(file, lines);
     }
 
     std::vector<OxideColumn> samples{};
@@ -203,6 +245,65 @@ class OxideTable {
   private:
     void note(std::string text, Severity severity = Severity::remark) {
         warnings.push_back({glass_code, severity, std::move(text)});
+    }
+
+    /// The only text of a row; empty for a row with several.
+    static std::string only_text(const TableRow& row) {
+        const std::string* text = nullptr;
+        for (const std::string& cell : row.cells) {
+            if (!cell.empty() && text != nullptr) return {};
+            if (!cell.empty()) text = &cell;
+        }
+        return text != nullptr ? *text : std::string();
+    }
+
+    static void refuse_loss(const TableRow& row, const std::string& text) {
+        if (may_state_loss(text))
+            refuse_line(row.line, in_quotes(text) + " may state the loss on ignition, and is not read",
+                        "\"LOI = 3.1 %\", or a row or column LOI");
+    }
+
+    /// Sets aside the lines of text that state an amount.
+    void take_amount_notes() {
+        std::erase_if(rows_, [&](const TableRow& row) {
+            const std::string text = only_text(row);
+            if (text.empty() && row.cells.front().find('=') != std::string::npos)
+                refuse_loss(row, joined(row.cells));
+            if (text.empty() || read_line(text).role != OxideRole::other) return false;
+            refuse_moles(text, row.line);
+            const auto note = read_note(text, row.line);
+            const bool states_amount =
+                note && (is_content(note->what.role) || note->what.role == OxideRole::trace);
+            if (states_amount) notes_.push_back(*note);
+            if (!states_amount) refuse_loss(row, text);
+            return states_amount;
+        });
+    }
+
+    void add_amount_notes() {
+        for (const AmountNote& note : notes_) {
+            if (samples.size() != 1)
+                refuse_line(note.line, in_quotes(note.text) + " may be of any of the samples",
+                            "a row or column for " + note.what.heading.text + " with an amount for each");
+            OxideCell cell{
+                .line = note.line, .column = headings_.size(), .what = note.what, .text = note.amount};
+            if (note.what.heading.unit.empty()) cell.unit = samples.front().cells.front().unit;
+            marks_.stays_below_thousand(cell.column);
+            marks_.see(cell.text, cell.column);
+            samples.front().cells.push_back(std::move(cell));
+        }
+    }
+
+    /// Refuses uncertainties whose coverage is stated beside the table alone.
+    void require_coverage(const TextLines& file, const std::vector<TextLine>& lines) const {
+        std::vector<TextLine> table;
+        for (const TextLine& line : lines)
+            if (only_text(cut_row(line, separator_of(line.text))).empty()) table.push_back(line);
+        std::vector<std::string> uncertain;
+        for (const OxideLine& each : headings_)
+            if (is_uncertainty_column(each.heading.written, each) && each.heading.coverage.stated.empty())
+                uncertain.push_back(each.heading.written);
+        require_coverage_in_headings(file, table, uncertain);
     }
 
     static void refuse_moles(const std::string& title, std::size_t line) {
@@ -281,6 +382,7 @@ class OxideTable {
         }
         if (!unused.empty()) note("columns not used: " + joined(unused), severity);
         mark_thousands();
+        xrd::take_rows_of_uncertainties(rows_, next, label, glass_code, warnings);
         for (std::size_t r = next; r < rows_.size(); ++r) add_row(rows_[r], names, label);
     }
 
@@ -304,7 +406,7 @@ class OxideTable {
 
     void add_row(const TableRow& row, const TableRow& names, std::size_t label) {
         const std::string name = label < row.cells.size() ? row.cells[label] : std::string();
-        if (!name.empty() && is_summary(name) && rows_.size() > 3) {
+        if (!samples.empty() && (is_summary(name) || xrd::coverage_of_row(name, samples.back().sample))) {
             note(at_line(row.line) + " is no sample and left out: " + in_quotes(name));
             return;
         }
@@ -327,7 +429,10 @@ class OxideTable {
         }
         const bool blank = std::ranges::all_of(
             sample.cells, [](const OxideCell& cell) { return trimmed(cell.text).empty(); });
-        if (!blank) samples.push_back(std::move(sample));
+        if (!blank)
+            samples.push_back(std::move(sample));
+        else if (const std::string text = only_text(row); !text.empty())
+            note(at_line(row.line) + " is not read: " + in_quotes(text));
     }
 
     /// A row for each oxide, a column for each sample.
@@ -449,6 +554,7 @@ class OxideTable {
 
     NumberMarks marks_;
     std::vector<TableRow> rows_{};
+    std::vector<AmountNote> notes_{};
     std::vector<OxideLine> headings_{};
     std::size_t units_ = std::string::npos;  ///< column of the units of single rows, if there is one
 };

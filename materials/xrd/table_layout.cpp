@@ -307,6 +307,42 @@ void refuse_repeated_roles(const Table& table) {
 
 }  // namespace
 
+std::optional<StatedCoverage> coverage_of_row(std::string_view label, std::string_view sample) {
+    if (!sample.empty() && label.size() > sample.size() && label.starts_with(sample))
+        label.remove_prefix(sample.size());
+    StatedCoverage coverage = read_coverage(trimmed(label));
+    const bool bare = coverage.rest.empty() ? !coverage.stated.empty() : is_uncertainty_word(coverage.rest);
+    return bare ? std::optional(coverage) : std::nullopt;
+}
+
+void take_rows_of_uncertainties(std::vector<TableRow>& rows, std::size_t first, std::size_t label,
+                                std::string_view code, std::vector<Finding>& warnings) {
+    const auto label_of = [&](std::size_t i) -> const std::string& { return rows[i].cells[label]; };
+    std::vector<StatedCoverage> coverages;
+    for (std::size_t i = first; i + 1 < rows.size(); i += 2) {
+        if (label >= std::min(rows[i].cells.size(), rows[i + 1].cells.size())) return;
+        const auto coverage = coverage_of_row(label_of(i + 1), label_of(i));
+        if (!coverage || is_uncertainty_word(label_of(i)) || is_summary(label_of(i))) return;
+        coverages.push_back(*coverage);
+    }
+    if (first + 2 * coverages.size() != rows.size()) return;
+    for (std::size_t i = 0; i < coverages.size(); ++i) {
+        if (i > 0) rows[first + i] = std::move(rows[first + 2 * i]);
+        TableRow& sample = rows[first + i];
+        const TableRow& row = rows[first + 2 * i + 1];
+        if (coverages[i].factor != 1 || !coverages[i].problem.empty()) {
+            warnings.push_back({code, Severity::remark,
+                                "the uncertainties in " + at_line(row.line) + " are not read, as " +
+                                    in_quotes(row.cells[label]) + " are no standard ones"});
+            continue;
+        }
+        for (std::size_t k = 0; k < std::min(row.cells.size(), sample.cells.size()); ++k)
+            if (k != label && !says_no_number(row.cells[k]) && !says_no_number(sample.cells[k]))
+                sample.cells[k] += " \u00b1 " + row.cells[k];
+    }
+    rows.resize(first + coverages.size());
+}
+
 bool has_heading(const TextLines& file) {
     return find_heading(lines_with_content(file)).has_value();
 }
@@ -328,43 +364,6 @@ void drop_summaries(Table& table) {
                  at_line(row.line) + " is no sample and left out: " + in_quotes(row.cells[label])});
         return follows;
     });
-}
-
-/// The coverage that the label of a row of uncertainties states: "esd", "FA1 esd", "2s"; none of other rows.
-std::optional<StatedCoverage> coverage_of_row(std::string_view label, std::string_view sample) {
-    if (!sample.empty() && label.size() > sample.size() && label.starts_with(sample))
-        label.remove_prefix(sample.size());
-    StatedCoverage coverage = read_coverage(trimmed(label));
-    const bool bare = coverage.rest.empty() ? !coverage.stated.empty() : is_uncertainty_word(coverage.rest);
-    return bare ? std::optional(coverage) : std::nullopt;
-}
-
-/// Takes rows of uncertainties, one behind each sample, into the cells above them.
-void take_rows_of_uncertainties(Table& table) {
-    const std::size_t label = *table.column(Role::sample);
-    const auto label_of = [&](std::size_t i) -> const std::string& { return table.rows[i].cells[label]; };
-    std::vector<StatedCoverage> coverages;
-    for (std::size_t i = 0; i + 1 < table.rows.size(); i += 2) {
-        const auto coverage = coverage_of_row(label_of(i + 1), label_of(i));
-        if (!coverage || is_uncertainty_word(label_of(i)) || is_summary(label_of(i))) return;
-        coverages.push_back(*coverage);
-    }
-    if (2 * coverages.size() != table.rows.size()) return;
-    std::vector<TableRow> samples;
-    for (std::size_t i = 0; i < coverages.size(); ++i) {
-        samples.push_back(std::move(table.rows[2 * i]));
-        const TableRow& row = table.rows[2 * i + 1];
-        if (coverages[i].factor != 1 || !coverages[i].problem.empty()) {
-            table.warnings.push_back({xrd_code, Severity::remark,
-                                      "the uncertainties in " + at_line(row.line) + " are not read, as " +
-                                          in_quotes(row.cells[label]) + " are no standard ones"});
-            continue;
-        }
-        for (std::size_t k = 0; k < row.cells.size(); ++k)
-            if (k != label && !says_no_number(row.cells[k]) && !says_no_number(samples.back().cells[k]))
-                samples.back().cells[k] += " \u00b1 " + row.cells[k];
-    }
-    table.rows = std::move(samples);
 }
 
 /// Appends to the name of a phase the remark beside it, "internal standard", and the note below the table
@@ -599,7 +598,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
         drop_measures(table);
     }
     if (table.has(Role::sample) && !table.has(Role::phase)) {
-        take_rows_of_uncertainties(table);
+        take_rows_of_uncertainties(table.rows, 0, *table.column(Role::sample), xrd_code, table.warnings);
         drop_summaries(table);
     }
     if (table.rows.empty())

@@ -57,6 +57,14 @@ enum class Layout {
 /// Whether one of the first lines can be the heading of a table.
 [[nodiscard]] bool has_heading(const TextLines& file);
 
+/// The coverage that the label of a row of uncertainties states: "esd", "FA1 esd", "2s"; none of other rows.
+[[nodiscard]] std::optional<StatedCoverage> coverage_of_row(std::string_view label, std::string_view sample);
+
+/// Takes rows of uncertainties, "esd" or "FA1 esd" behind each sample from the row @p first on, into the
+/// cells above them. @param label column of the names of the samples
+void take_rows_of_uncertainties(std::vector<TableRow>& rows, std::size_t first, std::size_t label,
+                                std::string_view code, std::vector<Finding>& warnings);
+
 /// Cuts a file into heading and rows. Errors: InputError at the line.
 [[nodiscard]] Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal);
 

@@ -101,6 +101,51 @@ TEST_CASE("uncertainties beside the oxides of a row, and in the cells") {
     CHECK(near(*twice.analysis.oxides[0].standard_uncertainty, 0.006));
 }
 
+TEST_CASE("rows of uncertainties behind the samples; rows of another kind are left out") {
+    const std::string wide = "Sample,SiO2,Al2O3\nFA1,60,40\n";
+    for (const auto& [row, u] : {std::pair{"esd,0.6,0.4\n", 0.006},
+                                 {"SD,0.6,0.4\n", 0.006},
+                                 {"FA1 \u00b1,0.6,0.4\n", 0.006},
+                                 {"2s,0.6,0.4\n", 0.0},
+                                 {"LOD,0.6,0.4\n", 0.0},
+                                 {"RSD,0.6,0.4\n", 0.0}}) {
+        CAPTURE(row);
+        const OxideResult result = read_oxides(wide + row, "xrf.csv");
+        REQUIRE(result.samples.size() == 1);
+        CHECK(near(result.samples[0].analysis.oxides[0].standard_uncertainty.value_or(0), u));
+        CHECK(tells(result.warnings, "line 3") == (u == 0));
+    }
+    const OxideResult last = read_oxides(wide + "FA2,50,50\nesd,0.6,0.4\n", "xrf.csv");
+    CHECK(last.samples.size() == 2);
+    CHECK(tells(last.warnings, "line 4 is no sample and left out: \"esd\""));
+}
+
+TEST_CASE("a line of text beside the table that states an amount is read, or refused") {
+    const std::string down = "Oxide;wt%\nSiO2;60\nAl2O3;36,9\n";
+    const std::string wide = "Sample;SiO2;Al2O3\nFA1;60;36,9\n";
+    for (const std::string& table : {down, down + "\n", wide, wide + "\n"})
+        for (const char* note : {"LOI = 3.1 %", "LOI: 3,1 wt%", "Gl\u00fchverlust 3.1 %",
+                                 "LOI (950 \u00b0C): 3.1 wt%", "GV = 3.1", "LOI = 31 g/kg"}) {
+            CAPTURE(table + note);
+            CHECK(near(loss_of(only(table + note + "\n")), 3.1));
+        }
+    CHECK(near(loss_of(only("LOI = 3.1 %\n" + down)), 3.1));
+    CHECK(near(per_cent_of(only(down + "MgO = 1.5 %\n"), "MgO"), 1.5));
+    for (const char* note : {"LOI 950 \u00b0C", "SiO2+Al2O3 = 96.9 %", "XRF of pearls; 3 of them", "n = 3"})
+        CHECK_FALSE(only(down + note + "\n").analysis.loss_on_ignition);
+    for (const auto& [table, says] :
+         {std::pair{wide + "FA2;50;40\nLOI = 3.1 %\n",
+                    "line 4: \"LOI = 3.1 %\" may be of any of the samples"},
+          {down + "LOI;3\nLOI = 3.1 %\n", "the loss on ignition is there twice"},
+          {down + "LOI = 3.1 % (950 \u00b0C)\n", "may state the loss on ignition, and is not read"},
+          {"Oxide,wt%\nSiO2,60\nAl2O3,36.9\nLOI = 3,1 %\n", "may state the loss on ignition"},
+          {down + "all in mol%\n", "states fractions by mole"},
+          {"Oxide;wt%;error\nSiO2;60;0.6\nAl2O3;40;0.4\nErrors are 2 sigma\n", "line 4: the line states"}}) {
+        const std::string message = input_error_of([&, &text = table] { return read_oxides(text, "x.csv"); });
+        CHECK_MESSAGE(message.find(says) != std::string::npos, message);
+    }
+}
+
 TEST_CASE("amounts in g/kg beside others in per cent are what they are") {
     const OxideSample sample = only("Sample;SiO2 [wt%];Al2O3 [wt%];P2O5 [g/kg]\nFA;60;39.6;4\n");
     CHECK(near(per_cent_of(sample, "P2O5"), 0.4));
