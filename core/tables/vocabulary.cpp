@@ -20,9 +20,6 @@ namespace ashimpact {
 
 namespace {
 
-constexpr std::size_t longest_heading =
-    200;  // no heading is longer; a regular expression needs stack for each byte
-
 /// Central intervals of the normal distribution: their half-widths in standard deviations.
 struct Coverage {
     std::string_view per_cent;

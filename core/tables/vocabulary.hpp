@@ -43,6 +43,10 @@ template <Named Enum>
     return std::nullopt;
 }
 
+/// No heading and no name is longer. Beyond it a text is not searched for units and marks: that takes the
+/// square of its length, and regular expressions need stack for each byte.
+inline constexpr std::size_t longest_heading = 200;
+
 /// Kept characters for words that count as they are written, apart from case and accents.
 inline constexpr std::string_view all_marks = " !\"#$%&'()*+,-./:;<=>?@[\\]^_`{|}~";
 

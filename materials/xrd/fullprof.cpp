@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "core/quantities/quantity.hpp"
@@ -97,10 +98,11 @@ XrdSample sample_of(const std::vector<FullProfPhase>& phases, const TextLines& f
     XrdSample sample;
     const double total =
         add_fractions(sample, listed, "fraction", "Fract(%) above zero", phases.front().line);
-    if (total < 99 || total > 101)
-        sample.warnings.push_back(
-            {xrd_code, Severity::remark,
-             "the fractions add up to " + shortest(total) + " %: they are divided by it"});
+    if (std::abs(total - 100) > 100 * default_closure_tolerance)
+        refuse_line(phases.back().line,
+                    "the fractions add up to " + shortest(std::round(total * 1e3) / 1e3) +
+                        " %: a phase may be missing, or the rest be amorphous",
+                    "100 % within 0.5 %, the crystalline part as FullProf writes it");
     return sample;
 }
 

@@ -263,10 +263,16 @@ void warn_of_ignored(const Table& table, Layout layout, std::vector<Finding>& wa
     }
 }
 
-/// Fractions of the crystalline part, which add up to 1 whatever rounding or a scale made of them.
+/// Fractions of the crystalline part, scaled to 1. @throws InputError where more than rounding is missing
 void take_crystalline_part(XrdSample& sample) {
     double sum = 0;
     for (const PhaseFraction& phase : sample.analysis.phases) sum += phase.fraction;
+    constexpr double rounding = 0.02;  // of some whole per cent
+    if (std::abs(sum - 1) > rounding)
+        throw InputError("the fractions of the crystalline part add up to " + per_cent(sum) +
+                             ": a phase may be missing, or they be of the whole sample",
+                         "100 % within 2 %, or a heading without \"crystalline\"")
+            .at(sample.analysis.phases.back().place);
     normalise(sample.analysis.phases, sum);
     sample.analysis.of_crystalline_part = true;
     sample.warnings.push_back({xrd_code, Severity::remark,

@@ -95,6 +95,7 @@ HeadingUnit unit_of(std::string_view text) {
 
 UncertaintyName uncertainty_name(std::string_view text) {
     if (is_uncertainty_word(text)) return {.is_uncertainty = true};
+    if (text.size() > longest_heading) return {};
     UncertaintyName name;  // the longest word counts: "error of", not "error"
     for (auto at = text.find_first_of(" _("); at != std::string_view::npos;
          at = text.find_first_of(" _(", at + 1)) {
@@ -178,6 +179,10 @@ bool take_crystalline(std::string& text) {
 
 Heading read_heading(std::string_view text) {
     Heading heading;
+    if (text.size() > longest_heading) {
+        heading.text = heading.written = text;
+        return heading;
+    }
     StatedCoverage coverage = read_coverage(trimmed(text));
     constexpr std::string_view sign = "\u00b1";  // of "wt% ± 2s": cells hold value and uncertainty
     if (!coverage.stated.empty() && coverage.rest.size() > sign.size() && coverage.rest.ends_with(sign))
@@ -233,6 +238,7 @@ MarkedPhase read_phase_name(std::string_view text) {
         return MarkedPhase{.name = std::string(name), .mark = name.empty() ? PhaseMark::none : mark_of(mark)};
     };
     text = trimmed(text);
+    if (text.size() > longest_heading) return {.name = std::string(text)};
     for (const std::string_view sign : footnote_signs)
         if (text.size() > sign.size() && text.ends_with(sign))
             return read_phase_name(text.substr(0, text.size() - sign.size()));
