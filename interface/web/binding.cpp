@@ -25,6 +25,7 @@
 #include "materials/xrd/xrd.hpp"
 #include "pipeline/app/contact/single_contact.hpp"
 #include "pipeline/app/run_stages.hpp"
+#include "pipeline/case/case_parts.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/document/edits.hpp"
 #include "pipeline/document/results_json.hpp"
@@ -306,7 +307,7 @@ const char* ashimpact_validate(const char* case_file) {
 const char* ashimpact_kind(const char* file) {
     return answered([&] {
         const std::string bytes = read_file(file);
-        const auto as_impacts = refusal([&] { static_cast<void>(read_measurements(bytes, file)); });
+        const auto as_impacts = refusal([&] { static_cast<void>(read_impacts(bytes, file)); });
         if (!as_impacts) return Json{{"kind", "impacts"}};
         const auto as_xrd = refusal([&] { static_cast<void>(read_xrd(bytes, file)); });
         if (!as_xrd) return Json{{"kind", "xrd"}};
@@ -316,7 +317,7 @@ const char* ashimpact_kind(const char* file) {
 
 /// The impacts of a table as columns of a case, velocity and rebound_velocity in m/s.
 const char* ashimpact_impacts(const char* file) {
-    return answered([&] { return measurement_columns(read_measurements(read_file(file), file)); });
+    return answered([&] { return measurement_columns(read_impacts(read_file(file), file)); });
 }
 
 /// Restitution and critical velocity of one contact, JSON in and out; see curve_json().

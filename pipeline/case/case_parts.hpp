@@ -103,5 +103,8 @@ void require_scale_uncertainty(double uncertainty);
 /// uncertainties.
 /// @throws InputError naming the point, or its line
 void check_impacts(const MeasurementSet& set);
+/// The impacts of a table, checked.
+[[nodiscard]] MeasurementSet read_impacts(std::string_view text, const std::string& name,
+                                          const TableOptions& options = {});
 
 }  // namespace ashimpact

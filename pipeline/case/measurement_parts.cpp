@@ -79,6 +79,9 @@ void read_noise(const View& node, MeasurementSet& set) {
     const std::vector<double> incident =
         read_column(node, "velocity_uncertainty", Dimension::velocity, length);
     const bool ratio = node.has(of_ratio);
+    if (ratio && node.has("velocity_correlation"))
+        node.at("velocity_correlation")
+            .fail("may be that of v_in with v_r, or of v_in with e_n", "rebound_uncertainty beside it");
     const std::vector<double> second = read_column(node, ratio ? of_ratio : of_velocity,
                                                    ratio ? Dimension::fraction : Dimension::velocity, length);
     std::vector<double> correlation(length, 0.0);
@@ -215,6 +218,12 @@ MeasurementSet read_measurement_columns(const View& node) {
             set.points[i].count = static_cast<std::size_t>(counts[i]);
         }
     }
+    return set;
+}
+
+MeasurementSet read_impacts(std::string_view text, const std::string& name, const TableOptions& options) {
+    MeasurementSet set = read_measurements(text, name, options);
+    at_place(FileName{name}, [&] { check_impacts(set); });
     return set;
 }
 

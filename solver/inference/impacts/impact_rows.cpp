@@ -75,7 +75,18 @@ std::vector<Mention> mentions_in(std::string_view text, const WordLists& lists) 
     return mentions;
 }
 
+/// The list of words that judge an impact which holds a cell: "good", "bad", "yes", "no", or "mark".
+std::optional<std::string_view> verdict_of(std::string_view cell) {
+    static const WordLists words("verdicts", all_marks);
+    return words.list_of(trimmed(cell));
+}
+
+std::string name_of(const TextColumn& column) {
+    return column.name.empty() ? "the column without a heading" : "column " + in_quotes(column.name);
+}
+
 bool calls_invalid(std::string_view text) {
+    if (verdict_of(text) == "bad") return true;
     if (text.find_first_not_of("+-.,0123456789 ") == std::string_view::npos) return false;
     static const WordLists words("invalid impacts", " ");
     const auto mentions = mentions_in(text, words);
@@ -105,6 +116,8 @@ void RowLabels::Column::take(std::string_view cell) {
         inner_empty = empty;
     } else {
         ++(is_blank(cell) ? empty : texts);
+        const auto verdict = verdict_of(cell);
+        has_marks = has_marks || verdict == "no" || verdict == "mark";
     }
 }
 
@@ -121,7 +134,15 @@ RowLabels::RowLabels(const MeasurementHeading& heading, std::span<const TextLine
             column->take(cell);
         });
     find_footer(lines, separator);
-    for (const std::size_t position : heading.validity) require_one_validity(lines, separator, position);
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+        const Column& column = columns_[i];
+        const auto found =
+            std::ranges::find(heading.validity, column.column.position, &ValidityColumn::position);
+        const bool has_remarks = i >= heading.unused.size() || column.column.name.empty();
+        if (found != heading.validity.end() || (has_remarks && column.has_marks))
+            require_one_verdict(lines, separator, column,
+                                found != heading.validity.end() ? &*found : nullptr);
+    }
 }
 
 void RowLabels::find_footer(std::span<const TextLine> lines, char separator) {
@@ -135,23 +156,39 @@ void RowLabels::find_footer(std::span<const TextLine> lines, char separator) {
     footer_ = std::numeric_limits<std::size_t>::max();  // such words are then the names of all rows
 }
 
-void RowLabels::require_one_validity(std::span<const TextLine> lines, char separator,
-                                     std::size_t position) const {
+void RowLabels::require_one_verdict(std::span<const TextLine> lines, char separator, const Column& column,
+                                    const ValidityColumn* validity) const {
+    constexpr const char* allowed = "a file without the rows that do not count, and without this column";
+    const std::size_t position = column.column.position;
+    const std::string where = name_of(column.column);
     std::optional<std::string> first;
-    const auto alike = [](const std::string& a, const std::string& b) {
-        return lower_case(a) == lower_case(b);
-    };
+    std::size_t line_of_first = 0;
     for (const TextLine& line : lines) {
         const TableRow row = cut_row(line, separator);
         if (position >= row.cells.size() || sums_up(row)) continue;
         const std::string& cell = row.cells[position];
-        if (first && !alike(cell, *first))
-            throw InputError("a column marks impacts as valid or not, " + in_quotes(*first) + " or " +
-                                 in_quotes(cell) + ", and is not read",
-                             "a file without the rows that do not count, and without this column")
-                .at(at_cell(row.line, position));
-        first = cell;
+        if (cell.size() > 1 && read_number(cell)) return;  // a measured quality
+        if (!first) {
+            first = cell;
+            line_of_first = row.line;
+        }
+        if (lower_case(cell) == lower_case(*first)) continue;
+        const auto marks = [](const std::string& each) {
+            return !read_number(each) && (verdict_of(each) == "no" || verdict_of(each) == "mark");
+        };
+        if (validity == nullptr && !marks(cell) && !marks(*first)) continue;
+        throw InputError(where + " marks impacts as valid or not, " + in_quotes(*first) + " or " +
+                             in_quotes(cell) + ": those with one of the marks may be excluded, or all count",
+                         allowed)
+            .at(at_cell(row.line, position));
     }
+    if (validity == nullptr || !first || is_blank(*first)) return;
+    const auto verdict = verdict_of(*first);
+    if (verdict != "good" && verdict != (validity->excludes ? "no" : "yes"))
+        throw InputError(
+            where + " has " + in_quotes(*first) + " in every row: all impacts may be excluded, or all count",
+            allowed)
+            .at(at_cell(line_of_first, position));
 }
 
 bool RowLabels::number_rows() const {
@@ -176,8 +213,7 @@ bool RowLabels::is_summary_label(const Column& column, const TableRow& row) cons
 void RowLabels::require_number(const Column& column, const TableRow& row) {
     if (!column.counts_rows()) return;
     const std::string& cell = row.cells[column.column.position];
-    const std::string where = column.column.name.empty() ? "the column without a heading"
-                                                         : "column " + in_quotes(column.column.name);
+    const std::string where = name_of(column.column);
     constexpr const char* allowed = "the number of the impact, or a file without this row";
     if (is_blank(cell)) {
         const bool names_groups = 2 * column.inner_empty >= column.numbers;  // of impacts of one particle
@@ -198,7 +234,7 @@ void RowLabels::require_valid(const TableRow& row) const {
     for (const Column& column : columns_) {
         const std::string& cell = row.cells[column.column.position];
         if (cell.empty() || !calls_invalid(cell)) continue;
-        throw InputError(in_quotes(cell) + " in column " + in_quotes(column.column.name) +
+        throw InputError(in_quotes(cell) + " in " + name_of(column.column) +
                              " calls the impact invalid, and remarks are not read",
                          "a file without this row, or without the remark if the impact counts")
             .at(at_cell(row.line, column.column.position));

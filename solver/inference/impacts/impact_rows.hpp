@@ -18,7 +18,7 @@ namespace ashimpact {
 class RowLabels {
   public:
     /// @param lines of the table below its heading
-    /// @throws InputError for a column that marks some rows and not others as valid
+    /// @throws InputError for a column that marks some rows and not others as valid, or all as invalid
     RowLabels(const MeasurementHeading& heading, std::span<const TextLine> lines, char separator);
 
     /// The label of a row that sums up others, "Mittel" or "SD (n=3)"; empty for an impact. Words as short as
@@ -41,13 +41,15 @@ class RowLabels {
         bool in_order = true;         ///< each number is one more than that before
         long last_number = 0;         ///< of the column
         std::size_t inner_empty = 0;  ///< before the last number
+        bool has_marks = false;       ///< "no" or "x" in some cell
         [[nodiscard]] bool counts_rows() const {
             return numbers >= 2 && numbers > texts && (column.position == 0 || in_order);
         }
         void take(std::string_view cell);
     };
     void find_footer(std::span<const TextLine> lines, char separator);
-    void require_one_validity(std::span<const TextLine> lines, char separator, std::size_t position) const;
+    void require_one_verdict(std::span<const TextLine> lines, char separator, const Column& column,
+                             const ValidityColumn* validity) const;
     [[nodiscard]] bool sums_up(const TableRow& row) const;
     [[nodiscard]] bool is_summary_label(const Column& column, const TableRow& row) const;
     static void require_number(const Column& column, const TableRow& row);

@@ -43,6 +43,7 @@ struct Meaning {
 };
 
 std::optional<Meaning> meaning_of(std::string_view name) {
+    if (name.size() > longest_heading) return std::nullopt;
     const std::string key = key_of(name);
     if (const auto quantity = quantity_of(key)) return Meaning{*quantity, false};
     for (const auto& [word, list] : uncertainty_words().words()) {
@@ -106,6 +107,7 @@ bool is_sideways(std::string_view name) {
 
 /// Splits "v_r (mm/s)" into name and unit. Brackets that belong to the name, as in "u(v_r)", stay there.
 NameAndUnit split(std::string_view cell) {
+    if (cell.size() > longest_heading) return {cell, {}};
     for (const std::string_view pair : {"[]", "()"}) {
         if (!cell.ends_with(pair[1])) continue;
         const auto open = cell.rfind(pair[0]);
@@ -184,6 +186,9 @@ void require_columns(const MeasurementHeading& heading) {
         throw InputError("the heading has no column for the rebound velocity or the restitution", allowed);
     if (rebound && restitution)
         throw InputError("the heading has both the rebound velocity and the restitution", "one of them");
+    if (heading.correlation && !rebound)
+        throw InputError("a correlation beside e_n may be that of v_in with v_r, or of v_in with e_n",
+                         "v_r with u(v_r) beside it, or no correlation");
     const auto other = rebound ? MeasuredQuantity::restitution : MeasuredQuantity::rebound;
     if (heading.uncertainty_of(other))
         throw InputError("the uncertainty in column " + in_quotes(heading.uncertainty_of(other)->name) +
@@ -312,7 +317,9 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
                      " is not used: it does not say of which velocity; write \"u(v_in) [m/s]\""});
         else
             heading.unused.push_back({position, cell});
-        if (column_words().list_of(key_of(name)) == "validity") heading.validity.push_back(position);
+        const auto list = column_words().list_of(key_of(name));
+        if (list == "validity" || list == "exclusion")
+            heading.validity.push_back({position, list == "exclusion"});
         return;
     }
     if (const std::string_view change = change_in(name); !change.empty())

@@ -67,6 +67,12 @@ struct SidewaysColumn : TextColumn {
     double to_si;   ///< factor, to rad or m/s
 };
 
+/// A column that marks impacts as valid, or as excluded.
+struct ValidityColumn {
+    std::size_t position;
+    bool excludes;  ///< yes in it means that the impact does not count
+};
+
 /// The columns of a heading.
 struct MeasurementHeading {
     std::array<std::optional<MeasuredColumn>, 3> value;        ///< by MeasuredQuantity
@@ -79,7 +85,7 @@ struct MeasurementHeading {
     bool normal_velocity = true;      ///< v_in is that normal to the wall, not that of the sphere at an angle
     std::vector<TextColumn> remarks;  ///< columns of remarks, in which a word may state the outcome
     std::vector<TextColumn> unused;   ///< those without a name have no heading
-    std::vector<std::size_t> validity;  ///< positions of unused columns that mark impacts as valid or not
+    std::vector<ValidityColumn> validity;                           ///< those of the unused columns
     std::vector<std::pair<std::string, StatedCoverage>> coverages;  ///< of the columns that hold quantities
     std::vector<Finding> notes;                                     ///< remarks on the columns
     std::size_t columns;

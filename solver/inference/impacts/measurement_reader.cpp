@@ -325,9 +325,9 @@ void require_no_rebound(const std::string& told_by, const Measurement& point) {
 }
 
 /// Reads the noise of a row, and its reading unless it is a capture without one.
-/// @return whether v_r has an uncertainty and v_in none
-bool read_rebound(Measurement& point, const MeasurementHeading& heading, const TableCells& cells,
-                  const TableRow& row, bool has_reading) {
+/// @return the quantity whose uncertainty the row states alone
+std::optional<MeasuredQuantity> read_rebound(Measurement& point, const MeasurementHeading& heading,
+                                             const TableCells& cells, const TableRow& row, bool has_reading) {
     const bool as_velocity = heading.of(MeasuredQuantity::rebound).has_value();
     const auto quantity = as_velocity ? MeasuredQuantity::rebound : MeasuredQuantity::restitution;
     const Entry velocity = cells.normal_velocity(row);
@@ -335,7 +335,9 @@ bool read_rebound(Measurement& point, const MeasurementHeading& heading, const T
     point.rebound = as_velocity ? reading.value : reading.value * velocity.value;
     point.noise = as_velocity ? noise_of_rebound(velocity, reading) : noise_of_restitution(velocity, reading);
     if (point.noise && as_velocity) point.noise = correlated(*point.noise, heading, cells, row);
-    return as_velocity && reading.standard_uncertainty && !velocity.standard_uncertainty;
+    const bool both = velocity.standard_uncertainty && reading.standard_uncertainty;
+    if (both || !point.noise || !has_reading) return std::nullopt;
+    return velocity.standard_uncertainty ? MeasuredQuantity::velocity : quantity;
 }
 
 /// Refuses a remark of several words that speaks of another outcome than the reading. @throws InputError
@@ -357,9 +359,10 @@ void require_agreeing_remarks(const MeasurementHeading& heading, const TableRow&
 }
 
 /// One row; none where its outcome is not known. @param remark the outcome in its remarks
-/// @param lone set where v_r has an uncertainty and v_in none
+/// @param alone is set to the quantity whose uncertainty is stated alone
 std::optional<Measurement> measurement_of(const MeasurementHeading& heading, const TableCells& cells,
-                                          const TableRow& row, OutcomeWord remark, bool& lone) {
+                                          const TableRow& row, OutcomeWord remark,
+                                          std::optional<MeasuredQuantity>& alone) {
     const Entry velocity = cells.normal_velocity(row);
     if (!(velocity.value > 0.0))
         throw InputError("v_in is " + shortest(velocity.value) + " m/s", "> 0 m/s, a magnitude");
@@ -380,7 +383,8 @@ std::optional<Measurement> measurement_of(const MeasurementHeading& heading, con
                       .noise = {},
                       .line = row.line,
                       .tangential = cells.tangential(row)};
-    lone = read_rebound(point, heading, cells, row, !word && !blank) || lone;
+    const auto found = read_rebound(point, heading, cells, row, !word && !blank);
+    if (found && alone != MeasuredQuantity::rebound) alone = found;
     if (!word && !blank && remark != OutcomeWord::none) {
         if (remark != OutcomeWord::rebound) require_no_rebound("remark", point);
         outcome = remark == OutcomeWord::rebound ? NotedOutcome::rebound : NotedOutcome::capture;
@@ -623,6 +627,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
         set.warnings.push_back(
             {impacts_code, Severity::background, counted(place, "line") + " above the heading not read"});
     Unread unread(heading);
+    std::optional<MeasuredQuantity> alone;
     for (std::size_t i = first; i < lines.size(); ++i) {
         TableRow row = cut_row(lines[i], separator);
         at_place(at_line(row.line), [&] {
@@ -634,7 +639,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
                 return;
             }
             const OutcomeWord remark = remarked_outcome(heading, row);
-            if (auto point = measurement_of(heading, cells, row, remark, set.rebound_alone_uncertain)) {
+            if (auto point = measurement_of(heading, cells, row, remark, alone)) {
                 cells.require_agreement(row, *point);
                 if (remark_counts(heading, row, remark, *point)) unread.take_remarked(row);
                 unread.take_impact(row);
@@ -646,6 +651,11 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
         });
     }
     unread.tell(set.warnings);
+    set.rebound_alone_uncertain = alone == MeasuredQuantity::rebound;
+    if (alone && !set.rebound_alone_uncertain)
+        set.warnings.push_back({impacts_code, Severity::remark,
+                                "uncertainties of " + in_quotes(heading.of(*alone)->name) +
+                                    " alone are stated: v_in and v_r are taken as equally uncertain"});
     if (!labels.number_rows()) refuse_summaries(set, heading.reading().is_fraction);
     if (heading.correlation && !set.has_noise())
         throw InputError(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <random>
@@ -262,8 +263,15 @@ TEST_CASE("an uncertainty is in the unit of its column, in its own, or in per ce
         input_error_of([] { return read_measurements("v_in;u(v_in);e_n;u(e_n)\n2;0.1;0.5;4\n", "t.csv"); }),
         "\"4\" in column \"u(e_n)\" may be 4 % or a fraction whose decimal mark was lost"));
     CHECK(read_measurements("v_in;v_r;u(v_r)\n2;0.5;0.02\n", "t.csv").rebound_alone_uncertain);
-    CHECK_FALSE(
-        read_measurements("v_in;u(v_in);v_r;u(v_r)\n2;0.1;0.5;0.02\n", "t.csv").rebound_alone_uncertain);
+    for (const auto& [table, alone] : {std::pair{"v_in;e_n;u(e_n)\n2;0.5;0.02\n", "e_n"},
+                                       {"v_in;u(v_in);v_r\n2;0.1;0.5\n", "v_in"},
+                                       {"v_in;u(v_in);v_r;u(v_r)\n2;0.1;0.5;0.02\n", ""}}) {
+        const MeasurementSet set = read_measurements(table, "t.csv");
+        CHECK_FALSE(set.rebound_alone_uncertain);
+        CHECK(contains(warnings_of(set), "uncertainties of \"" + std::string(alone) +
+                                             "\" alone are stated: v_in and v_r are taken as equally "
+                                             "uncertain") == (*alone != '\0'));
+    }
 }
 
 TEST_CASE("one uncertainty in the heading, and a correlation without uncertainties, are refused") {
@@ -272,6 +280,7 @@ TEST_CASE("one uncertainty in the heading, and a correlation without uncertainti
           {"v_in +/- 0.03 [m/s];v_r [m/s]", "states one uncertainty, 0.03"},
           {"v_in [m/s];v_r (\u00b10.02) [m/s]", "states one uncertainty, 0.02"},
           {"v_in [m/s];e_n \u00b1 0.02", "states one uncertainty, 0.02"},
+          {"v_in [m/s];e_n;correlation", "may be that of v_in with v_r, or of v_in with e_n"},
           {"v_in [m/s];v_r [m/s];correlation",
            "the correlation of two velocities is that of their uncertainties"}}) {
         const std::string table = std::string(heading) + "\n2;0.5;0.5\n";
@@ -480,13 +489,41 @@ TEST_CASE(
                        static_cast<void>(read_measurements("v_in;v_r;stuck\n1,4;0,4;yes\n", "t.csv"));
                    }),
                    "the outcome tells of a capture, and the rebound velocity is 0.4 m/s"));
-    CHECK(
-        contains(input_error_of([] {
-                     static_cast<void>(read_measurements("v_in;v_r;valid\n1,4;0,4;1\n1,5;0,4;0\n", "t.csv"));
-                 }),
-                 "line 3, cell 3: a column marks impacts as valid or not, \"1\" or \"0\", and is not read"));
-    CHECK(contains(warnings_of(read_measurements("v_in;v_r;valid\n1,4;0,4;1\n1,5;0,4;1\n", "t.csv")),
-                   "column \"valid\" is not used"));
+    struct Judged {
+        const char* heading;
+        std::array<const char*, 2> cells;
+        const char* says;  // of the refusal; empty: read
+    };
+    for (const auto& [heading, cells, says] :
+         {Judged{"valid", {"1", "0"}, "line 3, cell 3: column \"valid\" marks impacts as valid or not"},
+          {"ok",
+           {"yes", "no"},
+           "\"yes\" or \"no\": those with one of the marks may be excluded, or all count"},
+          {"OK?", {"", "x"}, "column \"OK?\" marks impacts"},
+          {"quality", {"good", "bad"}, "column \"quality\" marks impacts"},
+          {"Qualit\u00e4t", {"2", "3"}, "marks impacts"},
+          {"flag", {"", "1"}, "marks impacts"},
+          {"n.i.O.", {"", "ja"}, "marks impacts"},
+          {"remark", {"", "x"}, "column \"remark\" marks impacts"},
+          {"", {"", "no"}, "the column without a heading marks impacts"},
+          {"seen", {"", "bad"}, "\"bad\" in column \"seen\" calls the impact invalid"},
+          {"valid", {"no", "no"}, "column \"valid\" has \"no\" in every row: all impacts may be excluded"},
+          {"exclude", {"x", "x"}, "column \"exclude\" has \"x\" in every row"},
+          {"quality", {"schlecht", "schlecht"}, "in every row"},
+          {"valid", {"1", "1"}, ""},
+          {"exclude", {"no", "no"}, ""},
+          {"flag", {"", ""}, ""},
+          {"quality", {"good", "good"}, ""},
+          {"quality", {"0.93", "0.89"}, ""},
+          {"wet", {"yes", "no"}, ""}}) {
+        const std::string table =
+            "v_in;v_r;" + std::string(heading) + "\n1.4;0.4;" + cells[0] + "\n1.5;0.4;" + cells[1] + "\n";
+        CAPTURE(table);
+        if (*says != '\0')
+            CHECK(contains(input_error_of([&] { return read_measurements(table, "t.csv"); }), says));
+        else
+            CHECK(contains(warnings_of(read_measurements(table, "t.csv")), "is not used"));
+    }
 }
 
 TEST_CASE("units of velocities in cells, and behind a name without brackets") {
