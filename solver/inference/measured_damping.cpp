@@ -41,9 +41,15 @@ void note_impacts(MeasuredDamping& result, const MeasurementSet& set) {
 
 /// The paper's extrapolation from the rising branch.
 DampingCurveFit extrapolate(MeasuredDamping& result, const ContactModel& model,
-                            const DampingCurveOptions& options) {
-    DampingCurveFit fit = fit_damping_curve(model, result.rising->set, options);
+                            const MeasuredDampingOptions& options) {
+    DampingCurveFit fit = fit_damping_curve(model, result.rising->set, options.extrapolated);
     require_rebounds_above(fit, result.rising->set);
+    if (options.estimate.scale_uncertainty > 0)
+        add_common_error(fit, model, result.rising->set, options.estimate.scale_uncertainty);
+    if (options.estimate.size_scatter)
+        result.findings.push_back({"extrapolation-sizes", Severity::background,
+                                   "extrapolated fit: the scatter of sizes counts only as far as the "
+                                   "rebounds scatter"});
     if (const auto note = enlargement_note(fit))
         result.findings.push_back(
             {"extrapolation-scatter", Severity::background, "extrapolated fit: " + *note});
@@ -191,7 +197,7 @@ MeasuredDamping analyse_impacts(const ContactModel& model, const MeasurementSet&
         attempt("extrapolated fit", "no-extrapolation", Severity::background, result.findings, [&] {
             result.rising = options.rising_to ? impacts_up_to(set, *options.rising_to)
                                               : branch_for(result, model, set, options.extrapolated);
-            return extrapolate(result, model, options.extrapolated);
+            return extrapolate(result, model, options);
         });
     if (!result.estimate && result.extrapolated) require_below_rebounds(result);
     if (result.estimate && result.extrapolated)

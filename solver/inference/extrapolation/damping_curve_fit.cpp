@@ -341,6 +341,15 @@ Interval critical_velocity_of(const ContactModel& model, const Interval& damping
     return velocity;
 }
 
+/// Adds an independent error of a standard uncertainty to an interval.
+void widen(Interval& interval, double uncertainty) {
+    const double value = interval.value;
+    const double half = confidence_quantile() * uncertainty;
+    interval.standard_uncertainty = std::hypot(interval.standard_uncertainty, uncertainty);
+    if (interval.lower) interval.lower = value - std::hypot(value - *interval.lower, half);
+    if (interval.upper) interval.upper = value + std::hypot(*interval.upper - value, half);
+}
+
 /// @param rows in units of the noise that explains the scatter
 void add_rebounds(DampingCurveFit& fit, const RestitutionDistances::Rows& rows,
                   const ReboundSelection& selection) {
@@ -414,6 +423,26 @@ DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSe
         !std::isfinite(fit.prediction_error) || !std::isfinite(fit.extrapolation))
         throw ConvergenceError("the rebounds leave the polynomial undetermined");
     return fit;
+}
+
+void add_common_error(DampingCurveFit& fit, const ContactModel& model, const MeasurementSet& set,
+                      double relative) {
+    constexpr double step = 0.01;  // small enough to be linear, and to keep the rebounds that are fitted
+    MeasurementSet faster = set;
+    for (Measurement& point : faster.points) {
+        point.velocity *= 1 + step;
+        point.rebound *= 1 + step;
+        if (point.noise) point.noise = point.noise->scaled((1 + step) * (1 + step));
+    }
+    const DampingCurveFit other = fit_damping_curve(model, faster, fit.options);
+    const double steps = relative / step;
+    const Eigen::VectorXd change = steps * (other.damping.coefficients - fit.damping.coefficients);
+    const double of_velocity = steps * (other.critical_velocity.value - fit.critical_velocity.value);
+    fit.covariance += change * change.transpose();
+    widen(fit.critical_damping, change[0]);
+    widen(fit.critical_velocity, of_velocity);
+    if (fit.critical_damping.lower && *fit.critical_damping.lower <= 0)
+        fit.critical_damping.lower = fit.critical_velocity.lower = std::nullopt;
 }
 
 void require_rebounds_above(const DampingCurveFit& fit, const MeasurementSet& set) {

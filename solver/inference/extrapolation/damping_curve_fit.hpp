@@ -75,6 +75,11 @@ struct DampingCurveFit {
 [[nodiscard]] DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSet& set,
                                                 const DampingCurveOptions& options = {});
 
+/// Widens the intervals and the covariance of a fit by a relative standard uncertainty that all velocities of
+/// the set have in common: the fit to greater velocities, less the fit. @throws as fit_damping_curve()
+void add_common_error(DampingCurveFit& fit, const ContactModel& model, const MeasurementSet& set,
+                      double relative);
+
 /// Checks that a fitted v_c does not lie above clear rebounds among the impacts it was fitted to.
 ///
 /// A rebound is clear if v_r exceeds three standard uncertainties of the fit, which may have enlarged or

@@ -315,6 +315,32 @@ TEST_CASE("sharp impacts of another truth: the estimate is near it, and the fit 
     }
 }
 
+TEST_CASE(
+    "an error that all velocities share widens the extrapolated v_c; a scatter of sizes is said not to") {
+    const MeasurementSet set = measured(40);
+    MeasuredDampingOptions options;
+    options.estimate = {.size_scatter = 0.05, .scale_uncertainty = 0.04};
+    MeasurementSet faster = set;
+    for (Measurement& point : faster.points) {
+        point.velocity *= 1.04;
+        point.rebound *= 1.04;
+        point.noise = point.noise->scaled(1.04 * 1.04);
+    }
+    const DampingCurveFit plain = analysed(set).extrapolated.value();
+    const DampingCurveFit scaled = analysed(faster).extrapolated.value();
+    const MeasuredDamping result = analysed(set, Law::of<BrachDunn>(), options);
+    const DampingCurveFit& fit = result.extrapolated.value();
+    const double change = scaled.critical_velocity.value - plain.critical_velocity.value;
+    CHECK(fit.critical_velocity.value == plain.critical_velocity.value);
+    CHECK(std::abs(change) > 0.02 * plain.critical_velocity.value);
+    CHECK(fit.critical_velocity.standard_uncertainty ==
+          doctest::Approx(std::hypot(plain.critical_velocity.standard_uncertainty, change)).epsilon(0.05));
+    CHECK(fit.critical_velocity.upper.value() > plain.critical_velocity.upper.value());
+    CHECK(fit.critical_damping.standard_uncertainty ==
+          doctest::Approx(std::sqrt(fit.covariance(0, 0))).epsilon(1e-6));
+    CHECK(has_finding(result, "extrapolation-sizes"));
+}
+
 TEST_CASE("impacts without scatter give the damping behind them") {
     const ContactModel model = ash_model(Law::of<Dmt>());
     const SyntheticLaboratory laboratory = ash_laboratory(model, TrueDamping::quadratic);
