@@ -102,7 +102,7 @@ def stored(t, source):
 
 
 def workbook(rows):
-    """An .xlsx; a cell is a text or {"text", "raised", "struck", "error", "string", "format", "twice"}."""
+    """An .xlsx; a cell is a text or {"text", "raised", "struck", "error", "string", "format", "twice", "merged"}, the last over the cell below."""
     def xml_of(place, cell):
         cell = cell if isinstance(cell, dict) else {"text": cell}
         style = 1 if "struck" in cell else cell.get("format", 0)
@@ -114,6 +114,8 @@ def workbook(rows):
         raised = f'<r><rPr><vertAlign val="superscript"/></rPr><t>{cell["raised"]}</t></r>' if "raised" in cell else ""
         return f'<c r="{place}" s="{style}" t="inlineStr"><is><r><t>{cell["text"]}</t></r>{raised}</is></c>' if cell["text"] else ""
     lines = "".join(f'<row r="{i}">' + "".join(xml_of("ABCDEFGH"[k] + str(i), cell) for k, cell in enumerate(row)) + "</row>" for i, row in enumerate(rows, 1))
+    merged = "".join(f'<mergeCell ref="{"ABCDEFGH"[k]}{i}:{"ABCDEFGH"[k]}{i + 1}"/>' for i, row in enumerate(rows, 1) for k, cell in enumerate(row)
+                     if isinstance(cell, dict) and "merged" in cell)
     link = '<Relationship Id="{}" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/{}" Target="{}"/>'.format
     out = io.BytesIO()
     with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
@@ -123,7 +125,7 @@ def workbook(rows):
                 "xl/_rels/workbook.xml.rels": "<Relationships>" + link("a", "worksheet", "s.xml") + link("b", "styles", "styles.xml") + "</Relationships>",
                 "xl/styles.xml": "<styleSheet><fonts><font/><font><strike/></font></fonts><cellXfs><xf/><xf fontId='1'/><xf numFmtId='10'/>"
                                  "<xf numFmtId='14'/></cellXfs></styleSheet>",
-                "xl/s.xml": f"<worksheet><sheetData>{lines}</sheetData></worksheet>"}.items():
+                "xl/s.xml": f"<worksheet><sheetData>{lines}</sheetData><mergeCells>{merged}</mergeCells></worksheet>"}.items():
             archive.writestr(name, content)
     return out.getvalue()
 
@@ -295,6 +297,12 @@ def cell(t, i, **what):
     t.rows[i][1] = {"text": t.rows[i][1], **what}
 
 
+def merge(t, column):
+    """Two neighbouring cells are one; the second is empty in the file."""
+    cell(t, 1)
+    t.rows[1][column], t.rows[2][column] = {"text": t.rows[1][column], "merged": 1}, ""
+
+
 def units(t, unit):
     """The units stand in a second line."""
     t.rows[0] = ["Phase", "Gehalt"] if t.kind == "xrd" else ["v_in", "v_r"]
@@ -346,6 +354,7 @@ BOTH_EDITS = [
     ("trailing cells", READ, lambda t, i, r, f: t.after.append(";;;")), ("a note below", EITHER, lambda t, i, r, f: add(t, r.choice(["* lost", "Labor: N.N."]), "", gap=1)),
     ("a number of a sheet", READ, lambda t, i, r, f: cell(t, i)), ("a struck-out number", REFUSE, lambda t, i, r, f: cell(t, i, struck=True)),
     ("a raised digit", EITHER, lambda t, i, r, f: cell(t, i, raised="1")), ("a cell twice", REFUSE, lambda t, i, r, f: cell(t, i, twice=True)),
+    ("a name or v_in over two rows", REFUSE, lambda t, i, r, f: merge(t, 0)),
     ("a date", REFUSE, lambda t, i, r, f: cell(t, i, format=3)), ("a text that is not there", REFUSE, lambda t, i, r, f: cell(t, i, string="7")),
     ("junk", REFUSE, lambda t, i, r, f: t.rows[i].__setitem__(t.kind == "xrd", r.choice(JUNK))),
     ("an error value for a number", REFUSE, lambda t, i, r, f: t.rows[i].__setitem__(t.kind == "xrd", r.choice(ERRORS))),
