@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <regex>
 
@@ -137,7 +138,7 @@ struct AmountNote {
 /// The amount in a text such as "LOI (950 °C): 3.1 wt%"; none in a text of another form.
 std::optional<AmountNote> read_note(const std::string& text, std::size_t line) {
     static const std::regex form(
-        "(.*[^ =:])(?: *[=:] *| +)([<0-9][0-9., ]*(?:(?:\u00b1|[+]/?-) *[0-9.,]+)?) *([^0-9=:]*)");
+        "(.*?[^ =:])(?: *[=:] *| +)([<0-9][0-9., ]*(?:(?:\u00b1|[+]/?-) *[0-9.,]+)?) *([^0-9=:]*)");
     std::smatch match;
     if (text.size() > longest_name || !std::regex_match(text, match, form)) return std::nullopt;
     const std::string unit = match.str(3);
@@ -216,8 +217,13 @@ class OxideTable {
         if (lines.size() > most_lines)
             refuse_line(lines[most_lines].number, "the table is too long for a chemical analysis",
                         std::to_string(most_lines) + " lines or fewer");
+        std::map<char, std::size_t> separators;
+        for (const TextLine& line : lines) ++separators[separator_of(line.text)];
+        if (!separators.empty())
+            separator_ =
+                std::ranges::max_element(separators, {}, &std::pair<const char, std::size_t>::second)->first;
         for (const TextLine& line : lines) {
-            rows_.push_back(cut_row(line, separator_of(line.text)));
+            rows_.push_back(cut_row(line, separator_));
             for (std::size_t i = 0; i < rows_.back().cells.size(); ++i)
                 if (rows_.back().cells[i].size() > longest_cell)
                     throw InputError("the cell is too long for a chemical analysis",
@@ -269,13 +275,16 @@ class OxideTable {
             const std::string text = only_text(row);
             if (text.empty() && row.cells.front().find('=') != std::string::npos)
                 refuse_loss(row, joined(row.cells));
-            if (text.empty() || read_line(text).role != OxideRole::other) return false;
-            refuse_moles(text, row.line);
+            if (text.empty()) return false;
             const auto note = read_note(text, row.line);
             const bool states_amount =
                 note && (is_content(note->what.role) || note->what.role == OxideRole::trace);
-            if (states_amount) notes_.push_back(*note);
-            if (!states_amount) refuse_loss(row, text);
+            if (states_amount)
+                notes_.push_back(*note);
+            else if (read_line(text).role == OxideRole::other) {
+                refuse_moles(text, row.line);
+                refuse_loss(row, text);
+            }
             return states_amount;
         });
     }
@@ -298,7 +307,7 @@ class OxideTable {
     void require_coverage(const TextLines& file, const std::vector<TextLine>& lines) const {
         std::vector<TextLine> table;
         for (const TextLine& line : lines)
-            if (only_text(cut_row(line, separator_of(line.text))).empty()) table.push_back(line);
+            if (only_text(cut_row(line, separator_)).empty()) table.push_back(line);
         std::vector<std::string> uncertain;
         for (const OxideLine& each : headings_)
             if (is_uncertainty_column(each.heading.written, each) && each.heading.coverage.stated.empty())
@@ -553,6 +562,7 @@ class OxideTable {
     }
 
     NumberMarks marks_;
+    char separator_ = ',';  ///< of most lines
     std::vector<TableRow> rows_{};
     std::vector<AmountNote> notes_{};
     std::vector<OxideLine> headings_{};

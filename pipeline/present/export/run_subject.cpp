@@ -336,8 +336,12 @@ ExportSubject subject_of_run(const RunChoice& choice) {
     std::error_code ignored;
     const bool reports =
         std::filesystem::is_regular_file(std::filesystem::path(choice.folder) / comparison_artifact, ignored);
-    if (reports) files.push_back(comparison_artifact);
-    const Run run = read_run(load_artifacts(choice.folder, files));
+    if (choice.law.empty() && reports) files.push_back(comparison_artifact);
+    Run run = read_run(load_artifacts(choice.folder, files));
+    if (!choice.law.empty() && reports && (run.data.temperature.particle || run.data.temperature.wall)) {
+        files.push_back(comparison_artifact);
+        run = read_run(load_artifacts(choice.folder, files));
+    }
     const auto chosen = chosen_samples(run.data, choice);
     const LawChoice law = law_of(run, choice, chosen);
 

@@ -125,7 +125,8 @@ TEST_CASE("a line of text beside the table that states an amount is read, or ref
     const std::string wide = "Sample;SiO2;Al2O3\nFA1;60;36,9\n";
     for (const std::string& table : {down, down + "\n", wide, wide + "\n"})
         for (const char* note : {"LOI = 3.1 %", "LOI: 3,1 wt%", "Gl\u00fchverlust 3.1 %",
-                                 "LOI (950 \u00b0C): 3.1 wt%", "GV = 3.1", "LOI = 31 g/kg"}) {
+                                 "LOI (950 \u00b0C): 3.1 wt%", "GV = 3.1", "LOI =3.1%", "LOI 3.1%",
+                                 "LOI 950 \u00b0C = 3.1 %", "LOI = 3.1 \u00b1 0.2 %", "LOI = 31 g/kg"}) {
             CAPTURE(table + note);
             CHECK(near(loss_of(only(table + note + "\n")), 3.1));
         }

@@ -92,7 +92,7 @@ TEST_CASE("malformed FullProf summaries are refused at their line") {
     refuses_text(quartz + fullprof_phase(2, "QUARTZ", "60.00"),
                  "line 5: the phase \"QUARTZ\" is there twice");
     refuses_text(fullprof_phase(1, "Quartz", "40.00") + fullprof_phase(2, "Calcite", "40.00"),
-                 "line 4: the fractions add up to 80 %: a phase may be missing, or the rest be amorphous");
+                 "line 5: the fractions add up to 80 %: a phase may be missing, or the rest be amorphous");
     refuses_text(fullprof_phase(1, "Quartz", "-4.00"), "line 2: the fraction is below zero");
     refuses_text(fullprof_phase(1, "Quartz", "4.00( 1.0"), "line 2: cannot read");
     refuses_text(fullprof_phase(1, "Quartz", "abc"), "line 2: cannot read");
