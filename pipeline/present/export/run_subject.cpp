@@ -11,6 +11,7 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/case/case_reader.hpp"
+#include "pipeline/document/artifact.hpp"
 #include "pipeline/document/edits.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/run/comparison/temperature.hpp"
@@ -336,12 +337,12 @@ ExportSubject subject_of_run(const RunChoice& choice) {
     std::error_code ignored;
     const bool reports =
         std::filesystem::is_regular_file(std::filesystem::path(choice.folder) / comparison_artifact, ignored);
-    if (choice.law.empty() && reports) files.push_back(comparison_artifact);
-    Run run = read_run(load_artifacts(choice.folder, files));
-    if (!choice.law.empty() && reports && (run.data.temperature.particle || run.data.temperature.wall)) {
+    // With a law, the comparison adds what the temperature leaves of v_c, and nothing else.
+    if (reports &&
+        (choice.law.empty() ||
+         loaded_artifact(choice.folder, case_artifact).document->at("result").contains("temperature")))
         files.push_back(comparison_artifact);
-        run = read_run(load_artifacts(choice.folder, files));
-    }
+    const Run run = read_run(load_artifacts(choice.folder, files));
     const auto chosen = chosen_samples(run.data, choice);
     const LawChoice law = law_of(run, choice, chosen);
 
