@@ -634,6 +634,12 @@ std::optional<OxideNumber> number_of(const OxideCell& cell, const NumberMarks& m
         const auto& coverage = unit_heading(cell).coverage;
         if (number.uncertainty && coverage.problem.empty()) *number.uncertainty /= coverage.factor;
         if (cell.error_heading != nullptr && !says_no_number(cell.uncertainty)) {
+            const xrd::Heading& unit = unit_heading(cell);
+            if (number.uncertainty)
+                throw InputError(in_quotes(text) + " and its column state an uncertainty", "one of them");
+            if (cell.error_heading->unit == "%" && unit.unit != "%" && unit.scale == xrd::Scale::per_cent)
+                throw InputError("the uncertainty in [%] may be of the sample or of the amount",
+                                 "the unit of the amounts, such as [wt%]");
             const auto error = marks.read(cell.uncertainty, cell.column + 1);
             if (!error || error->value < 0)
                 throw InputError("cannot read the uncertainty " + in_quotes(cell.uncertainty),

@@ -89,7 +89,7 @@ std::string sample_named(const std::string& sample) {
 
 /// Refuses a table that ends with a separator before its last amount: it was cut off. @throws InputError
 void require_complete(const TextLines& file, const Table& table, const Entry& last) {
-    if (!last.amount && file.text().back() == table.separator)
+    if (!last.amount && last.mark == PhaseMark::none && file.text().back() == table.separator)
         refuse_line(last.line, "the last line stops before its amount: the file seems to be cut off",
                     "a complete table");
 }

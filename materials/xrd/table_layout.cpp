@@ -121,6 +121,9 @@ void check_units_of_uncertainties(Table& table) {
         if (heading.states == HeadingUnit::other || !scaled_alike ||
             heading.states == (is_volume ? HeadingUnit::weight : HeadingUnit::volume))
             heading.coverage.problem = "they are in another unit than the fractions";
+        else if (heading.unit == "%" && known && amounts->unit != "%" && amounts->scale == Scale::per_cent)
+            heading.coverage.problem =
+                "[%] may be of the whole or of the value (write the unit of the fractions)";
     }
 }
 
@@ -220,6 +223,9 @@ std::vector<Entry> long_entries(const Table& table) {
             if (table.headings[*table.column(Role::uncertainty)].scale == Scale::not_stated)
                 refuse_mixed_per_cent(table.has(Role::intensity) ? number(Role::intensity) : entry.amount,
                                       *uncertainty, row, *table.column(Role::uncertainty));
+            if (entry.amount && entry.amount->standard_uncertainty)
+                refuse_line(row.line, "the cell and a column state an uncertainty of the fraction",
+                            "one of them");
             entry.uncertainty = uncertainty->value;
         }
         if (entry.uncertainty && *entry.uncertainty < 0)

@@ -201,13 +201,22 @@ class OdsRows {
         for (const pugi::xml_node& node : parent) {
             const auto name = local_name(node.name());
             if (name == "table-row") take_row(node);
-            const bool group =
-                name == "table-row-group" || name == "table-header-rows" || name == "table-rows";
+            if (name == "table-column") take_column(node);
+            const bool group = name == "table-row-group" || name == "table-header-rows" ||
+                               name == "table-rows" || name == "table-column-group" ||
+                               name == "table-header-columns" || name == "table-columns";
             if (group && depth < deepest_group) take_rows(node, depth + 1);
         }
     }
 
   private:
+    void take_column(const pugi::xml_node& column) {
+        const std::size_t copies = repeats(column, "number-columns-repeated");
+        const auto visible = attribute_of(column, "visibility");
+        if (visible == "collapse" || visible == "filter") sheet_.hide_columns(column_, copies);
+        column_ += copies;
+    }
+
     /// Rows that are equal, such as two impacts captured at the same velocity, are stored once.
     void take_row(const pugi::xml_node& row) {
         std::vector<std::pair<std::size_t, std::string>> cells;
@@ -237,6 +246,7 @@ class OdsRows {
     Sheet& sheet_;
     const TextStyles& styles_;
     std::size_t row_ = 0;
+    std::size_t column_ = 0;  ///< of the next description of columns
 };
 
 /// The sheets of an .ods (OpenDocument 1.0 to 1.3); none if the archive is something else.
@@ -428,6 +438,12 @@ Sheet read_xlsx_sheet(const std::string& content, const std::string& name, const
                       const Shared& shared) {
     const pugi::xml_document document = parse_part(content, name);
     Sheet sheet(called);
+    for (const pugi::xml_node& columns : child_of(document.document_element(), "cols")) {
+        const auto first = whole_number(attribute_of(columns, "min").value_or(""));
+        const auto last = whole_number(attribute_of(columns, "max").value_or(""));
+        if (attribute_of(columns, "hidden") == "1" && first && last && *first > 0 && *first <= *last)
+            sheet.hide_columns(*first - 1, std::min(*last - *first + 1, Sheet::most_columns));
+    }
     std::size_t next_row = 0;
     for (const pugi::xml_node& row : child_of(document.document_element(), "sheetData")) {
         const auto number = whole_number(attribute_of(row, "r").value_or(""));

@@ -117,6 +117,13 @@ void Sheet::see_formula(std::size_t row, std::size_t column, const std::string& 
         summaries_.insert(row + 1);
 }
 
+std::size_t Sheet::hidden_columns() const {
+    std::size_t hidden = 0;
+    for (const auto& [first, count] : hidden_columns_)
+        hidden += std::min(width_, first + count) - std::min(width_, first);
+    return hidden;
+}
+
 InputError Sheet::too_large() const {
     return InputError("the sheet " + in_quotes(name_) + " is too large",
                       std::to_string(most_cells) + " cells and " + std::to_string(most_bytes >> 20) +
@@ -166,9 +173,11 @@ ChosenSheet::ChosenSheet(std::string_view bytes, const SheetRequest& request) {
     if (!others.empty())
         findings_.push_back({request.code, Severity::background,
                              "the sheet " + in_quotes(name_) + " is read, not " + named_sheets(others)});
-    if (sheet.hidden_rows() > 0)
-        findings_.push_back({request.code, Severity::remark,
-                             "hidden rows are read as well: " + std::to_string(sheet.hidden_rows())});
+    for (const auto& [what, count] :
+         {std::pair{"rows", sheet.hidden_rows()}, std::pair{"columns", sheet.hidden_columns()}})
+        if (count > 0)
+            findings_.push_back(
+                {request.code, Severity::remark, fmt::format("hidden {} are read as well: {}", what, count)});
 }
 
 std::string ChosenSheet::place(const std::string& line) const {

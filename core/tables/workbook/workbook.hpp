@@ -26,12 +26,14 @@ class Sheet {
     /// Refuses what no table has. @throws InputError
     void require_column(std::size_t row, std::size_t column) const;
     void count_hidden_row() { ++hidden_rows_; }
+    void hide_columns(std::size_t first, std::size_t count) { hidden_columns_.emplace_back(first, count); }
     /// States that a cell holds this formula: SUM, AVERAGE and the like of cells above it sum up rows.
     void see_formula(std::size_t row, std::size_t column, const std::string& formula);
 
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] bool empty() const { return rows_.empty(); }
     [[nodiscard]] std::size_t hidden_rows() const { return hidden_rows_; }
+    [[nodiscard]] std::size_t hidden_columns() const;
     /// Rows, counted from one, with a formula that sums up rows above.
     [[nodiscard]] const std::set<std::size_t>& summaries() const { return summaries_; }
     /// Memory that the cells take, about.
@@ -54,6 +56,7 @@ class Sheet {
     std::size_t cells_ = 0;
     std::size_t bytes_ = 0;  ///< of the texts
     std::size_t hidden_rows_ = 0;
+    std::vector<std::pair<std::size_t, std::size_t>> hidden_columns_;  ///< first ones and how many
     std::set<std::size_t> summaries_;
 };
 

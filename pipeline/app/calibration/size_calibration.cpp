@@ -71,6 +71,9 @@ std::vector<SizedVelocity> read_size_table(const std::string& bytes) {
                                  "d [um], v_c [m/s], u(v_c) [m/s]");
     });
     NumberMarks marks;
+    for (std::size_t k = 0; k < headings.size(); ++k)
+        if (headings[k].unit < (headings[k].column == SizeColumn::diameter ? 1e-7 : 0.05))
+            marks.may_hold_thousands(k);  // of nm, mm/s
     for (std::size_t i = 1; i < lines.size(); ++i)
         for_each_cell(lines[i], separator,
                       [&](std::string_view cell, std::size_t column) { marks.see(cell, column); });
@@ -93,6 +96,10 @@ std::vector<SizedVelocity> read_size_table(const std::string& bytes) {
                     sized.velocity = value;
                 else
                     sized.uncertainty = value;
+                const bool is_column = std::ranges::find(headings, SizeColumn::uncertainty,
+                                                         &SizeHeading::column) != headings.end();
+                if (number->standard_uncertainty && is_column)
+                    throw InputError(in_quotes(row.cells[k]) + " and a column state its uncertainty", "one");
                 if (headings[k].column == SizeColumn::velocity && number->standard_uncertainty)
                     sized.uncertainty = *number->standard_uncertainty * headings[k].unit;
             });
@@ -128,7 +135,11 @@ void complete_uncertainties(std::vector<SizedVelocity>& rows, const CommandOptio
                 "without one",
                 "a column u(v_c), or --uncertainty \"10 %\"")
                 .at("--uncertainty");
-        row.uncertainty = options.positive("--uncertainty", Dimension::fraction) * row.velocity;
+        const double relative = options.positive("--uncertainty", Dimension::fraction);
+        if (relative > 1)
+            throw InputError("is " + shortest(100 * relative) + " % of v_c", "up to 100 %, such as \"10 %\"")
+                .at("--uncertainty");
+        row.uncertainty = relative * row.velocity;
     }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <ostream>
@@ -65,6 +66,23 @@ std::vector<SizeClass> classes_on(const TubeConditions& tube, const ParticleSize
     return sizes.classes(most_classes, crossed_tube(tube).finest_arriving(density));
 }
 
+/// The damping of every size. @throws InputError for a restitution that is reached by another one at each
+Damping damping_of_all(const CommandOptions& options, ContactPair contact, double density,
+                       const std::vector<SizeClass>& classes) {
+    constexpr double same = 1e-9;  // relative
+    const auto at = [&](const SizeClass& size) {
+        contact.effective_radius = size.diameter() / 2;
+        contact.mass = sphere_mass(contact.effective_radius, density);
+        return read_damping_choice(options, contact).damping;
+    };
+    const Damping damping = at(classes.front());
+    if (std::abs(at(classes.back()).coefficient - damping.coefficient) > same * damping.coefficient)
+        throw InputError("needs another damping at each size, and a tube meets many",
+                         "one of --sizes, --damping, or --damping-law tsuji")
+            .at("--damping-restitution");
+    return damping;
+}
+
 /// Ash by the options of a contact: one law and its constants for every size.
 DepositingAsh ash_of_options(const CommandOptions& options, const TubeConditions& tube,
                              const ParticleSizes& sizes) {
@@ -85,9 +103,9 @@ DepositingAsh ash_of_options(const CommandOptions& options, const TubeConditions
     CommandOptions typed = options;
     typed.text_of("--diameter") = "10 um";  // any: the constants are the same for every size
     const ContactChoice choice = read_contact(typed);
-    const Damping damping = read_damping_choice(typed, choice.contact).damping;
     const double density = sphere_density(choice.sphere.radius, choice.sphere.mass);
     std::vector<SizeClass> classes = classes_on(tube, sizes, density);
+    const Damping damping = damping_of_all(options, choice.contact, density, classes);
     const bool damped = is_damped(damping, choice.contact.parameters);
     ClassVelocities velocities{.basis =
                                    damped ? named<SizeBasis>(name_of(damping.law)) : SizeBasis::adhesion};

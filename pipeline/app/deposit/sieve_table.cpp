@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include <fmt/format.h>
@@ -12,6 +14,7 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "core/units/units.hpp"
+#include "materials/xrd/table_headings.hpp"
 #include "pipeline/app/deposit/sizes_choice.hpp"
 
 namespace ashimpact {
@@ -33,17 +36,19 @@ constexpr double sum_tolerance = 0.02;   ///< of shares from 1
 constexpr double end_tolerance = 0.005;  ///< of a share at the largest size from 1
 constexpr double finest_ratio = 0.5;     ///< what passes the finest sieve begins at so much of its size
 constexpr double notable_fines = 0.05;   ///< of the mass, finer than the finest sieve
+constexpr double small_unit = 1e-7;      ///< of nm: a size may be thousands [m]
 
 /// A heading cut into its name and its unit: "passing [%]", "size in um", "d (mm)".
 struct SieveHeading {
     std::optional<SieveColumn> column{};
     std::string unit{};
+    std::string written{};
 };
 
 SieveHeading sieve_heading(const std::string& cell) {
     static const WordLists words("sieve columns");
     std::string name = cell;
-    SieveHeading heading;
+    SieveHeading heading{.written = cell};
     const auto bracket = cell.find_last_of("[(");
     const auto in = cell.rfind(" in ");
     if (bracket != std::string::npos) {
@@ -58,6 +63,10 @@ SieveHeading sieve_heading(const std::string& cell) {
     return heading;
 }
 
+bool is_size(SieveColumn column) {
+    return column == SieveColumn::size || column == SieveColumn::from || column == SieveColumn::to;
+}
+
 /// A table with its numbers in SI, cumulative or by classes.
 class SieveTable {
   public:
@@ -70,6 +79,10 @@ class SieveTable {
                 "\"size [um]\" with \"passing [%]\" or \"residue [%]\"; or \"from [um]\", \"to [um]\", "
                 "\"share [%]\"");
         const std::vector<TextLine> below(heading + 1, lines.end());
+        for (std::size_t k = 0; k < columns_.size(); ++k)
+            if (columns_[k].column && is_size(*columns_[k].column) &&
+                to_si(1, columns_[k].unit, Dimension::length) < small_unit)
+                marks_.may_hold_thousands(k);
         for (const TextLine& line : below)
             for_each_cell(line, separator_,
                           [&](std::string_view cell, std::size_t k) { marks_.see(cell, k); });
@@ -80,7 +93,8 @@ class SieveTable {
     [[nodiscard]] ParticleSizes sizes(std::vector<Finding>& notes) const {
         if (rows_.empty())
             refuse_line(last_line_, "there are no rows below the heading", "a size and a share each");
-        return kind_ == SieveColumn::share ? by_classes() : cumulative(notes);
+        std::ranges::copy(notes_, std::back_inserter(notes));
+        return kind_ == SieveColumn::share ? by_classes(notes) : cumulative(notes);
     }
 
   private:
@@ -115,31 +129,82 @@ class SieveTable {
             kind_ = SieveColumn::coarser;
         else
             return false;
-        for (const SieveColumn column : {SieveColumn::size, SieveColumn::from, SieveColumn::to})
-            if (const auto k = place(column); k && columns_[*k].unit.empty())
+        const auto both = [&](std::size_t i, std::size_t k) {
+            const auto& a = *columns_[i].column;
+            const auto& b = *columns_[k].column;
+            const bool sizes = is_size(a) && is_size(b) && a != SieveColumn::from && b != SieveColumn::from;
+            return a == b || sizes || (!is_size(a) && !is_size(b));
+        };
+        for (std::size_t k = 0; k < columns_.size(); ++k) {
+            const SieveHeading& heading = columns_[k];
+            for (std::size_t i = 0; heading.column && i < k; ++i)
+                if (columns_[i].column && both(i, k))
+                    refuse_line(line.number,
+                                "the columns " + in_quotes(columns_[i].written) + " and " +
+                                    in_quotes(heading.written) + " state one thing twice",
+                                "one of them");
+            if (!heading.column && !heading.written.empty())
+                note("column " + in_quotes(heading.written) + " is not used");
+            if (heading.column && is_size(*heading.column) && heading.unit.empty())
                 refuse_line(line.number, "a column of sizes has no unit", "such as \"size [um]\"");
-        if (place(kind_) != std::nullopt && columns_[*place(kind_)].unit == "%") scale_ = 0.01;
-        unit_given_ = !columns_[*place(kind_)].unit.empty();
+        }
+        take_scale(line.number, columns_[*place(kind_)]);
         return true;
     }
 
-    [[nodiscard]] double number(const TableRow& row, std::size_t column) const {
+    /// The unit of the shares, which are by mass.
+    void take_scale(std::size_t line, const SieveHeading& heading) {
+        const xrd::Heading unit = xrd::read_heading("x [" + heading.unit + "]");
+        unit_given_ = unit.scale != xrd::Scale::not_stated;
+        if (!heading.unit.empty() && unit.states == xrd::HeadingUnit::other)
+            refuse_line(line, "the unit of " + in_quotes(heading.written) + " is not known",
+                        "shares by mass: [%], [wt%], [1], [g/kg]");
+        if (unit.states == xrd::HeadingUnit::volume)
+            note("column " + in_quotes(heading.written) +
+                 " is by volume: taken as by mass, as of one density");
+        constexpr std::array<double, 5> scales{1, 0.01, 1, 1e-3, 1e-6};  // by xrd::Scale
+        scale_ = scales[static_cast<std::size_t>(unit.scale)];
+    }
+
+    void note(std::string text) { notes_.push_back({"deposition", Severity::remark, std::move(text)}); }
+
+    [[nodiscard]] double number(const TableRow& row, std::size_t column) {
         const std::string place = at_cell(row.line, column);
-        const auto read = at_place(place, [&]() { return marks_.read(row.cells.at(column), column); });
+        std::string_view cell = row.cells.at(column);
+        if (const std::string& unit = columns_[column].unit;
+            !unit.empty() && unit != "%" && unit != "-" && !is_digit(unit.front()) && cell.ends_with(unit))
+            cell = trimmed(cell.substr(0, cell.size() - unit.size()));
+        const auto read = at_place(place, [&]() { return marks_.read(cell, column); });
+        if (read && read->standard_uncertainty && !told_uncertain_) {
+            note("uncertainties are not used, the first in " + place);
+            told_uncertain_ = true;
+        }
         if (!read) throw InputError("cannot read " + in_quotes(row.cells.at(column)), "a number").at(place);
         return read->per_cent && !unit_given_ ? read->value / 100 : read->value;
     }
-    [[nodiscard]] double length(const TableRow& row, SieveColumn column) const {
+    [[nodiscard]] double length(const TableRow& row, SieveColumn column) {
         const std::size_t k = *place(column);
         return at_place(at_cell(row.line, k),
                         [&] { return to_si(number(row, k), columns_[k].unit, Dimension::length); });
     }
 
     void add(const TableRow& row) {
-        if (!row.cells.empty() && is_summary(row.cells.front())) return;
+        if (!row.cells.empty() && is_summary(row.cells.front()))
+            return note(at_line(row.line) + " is no size and left out: " + in_quotes(row.cells.front()));
         if (row.cells.size() < columns_.size())
             refuse_line(row.line, counted(row.cells.size(), "cell"),
                         std::to_string(columns_.size()) + " cells");
+        for (std::size_t k = 0; k < columns_.size(); ++k) {
+            const bool names_samples =
+                !columns_[k].column && xrd::role_of_text(columns_[k].written) == xrd::Role::sample;
+            if (!names_samples || row.cells[k].empty()) continue;
+            if (sample_ && *sample_ != row.cells[k])
+                refuse_line(
+                    row.line,
+                    "there are several samples, " + in_quotes(*sample_) + " and " + in_quotes(row.cells[k]),
+                    "a table for each");
+            sample_ = row.cells[k];
+        }
         const double share = number(row, *place(kind_)) * scale_;
         const double to = length(row, place(SieveColumn::to) ? SieveColumn::to : SieveColumn::size);
         const double from = kind_ == SieveColumn::share ? length(row, SieveColumn::from) : 0;
@@ -147,24 +212,39 @@ class SieveTable {
             refuse_line(row.line, "the sizes do not rise", "0 < from < to");
         if (share < 0) refuse_line(row.line, "the share is negative", "zero or more");
         const auto doubt = implausible(*plausible_range("diameter"), {to});
-        if (doubt && !doubt_) doubt_ = doubt;
+        if (doubt && !told_implausible_) notes_.push_back(*doubt);
+        told_implausible_ = told_implausible_ || doubt;
         rows_.push_back({row.line, from, to, share});
     }
 
     /// Shares without a unit are per cent if one exceeds what a fraction may be.
-    [[nodiscard]] double bare_scale(double greatest) const {
-        return !unit_given_ && greatest > 1 + sum_tolerance ? 0.01 : 1;
+    [[nodiscard]] double bare_scale(double greatest, std::vector<Finding>& notes) const {
+        if (unit_given_) return 1;
+        const bool per_cent = greatest > 1 + sum_tolerance;
+        notes.push_back({"deposition", Severity::remark,
+                         std::string("the shares have no unit: by their size they are ") +
+                             (per_cent ? "per cent" : "fractions")});
+        return per_cent ? 0.01 : 1;
     }
 
-    [[nodiscard]] ParticleSizes by_classes() const {
+    static void note_fines(double share, std::vector<Finding>& notes) {
+        if (share > notable_fines)
+            notes.push_back({"deposition", Severity::remark,
+                             fmt::format("{:.3g} % is finer than the smallest size of the table; it is taken "
+                                         "to lie above half of that size",
+                                         100 * share)});
+    }
+
+    [[nodiscard]] ParticleSizes by_classes(std::vector<Finding>& notes) const {
         std::vector<ShareRow> rows = rows_;
         std::ranges::sort(rows, {}, &ShareRow::to);
         double sum = 0;
         for (const ShareRow& row : rows) sum += row.share;
-        const double scale = bare_scale(sum);
+        const double scale = bare_scale(sum, notes);
         if (std::abs(sum * scale - 1) > sum_tolerance)
             refuse_line(rows.front().line, fmt::format("the shares add up to {:.4g} %", 100 * sum * scale),
                         "98 to 102 %");
+        if (rows.front().from == 0) note_fines(rows.front().share / sum, notes);
         const double first = rows.front().from > 0 ? rows.front().from : finest_ratio * rows.front().to;
         std::vector<double> diameters{first};
         std::vector<double> finer{0};
@@ -180,12 +260,11 @@ class SieveTable {
     }
 
     [[nodiscard]] ParticleSizes cumulative(std::vector<Finding>& notes) const {
-        if (doubt_) notes.push_back(*doubt_);
         std::vector<ShareRow> rows = rows_;
         std::ranges::sort(rows, {}, &ShareRow::to);
         double greatest = 0;
         for (const ShareRow& row : rows) greatest = std::max(greatest, row.share);
-        const double scale = bare_scale(greatest);
+        const double scale = bare_scale(greatest, notes);
         std::vector<double> diameters;
         std::vector<double> finer;
         for (const ShareRow& row : rows) {
@@ -206,12 +285,7 @@ class SieveTable {
                         "a last size that all is finer than");
         finer.back() = 1;
         if (finer.front() > 0) {
-            if (finer.front() > notable_fines)
-                notes.push_back(
-                    {"deposition", Severity::remark,
-                     fmt::format("{:.3g} % is finer than the smallest size of the table; it is taken "
-                                 "to lie above half of that size",
-                                 100 * finer.front())});
+            note_fines(finer.front(), notes);
             diameters.insert(diameters.begin(), finest_ratio * diameters.front());
             finer.insert(finer.begin(), 0);
         }
@@ -227,7 +301,10 @@ class SieveTable {
     double scale_ = 1;
     bool unit_given_ = false;
     std::vector<ShareRow> rows_{};
-    std::optional<Finding> doubt_{};
+    std::vector<Finding> notes_{};
+    std::optional<std::string> sample_{};
+    bool told_uncertain_ = false;
+    bool told_implausible_ = false;
     std::size_t last_line_ = 1;
 };
 

@@ -217,6 +217,9 @@ bool take_other(MeasurementHeading& heading, std::string_view name, std::size_t 
 /// @throws InputError for a second one, and for an angle without a unit
 bool take_sideways(MeasurementHeading& heading, const std::string& cell, std::string_view name,
                    std::string_view unit, std::size_t position) {
+    if (column_words().list_of(key_of(name)) == "wall angle")
+        throw InputError("column " + in_quotes(cell) + " holds angles from the wall, which are not read",
+                         "the angle from the normal, \"angle [deg]\", 90 degrees less that");
     if (!is_sideways(name)) return false;
     if (heading.sideways)
         throw InputError("the columns " + in_quotes(heading.sideways->name) + " and " + in_quotes(cell) +

@@ -529,6 +529,20 @@ void require_unit_of_title(const TextLine& title, const MeasurementHeading& head
                 .at(at_line(title.number));
 }
 
+/// Refuses rebounds without a unit of which each is 0 or 1. @throws InputError
+void refuse_flags(const MeasurementHeading& heading, const MeasurementSet& set) {
+    const auto& rebound = heading.of(MeasuredQuantity::rebound);
+    const auto is_flag = [](const Measurement& point) { return point.captured() || point.rebound == 1; };
+    const bool names_outcome = rebound && outcome_word(rebound->name) == OutcomeWord::rebound;
+    if (!names_outcome || rebound->unit_given || set.rebounds() == 0 ||
+        !std::ranges::all_of(set.points, is_flag))
+        return;
+    throw InputError(
+        "column " + in_quotes(rebound->name) + " may hold velocities of 1 m/s, or 1 for a rebound",
+        "\"v_r [m/s]\"; or the velocities with a column \"outcome\"")
+        .at(at_line(set.points.front().line));
+}
+
 /// What a row without a label may hold of the rows above it.
 struct Summary {
     std::string_view name;
@@ -651,6 +665,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
         });
     }
     unread.tell(set.warnings);
+    refuse_flags(heading, set);
     set.rebound_alone_uncertain = alone == MeasuredQuantity::rebound;
     if (alone && !set.rebound_alone_uncertain)
         set.warnings.push_back({impacts_code, Severity::remark,

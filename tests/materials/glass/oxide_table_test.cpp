@@ -276,6 +276,9 @@ TEST_CASE("tables that are no chemical analysis are refused in one line with the
     CHECK(says(refusal("Sample,SiO2,Fe2O3,Fe2O3\nA,30,40,30\n"), "iron is there more than once"));
     CHECK(says(refusal("Sample,SiO2,Al2O3\nA,60,40\nA,50,50\n"), "the sample \"A\" is there twice"));
     CHECK(says(refusal("phase,weight %\nquartz,60\nmullite,40\n"), "no two oxides are named"));
+    CHECK(says(refusal("Oxide;wt%;\u00b1\nSiO2;60 \u00b1 0.1;1\nAl2O3;40;1\n"), "state an uncertainty"));
+    CHECK(says(refusal("Oxide;wt%;Fehler [%]\nSiO2;60;1\nAl2O3;40;1\n"), "of the sample or of the amount"));
+    CHECK(says(refusal("Oxide;kcps\nSiO2;60\nAl2O3;40\n"), "no column holds amounts of oxides"));
     CHECK(says(refusal("Sample,SiO2,Al2O3\n"), "there are no amounts of oxides"));
     // Amounts that would be lost: no other column or row gives that oxide.
     for (const char* lost : {"MgO (corr.)", "MgO\u00b9", "Mg0", "MgO+SrO"})

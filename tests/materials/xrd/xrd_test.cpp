@@ -44,7 +44,7 @@ TEST_CASE("uncertainties of a table that are multiples of standard ones are read
         return "Phase;Gew.-%;" + heading + "\nQuarz;20;0,8\nMullit;80;1,2\n";
     };
     for (const char* heading : {"Fehler (2s)", "Unsicherheit (2 sigma)", "U (k=2)", "2σ", "±2σ", "2s",
-                                "Fehler 2s [%]", "esd (k = 2,0)", "error (95.45 %)", "U (95,45 %)"}) {
+                                "Fehler 2s [wt%]", "esd (k = 2,0)", "error (95.45 %)", "U (95,45 %)"}) {
         CAPTURE(heading);
         CHECK(relative_difference(uncertainty(with_column(heading)), 0.004) < 1e-12);
         const std::string told = read_xrd(with_column(heading), "t.csv").warnings.front().text;
@@ -64,6 +64,7 @@ TEST_CASE("uncertainties of a table that are multiples of standard ones are read
          {std::pair{"95 % CI", "half-widths"},
           std::pair{"erweiterte Unsicherheit", "needs its coverage factor"},
           std::pair{"U", "needs its coverage factor"}, std::pair{"Fehler [rel.%]", "another unit"},
+          std::pair{"Fehler [%]", "of the whole or of the value"},
           std::pair{"uncertainty [vol%]", "another unit"}, std::pair{"uncertainty [ppm]", "another unit"}}) {
         const XrdResult result = read_xrd(with_column(heading), "t.csv");
         CHECK_FALSE(result.samples[0].analysis.phases[0].standard_uncertainty);

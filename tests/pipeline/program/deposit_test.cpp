@@ -35,6 +35,30 @@ double value_of(const Json& parent, const char* key) {
 
 }  // namespace
 
+TEST_CASE("a damping by its restitution is that of the size, and refused where sizes need different ones") {
+    const Sandbox sandbox;
+    const std::string contact =
+        " --law jkr --density '2300 kg/m3' --contact-modulus '90 GPa' "
+        "--work-of-adhesion '0.3 J/m2' --damping-restitution 0.5 --at '1 m/s'";
+    const std::string many = " --sizes 'rosin-rammler: 20 um, 1.2'";
+    for (const std::string law : {"constant", "contact-radius", "tsuji"}) {
+        CAPTURE(law);
+        const std::string all =
+            contact.substr(0, law == "tsuji" ? contact.find(" --at") : std::string::npos) +
+            " --damping-law " + law;
+        const Json alone =
+            parse_json(succeeded(sandbox, "critical-velocity --diameter '20 um' --json" + all).out);
+        const Json artifact = deposited(sandbox, all + " --sizes '20 um'");
+        CHECK(value_of(artifact["result"]["sizes"][0], "critical_velocity") ==
+              doctest::Approx(value_of(alone, "critical_velocity")).epsilon(1e-3));
+        if (law == "tsuji")
+            deposited(sandbox, all + many);
+        else
+            check_refused(sandbox, "deposit" + superheater + all + many,
+                          "needs another damping at each size");
+    }
+}
+
 TEST_CASE("a deposition conserves mass over sizes, around the tube and along its length") {
     const Sandbox sandbox;
     const Json artifact =
@@ -152,6 +176,23 @@ TEST_CASE("of a run v_c by size counts, and beyond the measured sizes the headli
     check_refused(sandbox, "deposit" + superheater + ash + " --density 2000", "--density: the run has it");
 }
 
+TEST_CASE("what a sieve table has beside sizes and shares is said") {
+    const Sandbox sandbox;
+    for (const auto& [table, says] :
+         {std::pair{"size [um];passing [wt%];Bemerkung\n10;20;x\n20;100;\n",
+                    "column \"Bemerkung\" is not used"},
+          {"size [um];passing [Vol.-%]\n10;20\n20;100\n", "is by volume: taken as by mass"},
+          {"size [um];passing\n10;20\n20;100\n", "by their size they are per cent"},
+          {"size [um];passing [%]\n10 um;20 \u00b1 1\n20 um;100\n", "uncertainties are not used"},
+          {"size [um];passing [%]\n10;20\n20;100\nTotal;100\n", "line 4 is no size and left out"},
+          {"from [um];to [um];share [%]\n0;10;20\n10;20;80\n", "20 % is finer than the smallest size"}}) {
+        CAPTURE(table);
+        sandbox.write("sieve.csv", table);
+        CHECK(succeeded(sandbox, "deposit" + superheater + sticky_ash + " --sizes sieve.csv").err ==
+              containing(says));
+    }
+}
+
 TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
     const Sandbox sandbox;
     sandbox.write("twice.csv", "size [um],retained [%]\n10,20\n20,100\n");
@@ -161,6 +202,12 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
     sandbox.write("sum.csv", "from [um],to [um],share [%]\n0,10,20\n10,20,60\n");
     sandbox.write("gap.csv", "from [um],to [um],share [%]\n0,10,40\n12,20,60\n");
     sandbox.write("none.csv", "a,b\n1,2\n");
+    sandbox.write("sum-and-rest.csv", "size [um];passing [%];residue [%]\n10;20;80\n20;100;0\n");
+    sandbox.write("two-sizes.csv", "size [um];size [mm];passing [%]\n10;1;20\n20;2;100\n");
+    sandbox.write("grams.csv", "size [um];passing [g]\n10;0.2\n20;1\n");
+    sandbox.write("number.csv", "size [um];passing [number fraction]\n10;0.2\n20;1\n");
+    sandbox.write("samples.csv", "Probe;size [um];passing [%]\nA;10;20\nB;20;100\n");
+    sandbox.write("thousands.csv", "size [nm];passing [%]\n5.000;20\n9.000;100\n");
     struct Refused {
         const char* sizes;
         const char* says;
@@ -171,12 +218,24 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
           Refused{"'gamma: 20 um, 2'", "no distribution is called \"gamma\""},
           Refused{"'log-normal: 20 um, 0.5'", "geometric standard deviation is \"0.5\""},
           Refused{"'log-normal: 20 um, 2, area'", "the basis is \"area\""},
-          Refused{"20", "did you mean 20 um?"}, Refused{"'20 kg'", "--sizes"},
-          Refused{"'-3 um'", "a positive length"}, Refused{"coarse", "cannot read \"coarse\""},
-          Refused{"missing.csv", "missing.csv"}, Refused{"twice.csv", "two readings"},
-          Refused{"falls.csv", "line 3"}, Refused{"short.csv", "40 % is coarser than the largest size"},
-          Refused{"bare.csv", "no unit"}, Refused{"sum.csv", "add up to 80 %"},
-          Refused{"gap.csv", "does not begin where"}, Refused{"none.csv", "no line names the columns"}}) {
+          Refused{"20", "did you mean 20 um?"},
+          Refused{"'20 kg'", "--sizes"},
+          Refused{"'-3 um'", "a positive length"},
+          Refused{"coarse", "cannot read \"coarse\""},
+          Refused{"missing.csv", "missing.csv"},
+          Refused{"twice.csv", "two readings"},
+          Refused{"falls.csv", "line 3"},
+          Refused{"short.csv", "40 % is coarser than the largest size"},
+          Refused{"bare.csv", "no unit"},
+          Refused{"sum.csv", "add up to 80 %"},
+          Refused{"sum-and-rest.csv", "\"passing [%]\" and \"residue [%]\" state one thing twice"},
+          Refused{"two-sizes.csv", "state one thing twice"},
+          Refused{"grams.csv", "unit of \"passing [g]\""},
+          Refused{"number.csv", "unit of"},
+          Refused{"samples.csv", "several samples, \"A\" and \"B\""},
+          Refused{"thousands.csv", "5.000 or 5000"},
+          Refused{"gap.csv", "does not begin where"},
+          Refused{"none.csv", "no line names the columns"}}) {
         CAPTURE(sizes);
         check_refused(sandbox, "deposit" + superheater + sticky_ash + " --sizes " + sizes, says);
     }

@@ -280,6 +280,7 @@ TEST_CASE("one uncertainty in the heading, and a correlation without uncertainti
           {"v_in +/- 0.03 [m/s];v_r [m/s]", "states one uncertainty, 0.03"},
           {"v_in [m/s];v_r (\u00b10.02) [m/s]", "states one uncertainty, 0.02"},
           {"v_in [m/s];e_n \u00b1 0.02", "states one uncertainty, 0.02"},
+          {"v_in [m/s];angle to the surface [deg];v_rn [m/s]", "angles from the wall, which are not read"},
           {"v_in [m/s];e_n;correlation", "may be that of v_in with v_r, or of v_in with e_n"},
           {"v_in [m/s];v_r [m/s];correlation",
            "the correlation of two velocities is that of their uncertainties"}}) {
@@ -481,6 +482,10 @@ TEST_CASE(
 
 TEST_CASE(
     "columns that say yes or no of a capture are read, those of validity refused unless all rows are alike") {
+    for (const char* rows : {"1.5;1\n2.5;0\n", "1.5;1\n2.5;1\n"})
+        CHECK(contains(
+            input_error_of([&] { return read_measurements(std::string("v_in;rebound\n") + rows, "t.csv"); }),
+            "\"rebound\" may hold velocities of 1 m/s, or 1 for a rebound"));
     const MeasurementSet set =
         read_measurements("v_in;v_r;captured\n1,4;0,4;no\n0,6;0;yes\n0,5;;x\n0,7;0;nein\n", "t.csv");
     CHECK(set.captures() == 2);
