@@ -18,7 +18,7 @@
 #include "core/text/text.hpp"
 #include "pipeline/run/laws_by_size.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
-#include "solver/inference/calibration/calibration.hpp"
+#include "solver/inference/calibration/velocities_over_sizes.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/support/checks.hpp"
 
@@ -130,6 +130,18 @@ TEST_CASE("constants come back from critical velocities of three sizes") {
                 if (free.quantity == damping) sample.damping->coefficient *= 0.5;
             }
         const CalibrationSummary summary = calibrate(problem);
+        const CalibratedVelocity between = velocities_over_sizes(problem, summary, {170e-9}).front();
+        CHECK(relative_difference(*between.velocity,
+                                  *critical_velocity(sphere_of_size(law, 170e-9, row.adhesion, row.yield,
+                                                                    {DampingLaw::constant, row.damping}))
+                                       .value) < 1e-4);
+        // The band of one constant is that of its power law, v_c ~ w^(5/6); of any it is narrower between the
+        // velocities than one of them is known.
+        CHECK(*between.interval.upper / *between.velocity < std::exp(1.96 * 0.05));
+        if (row.free.size() == 1 && row.damping == 0)
+            CHECK(relative_difference(
+                      std::log(*between.interval.upper / *between.velocity),
+                      5.0 / 6 * std::log(summary.constants[0].upper / summary.constants[0].value)) < 1e-3);
         CHECK(summary.chi_squared < 1e-8);
         CHECK(summary.degrees_of_freedom == 3 - static_cast<int>(row.free.size()));
         for (const CalibratedConstant& constant : summary.constants) {
@@ -167,6 +179,10 @@ TEST_CASE(
         CHECK(found["fits"] == true);
         CHECK(found["constants"][0]["profile"]["identifiable"] == true);
     }
+    CHECK(test::succeeded(sandbox, "calibrate --sizes jkr.csv" + with + " -o fit.svg").out ==
+          test::containing("by profile likelihood"));
+    for (const char* piece : {"given velocities", "class=\"band", "JKR"})
+        CHECK(sandbox.read("fit.svg") == test::containing(piece));
     const test::Finished steep = test::succeeded(sandbox, "calibrate --sizes steep.csv" + with);
     CHECK(steep.out == test::containing("No value of these constants fits"));
     for (const std::string& line : test::lines_of(steep.out)) CHECK(line.size() <= 80);
@@ -180,7 +196,9 @@ TEST_CASE(
     const std::string jkr_free = " --law jkr " + silver + "--free work_of_adhesion";
     const struct {
         std::string options, says;
-    } refused[] = {{"--sizes jkr.csv" + jkr_free, "--uncertainty: is missing"},
+    } refused[] = {{"--sizes jkr.csv --uncertainty 0.1 -o fit.txt" + jkr_free, "fit.txt"},
+                   {"-o fit.svg --free density", "--output requires --sizes"},
+                   {"--sizes jkr.csv" + jkr_free, "--uncertainty: is missing"},
                    {"--sizes jkr.csv --uncertainty 0.1 --law jkr " + silver, "--free: is missing"},
                    {"--sizes jkr.csv --uncertainty 0.1 --law jkr --work-of-adhesion 0.1 " + silver +
                         "--free yield_pressure",

@@ -19,9 +19,12 @@
 #include "pipeline/app/run_stages.hpp"
 #include "pipeline/app/terminal.hpp"
 #include "pipeline/document/values_json.hpp"
+#include "pipeline/files/file.hpp"
+#include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/text/result_text.hpp"
 #include "pipeline/run/uncertainty/calibration.hpp"
 #include "solver/inference/calibration/calibration.hpp"
+#include "solver/statistics/distribution.hpp"
 
 namespace ashimpact {
 
@@ -187,8 +190,9 @@ std::vector<FreeConstant> free_constants(const CommandOptions& options) {
 }
 
 /// Calibrates and prints. @param conclusion the sentence below the table
-void print_calibration(const Case& data, const CalibrationProblem& problem,
-                       std::string (*conclusion)(const CalibrationSummary&), bool json, std::ostream& out) {
+CalibrationSummary print_calibration(const Case& data, const CalibrationProblem& problem,
+                                     std::string (*conclusion)(const CalibrationSummary&), bool json,
+                                     std::ostream& out) {
     const CalibrationSummary summary = calibrate(problem);
     const auto profiles = [&] {  // what takes most of the time
         Progress progress(summary.constants.size(), 0, on_terminal(), "constants");
@@ -199,7 +203,7 @@ void print_calibration(const Case& data, const CalibrationProblem& problem,
     const auto times = rows_of(data, problem.contact_times, summary.contact_times, Dimension::time);
     if (!json) {
         out << calibration_text(data, summary, profiles, velocities, times, conclusion(summary));
-        return;
+        return summary;
     }
     const auto fits = fits_the_data(summary);
     out << write_json({{"constants", constants_json(data, summary, profiles)},
@@ -213,6 +217,21 @@ void print_calibration(const Case& data, const CalibrationProblem& problem,
                        {"akaike", summary.akaike},
                        {"iterations", summary.iterations}},
                       Digits::seventeen);
+    return summary;
+}
+
+/// Draws velocities over sizes with the line of the calibrated constants, to half and double the sizes.
+void draw_calibration(const CalibrationProblem& problem, const CalibrationSummary& summary,
+                      const std::string& file) {
+    constexpr std::size_t sizes_of_line = 60;
+    const auto [least, greatest] =
+        std::ranges::minmax_element(problem.samples, {}, &CalibrationSample::diameter);
+    const auto line = velocities_over_sizes(
+        problem, summary, logarithmic_grid(least->diameter / 2, 2 * greatest->diameter, sizes_of_line));
+    const auto format = report::format_of(file);
+    write_file(file, report::figure_bytes(
+                         report::calibrated_velocities_figure(problem, line, conclusion_of_sizes(summary)),
+                         report::Width::wide, format));
 }
 
 void run_calibrate_command(const CommandOptions& options, std::ostream& out) {
@@ -220,7 +239,12 @@ void run_calibrate_command(const CommandOptions& options, std::ostream& out) {
     if (on_terminal()) spdlog::info("calibrating: this takes some seconds");
     if (options.has("--sizes")) {
         const SizeCalibration sizes = read_size_calibration(options, free);
-        print_calibration(sizes.data, sizes.problem, conclusion_of_sizes, options.has("--json"), out);
+        if (options.has("--output")) report::require_converter(report::format_of(options["--output"]));
+        const CalibrationSummary summary =
+            print_calibration(sizes.data, sizes.problem, conclusion_of_sizes, options.has("--json"), out);
+        if (!options.has("--output")) return;
+        draw_calibration(sizes.problem, summary, options["--output"]);
+        if (!options.has("--json")) out << options["--output"] << '\n';
         return;
     }
     refuse_material(options, "--sizes");
@@ -279,6 +303,8 @@ void add_calibrate(const CommandLine& line) {
                     "critical velocities of several sizes instead of a case: columns d [um], v_c [m/s] "
                     "and, if known, u(v_c) [m/s]; or a source of `ashimpact literature`");
     command.add("--uncertainty", "X", "relative standard one of v_c where the table states none, \"10 %\"")
+        ->needs(sizes);
+    command.add("-o,--output", "FILE", "draws the velocities and the law over the sizes: .svg, .pdf or .png")
         ->needs(sizes);
     command.add_material_options(false);
     command.add_allow_outside_flag();

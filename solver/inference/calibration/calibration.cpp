@@ -8,6 +8,7 @@
 #include "core/text/error.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/inference/calibration/velocities_over_sizes.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/numeric/gsl/solvers.hpp"
 
@@ -412,6 +413,42 @@ CalibrationResiduals calibration_residuals(const CalibrationProblem& problem,
         }
     }
     return result;
+}
+
+std::vector<CalibratedVelocity> velocities_over_sizes(const CalibrationProblem& problem,
+                                                      const CalibrationSummary& summary,
+                                                      const std::vector<double>& diameters) {
+    constexpr double step = 0.1;  // of a standard deviation
+    const Law law = problem.critical_velocities.front().law;
+    const auto velocity_of = [&](const CalibrationSample& sample) -> std::optional<double> {
+        const double velocity = predicted_velocity(sample, law, 0);
+        return velocity < captured_at_all ? std::optional(velocity) : std::nullopt;
+    };
+    return in_parallel(diameters, [&](double diameter) {
+        CalibrationSample sample = summary.samples.front();
+        sample.diameter = diameter;
+        CalibratedVelocity result{.diameter = diameter, .velocity = velocity_of(sample)};
+        Eigen::VectorXd changes(summary.correlation.rows());  // of ln v_c, by a standard deviation of each
+        for (Eigen::Index i = 0; i < changes.size(); ++i) {
+            const CalibratedConstant& constant = summary.constants[static_cast<std::size_t>(i)];
+            const double ratio = std::exp(step * constant.standard_uncertainty / constant.value);
+            CalibrationSample less = sample;
+            CalibrationSample more = sample;
+            constant_of(less, constant.quantity) /= ratio;
+            constant_of(more, constant.quantity) *= ratio;
+            const auto lower = velocity_of(less);
+            const auto upper = velocity_of(more);
+            if (!lower || !upper) return result;
+            changes[i] = std::log(*upper / *lower) / (2 * step);
+        }
+        const double variance = changes.dot(summary.correlation * changes);
+        const double deviation = std::sqrt(std::max(0.0, variance));
+        if (!result.velocity || !std::isfinite(deviation)) return result;
+        const double factor = std::exp(confidence_quantile() * deviation);
+        result.interval = {*result.velocity, deviation * *result.velocity, *result.velocity / factor,
+                           *result.velocity * factor};
+        return result;
+    });
 }
 
 Dimension dimension_of(CalibrationQuantity quantity, DampingLaw damping) {

@@ -8,6 +8,7 @@
 
 #include "pipeline/present/report/drawing/figure.hpp"
 #include "pipeline/run/results/run.hpp"
+#include "solver/inference/calibration/velocities_over_sizes.hpp"
 
 namespace ashimpact::report {
 
@@ -129,6 +130,12 @@ struct FigureMaker {
 
 /// Published critical velocities and lines of laws against diameter; a run adds its own samples.
 [[nodiscard]] Figure literature_figure(const std::vector<LawBySize>& laws);
+
+/// Velocities over sizes with a law whose constants were calibrated to them, its line with the band of their
+/// uncertainties. @param conclusion of the calibration, in words
+[[nodiscard]] Figure calibrated_velocities_figure(const CalibrationProblem& problem,
+                                                  const std::vector<CalibratedVelocity>& line,
+                                                  const std::string& conclusion);
 
 /// A number of a table, or an empty cell.
 [[nodiscard]] Cell cell_of(const std::optional<double>& value);

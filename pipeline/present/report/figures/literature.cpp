@@ -107,6 +107,49 @@ Figure literature_figure(const std::vector<LawBySize>& laws) {
     return figure;
 }
 
+Figure calibrated_velocities_figure(const CalibrationProblem& problem,
+                                    const std::vector<CalibratedVelocity>& line,
+                                    const std::string& conclusion) {
+    const std::string law = display_name(problem.critical_velocities.front().law.name());
+    Figure figure{
+        .id = "calibrated-velocities",
+        .title = "Critical velocity against size: " + law + " with calibrated constants",
+        .caption = fmt::format("Marks are the velocities with 95 % intervals of their stated or assumed "
+                               "uncertainty. The line is {}; its band is that of the constants, 95 %, "
+                               "with their correlation. {}",
+                               law, conclusion),
+        .numbers = {.columns = {"what", "diameter [m]", "v_c [m/s]", "lower [m/s]", "upper [m/s]"}},
+        .columns = 1,
+        .panel_height = 380};
+    XyPanel panel{.title = "",
+                  .x = {.label = "diameter", .unit = "µm", .scale = 1e-6, .spacing = Spacing::logarithmic},
+                  .y = {.label = "v_c", .unit = "m/s", .spacing = Spacing::logarithmic}};
+    Series fitted{.name = law, .legend = law, .look = Look::of(0)};
+    std::vector<Point> upper_ends;
+    for (const CalibratedVelocity& each : line) {
+        fitted.line.push_back({each.diameter, each.velocity.value_or(std::nan(""))});
+        figure.numbers.rows.push_back({law, each.diameter, cell_of(each.velocity),
+                                       cell_of(each.interval.lower), cell_of(each.interval.upper)});
+        if (!each.interval.lower || !each.interval.upper) continue;
+        fitted.band.push_back({each.diameter, *each.interval.lower});
+        upper_ends.push_back({each.diameter, *each.interval.upper});
+    }
+    fitted.band.insert(fitted.band.end(), upper_ends.rbegin(), upper_ends.rend());
+    panel.series.push_back(std::move(fitted));
+    for (const CriticalVelocityObservation& each : problem.critical_velocities) {
+        const double diameter = problem.samples[each.sample].diameter;
+        const double factor = std::exp(confidence_quantile() * each.standard_uncertainty / each.value);
+        Series mark{.name = "given", .legend = "given velocities", .look = Look::plain(0)};
+        mark.marks.push_back({diameter, each.value});
+        mark.line = {{diameter, each.value / factor}, {diameter, each.value * factor}};
+        panel.series.push_back(std::move(mark));
+        figure.numbers.rows.push_back(
+            {std::string("given"), diameter, each.value, each.value / factor, each.value * factor});
+    }
+    figure.panels.emplace_back(std::move(panel));
+    return figure;
+}
+
 Figure critical_velocity_by_size_figure(const RunData& run) {
     const ComparisonResult& comparison = run.run().comparison;
     Figure figure = literature_figure(comparison.laws_by_size);
