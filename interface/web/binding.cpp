@@ -24,6 +24,7 @@
 #include "interface/law_inputs.hpp"
 #include "materials/xrd/xrd.hpp"
 #include "pipeline/app/contact/single_contact.hpp"
+#include "pipeline/app/deposit/deposit.hpp"
 #include "pipeline/app/run_stages.hpp"
 #include "pipeline/case/case_parts.hpp"
 #include "pipeline/case/case_reader.hpp"
@@ -173,6 +174,13 @@ std::optional<std::string> refusal(const std::function<void()>& reader) {
     }
 }
 
+/// The text of an option, a number as JSON has it. @throws InputError
+std::string option_text(const std::string& key, const Json& value) {
+    if (!value.is_number() && !value.is_string())
+        throw InputError(key + " is " + value.dump(), "a number in SI, or a text");
+    return value.is_string() ? value.get<std::string>() : fmt::format("{}", value.get<double>());
+}
+
 /// The options of `ashimpact impact` that are the keys of an object: contact_modulus is --contact-modulus.
 CommandOptions options_of(const Json& contact) {
     std::vector<std::string> known{
@@ -187,10 +195,7 @@ CommandOptions options_of(const Json& contact) {
         std::string name = "--" + key;
         std::ranges::replace(name, '_', '-');
         if (std::ranges::find(known, name) == known.end()) throw InputError("unknown key " + in_quotes(key));
-        if (!value.is_number() && !value.is_string())
-            throw InputError(key + " is " + value.dump(), "a number in SI, or a text");
-        options.text_of(name) =
-            value.is_string() ? value.get<std::string>() : fmt::format("{}", value.get<double>());
+        options.text_of(name) = option_text(key, value);
     }
     return options;
 }
@@ -333,6 +338,20 @@ const char* ashimpact_laws() {
 /// One impact, JSON in and out; see single_impact_json().
 const char* ashimpact_impact(const char* contact) {
     return answered([&] { return single_impact_json(parse_json(contact)); });
+}
+
+/// What stays on a tube, as `ashimpact deposit RUN_DIR -o folder`: @p options has the command's options by
+/// their names and the folder of the run as "run".
+const char* ashimpact_deposit(const char* options, const char* folder) {
+    return answered([&] {
+        CommandOptions typed;
+        for (const auto& [key, value] : parse_json(options).items())
+            typed.text_of(key) = option_text(key, value);
+        typed.text_of("--output") = folder;
+        Json files = Json::array();
+        for (const auto& file : write_deposition(typed, {}).files) files.push_back(file.filename().string());
+        return Json{{"files", files}};
+    });
 }
 
 /// One figure of a finished run as SVG, @p width "single" or "double".

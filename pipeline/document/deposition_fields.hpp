@@ -30,6 +30,12 @@ void share_fields(auto& io, std::string_view key, Is<SpannedShare> auto& share) 
     io(std::string(key) + "_span", share.span);
 }
 
+/// The means of what rebounds, beside other fields.
+void rebound_fields(auto& io, Is<ReboundMeans> auto& rebound) {
+    io("restitution", rebound.restitution, Dimension::fraction);
+    io("rebound_velocity", rebound.velocity, Dimension::velocity);
+}
+
 void fields(auto& io, Is<DepositedSize> auto& size) {
     io("diameter", size.diameter, Dimension::length);
     io("from", size.from, Dimension::length);
@@ -42,6 +48,7 @@ void fields(auto& io, Is<DepositedSize> auto& size) {
     io("critical_velocity", size.critical_velocity, Dimension::velocity);
     io("normal_velocity", size.normal_velocity, Dimension::velocity);
     share_fields(io, "stick_fraction", size.stick_fraction);
+    rebound_fields(io, size.rebound);
     io("arrival_flux", size.arrival_flux, AnyUnit{});
     io("deposition_flux", size.deposition_flux, AnyUnit{});
 }
@@ -53,6 +60,7 @@ void fields(auto& io, Is<DepositedArc> auto& arc) {
     io("stays", arc.stays, Dimension::fraction);
     io("normal_velocity", arc.normal_velocity, Dimension::velocity);
     io("incidence", arc.incidence, Dimension::angle);
+    rebound_fields(io, arc.rebound);
     io("arrival_flux", arc.arrival_flux, AnyUnit{});
     io("deposition_flux", arc.deposition_flux, AnyUnit{});
 }
@@ -66,6 +74,7 @@ void fields(auto& io, Is<AssumedDeposition> auto& assumed) {
 void fields(auto& io, Is<DepositionTotal> auto& total) {
     io("impaction_efficiency", total.impaction_efficiency, Dimension::fraction);
     share_fields(io, "stick_fraction", total.stick_fraction);
+    rebound_fields(io, total.rebound);
     io("half_angle", total.half_angle, Dimension::angle);
     io("supported_fraction", total.supported_fraction, Dimension::fraction);
     io("deposition_flux", total.deposition_flux, AnyUnit{});

@@ -12,6 +12,7 @@
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
+#include "pipeline/run/rebounds.hpp"
 #include "pipeline/run/sizes.hpp"
 
 namespace ashimpact {
@@ -128,6 +129,12 @@ Staying staying_under(const ClassVelocities& velocities, const std::vector<Class
     return sum;
 }
 
+/// Means of rebounds as a result states them.
+ReboundMeans rebound_means(const Rebounds& rebounds) {
+    if (!(rebounds.share > 0) || !std::isfinite(rebounds.restitution)) return {};
+    return {rebounds.restitution, rebounds.velocity};
+}
+
 /// The assumptions that span the answer: those on damping, else adhesion alone.
 bool spans(const DepositingAsh& ash, const ClassVelocities& velocities) {
     return velocities.basis != SizeBasis::adhesion || ash.assumptions.size() == 1 ||
@@ -155,6 +162,7 @@ std::vector<DepositedSize> deposited_sizes(const TubeConditions& tube, const Dep
         stays.span = {stays.value, stays.value};
         if (each.impaction.any()) {
             size.normal_velocity = tube.velocity * each.mean_normal();
+            size.rebound = rebound_means(each.rebounds(answer.value[i], tube.velocity, ash.restitutions[i]));
             for (const ClassVelocities& other : ash.assumptions) {
                 if (!spans(ash, other)) continue;
                 stays.span.least = std::min(stays.span.least, stick(other.lower[i]));
@@ -178,6 +186,7 @@ std::vector<DepositedArc> deposited_arcs(const TubeConditions& tube, const std::
         if (arc.arrives > 0) {
             each.normal_velocity = arc.normal * tube.velocity;
             each.incidence = arc.incidence;
+            each.rebound = rebound_means(arc.rebounds);
         }
         if (tube.load) {  // on both sides, over a surface of D (to - from) per length
             const double flux = *tube.load * tube.velocity / (arc.to - arc.from);
@@ -231,7 +240,7 @@ void note_limits(const TubeConditions& tube, const std::vector<ClassImpaction>& 
 }  // namespace
 
 DepositingAsh ash_of_run(const Run& run, std::vector<SizeClass> classes,
-                         const std::optional<SizeBasis>& basis) {
+                         const std::optional<SizeBasis>& basis, double fastest) {
     const ComparisonResult& comparison = run.comparison;
     if (!comparison.sizes || comparison.by_size.empty())
         throw InputError("the run has no critical velocities by size",
@@ -252,8 +261,13 @@ DepositingAsh ash_of_run(const Run& run, std::vector<SizeClass> classes,
         }
         ash.assumptions.push_back(std::move(velocities));
     }
-    for (const SizeClass& size : classes)
+    ReboundingSizes rebounding{
+        .diameters = {}, .critical = ash.assumptions.front().value, .fastest = fastest};
+    for (const SizeClass& size : classes) {
+        rebounding.diameters.push_back(size.diameter());
         ash.densities.push_back(contact_of_size(run.contact, size.diameter()).density.value());
+    }
+    ash.restitutions = restitutions_of_run(run, ash.assumptions.front().basis, rebounding);
     ash.classes = std::move(classes);
     return ash;
 }
@@ -277,7 +291,8 @@ std::optional<Finding> temperature_finding(const ComparisonResult& comparison, L
 DepositionResult deposition_on(const TubeConditions& tube, const DepositingAsh& ash, StageRecord& record) {
     const std::vector<ClassImpaction> classes = impactions_on(crossed_tube(tube), ash.classes, ash.densities);
     const ClassVelocities& answer = ash.assumptions.front();
-    const std::vector<ArcImpaction> arcs = arcs_of(classes, answer.value, tube.velocity, arcs_of_quarter);
+    const std::vector<ArcImpaction> arcs =
+        arcs_of(classes, answer.value, ash.restitutions, tube.velocity, arcs_of_quarter);
     // What flies at a length of tube, load U D, over its circumference, pi D.
     const double mean_flux = tube.load.value_or(0) * tube.velocity / std::numbers::pi;
     const auto flux = [&](double share) -> std::optional<Quantity> {
@@ -312,6 +327,9 @@ DepositionResult deposition_on(const TubeConditions& tube, const DepositingAsh& 
     total.least_flux = flux(total.impaction_efficiency * span.least);
     total.greatest_flux = flux(total.impaction_efficiency * span.greatest);
     total.half_angle = half_angle(arcs);
+    Rebounds rebounds;
+    for (const ArcImpaction& arc : arcs) rebounds.add(arc.rebounds, 1);
+    total.rebound = rebound_means(rebounds);
     for (const DepositedSize& size : result.sizes)
         if (ash.measured && size.diameter >= ash.measured->from && size.diameter <= ash.measured->to &&
             total.impaction_efficiency > 0)

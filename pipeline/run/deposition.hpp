@@ -24,7 +24,9 @@ struct DepositingAsh {
     std::vector<SizeClass> classes{};
     std::vector<double> densities{};             ///< [kg/m3]
     std::vector<ClassVelocities> assumptions{};  ///< the first is that of the answer
-    std::optional<SizeRange> measured{};         ///< sizes with a measured v_c
+    std::vector<RestitutionOfVelocity>
+        restitutions{};                   ///< of the classes, under the assumption of the answer
+    std::optional<SizeRange> measured{};  ///< sizes with a measured v_c
 };
 
 /// The tube as the solver takes it.
@@ -35,10 +37,11 @@ struct DepositingAsh {
 /// The ash of a run: density and v_c of each class. Within the measured sizes v_c is as measured. Elsewhere
 /// it follows from the rows of each assumption, between two of them on a power law, beyond them on that of
 /// the last two. @param basis the assumption of the answer; none: the first there is of contact-radius,
-/// tsuji, hunt-crossley, brach-dunn-damping, power-of-size, constant, adhesion-alone
+/// tsuji, hunt-crossley, brach-dunn-damping, power-of-size, constant, adhesion-alone @param fastest impact,
+/// up to which restitutions are known [m/s]
 /// @throws InputError if the run has no v_c by size, or none by that assumption
 [[nodiscard]] DepositingAsh ash_of_run(const Run& run, std::vector<SizeClass> classes,
-                                       const std::optional<SizeBasis>& basis);
+                                       const std::optional<SizeBasis>& basis, double fastest);
 
 /// The doubt about v_c at the temperature of the gas [K], from the glass of the samples; none where it stays
 /// elastic during contacts, or no chemistry is known.

@@ -12,7 +12,8 @@ namespace ashimpact {
 
 namespace {
 
-constexpr int points_of_means = 32;  ///< offsets of equal distance
+constexpr int points_of_means = 32;     ///< offsets of equal distance
+constexpr int points_of_rebounds = 16;  ///< likewise, between particles that stay
 
 /// The part of an interval of offsets within another.
 double overlap_of(const OffsetRange& range, double from, double to) {
@@ -23,7 +24,37 @@ std::vector<OffsetRange> staying(const TubeImpaction& impaction, double critical
     return impaction.any() ? impaction.slower_than(critical / gas_velocity) : std::vector<OffsetRange>{};
 }
 
+/// What rebounds within a part of the offsets: what lies between those that stay.
+Rebounds rebounds_within(const TubeImpaction& impaction, const std::vector<OffsetRange>& stays,
+                         const OffsetRange& part, double gas_velocity,
+                         const RestitutionOfVelocity& restitution) {
+    Rebounds sum;
+    const auto add = [&](double from, double to) {
+        for (int i = 0; i < points_of_rebounds && to > from; ++i) {
+            const double offset = from + (to - from) * (i + 0.5) / points_of_rebounds;
+            const double velocity = gas_velocity * impaction.at_offset(offset).normal;
+            const double ratio = restitution(velocity);
+            sum.add({(to - from) / points_of_rebounds, ratio, ratio * velocity}, 1);
+        }
+    };
+    double from = part.from;
+    for (const OffsetRange& range : stays) {
+        add(from, std::min(range.from, part.to));
+        from = std::max(from, range.to);
+    }
+    add(from, part.to);
+    return sum;
+}
+
 }  // namespace
+
+void Rebounds::add(const Rebounds& other, double weight) {
+    const double more = weight * other.share;
+    if (!(more > 0)) return;
+    share += more;
+    restitution += (other.restitution - restitution) * more / share;
+    velocity += (other.velocity - velocity) * more / share;
+}
 
 double ClassImpaction::stick_fraction(double critical, double gas_velocity) const {
     double sum = 0;
@@ -39,6 +70,13 @@ double ClassImpaction::mean_normal() const {
     return sum / points_of_means;
 }
 
+Rebounds ClassImpaction::rebounds(double critical, double gas_velocity,
+                                  const RestitutionOfVelocity& restitution) const {
+    if (!impaction.any()) return {};
+    return rebounds_within(impaction, staying(impaction, critical, gas_velocity), {0, impaction.efficiency()},
+                           gas_velocity, restitution);
+}
+
 std::vector<ClassImpaction> impactions_on(const CrossedTube& tube, const std::vector<SizeClass>& classes,
                                           const std::vector<double>& densities) {
     std::vector<std::pair<SizeClass, double>> items;
@@ -50,7 +88,9 @@ std::vector<ClassImpaction> impactions_on(const CrossedTube& tube, const std::ve
 }
 
 std::vector<ArcImpaction> arcs_of(const std::vector<ClassImpaction>& classes,
-                                  const std::vector<double>& critical, double gas_velocity, int count) {
+                                  const std::vector<double>& critical,
+                                  const std::vector<RestitutionOfVelocity>& restitution, double gas_velocity,
+                                  int count) {
     std::vector<ArcImpaction> arcs(static_cast<std::size_t>(count));
     const double width = std::numbers::pi / 2 / count;
     for (std::size_t k = 0; k < arcs.size(); ++k) {
@@ -69,6 +109,8 @@ std::vector<ArcImpaction> arcs_of(const std::vector<ClassImpaction>& classes,
             const double share = classes[i].size.share;
             arcs[k].arrives += share * (to - from);
             for (const OffsetRange& range : stays) arcs[k].stays += share * overlap_of(range, from, to);
+            arcs[k].rebounds.add(rebounds_within(impaction, stays, {from, to}, gas_velocity, restitution[i]),
+                                 share);
             const TubePassage middle = impaction.at_offset((from + to) / 2);
             arcs[k].normal += share * (to - from) * middle.normal;
             arcs[k].incidence += share * (to - from) * std::atan2(middle.tangent, middle.normal);

@@ -1,27 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/app/deposit/deposit.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <ostream>
 
 #include <spdlog/spdlog.h>
 
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
-#include "pipeline/app/command.hpp"
 #include "pipeline/app/contact/damping_choice.hpp"
 #include "pipeline/app/deposit/sizes_choice.hpp"
-#include "pipeline/app/terminal.hpp"
 #include "pipeline/document/artifact.hpp"
 #include "pipeline/document/deposition_fields.hpp"
 #include "pipeline/document/edits.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/report/deposition/deposition_page.hpp"
-#include "pipeline/present/text/deposition_text.hpp"
 #include "pipeline/run/deposition.hpp"
+#include "pipeline/run/rebounds.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
@@ -109,21 +108,28 @@ DepositingAsh ash_of_options(const CommandOptions& options, const TubeConditions
     const bool damped = is_damped(damping, choice.contact.parameters);
     ClassVelocities velocities{.basis =
                                    damped ? named<SizeBasis>(name_of(damping.law)) : SizeBasis::adhesion};
-    velocities.value = in_parallel(classes, [&](const SizeClass& size) {
+    const auto impact_of = [&](double diameter) {
         ContactPair contact = choice.contact;
-        contact.effective_radius = size.diameter() / 2;
+        contact.effective_radius = diameter / 2;
         contact.mass = sphere_mass(contact.effective_radius, density);
+        return Impact{choice.law, choice.detachment, damping, contact, tube.velocity};
+    };
+    velocities.value = in_parallel(classes, [&](const SizeClass& size) {
+        const Impact impact = impact_of(size.diameter());
         const CriticalVelocity critical =
-            quick_critical_velocity({choice.law, choice.detachment, damping, contact});
+            quick_critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
         if (critical.verdict == CaptureVerdict::never_captured) return 0.0;
         return critical.value.value_or(std::numeric_limits<double>::infinity());
     });
     velocities.lower = velocities.upper = velocities.value;
+    ReboundingSizes rebounding{.diameters = {}, .critical = velocities.value, .fastest = tube.velocity};
+    for (const SizeClass& size : classes) rebounding.diameters.push_back(size.diameter());
     std::vector<double> densities(classes.size(), density);
     return {.law = choice.law,
             .classes = std::move(classes),
             .densities = std::move(densities),
-            .assumptions = {std::move(velocities)}};
+            .assumptions = {std::move(velocities)},
+            .restitutions = restitutions_by_law(rebounding, impact_of)};
 }
 
 /// What a result was computed from.
@@ -141,10 +147,11 @@ DepositSource source_of_run(const CommandOptions& options, const TubeConditions&
     if (options.has("--law"))
         throw InputError("the run has it", "a run, or the options of an impact").at("--law");
     const std::filesystem::path folder(options["run"]);
-    const Artifacts artifacts =
-        load_artifacts(folder, {case_artifact, contact_artifact, comparison_artifact});
+    const std::vector<std::string_view> files{case_artifact, contact_artifact, restitution_artifact,
+                                              comparison_artifact};
+    const Artifacts artifacts = load_artifacts(folder, files);
     DepositSource source;
-    for (const std::string_view file : {case_artifact, contact_artifact, comparison_artifact}) {
+    for (const std::string_view file : files) {
         const Artifact& artifact = artifacts.at(file);
         source.inputs.push_back({artifact.place, sha256(artifact.bytes)});
         const Json& provenance = artifact.document->at("provenance");
@@ -162,8 +169,9 @@ DepositSource source_of_run(const CommandOptions& options, const TubeConditions&
     double densest = 0;
     for (const SampleContact& sample : run.contact.samples)
         densest = std::max(densest, sample.density.value());
-    source.ash = at_place(FileName{artifacts.at(comparison_artifact).place},
-                          [&] { return ash_of_run(run, classes_on(tube, sizes, densest), basis); });
+    source.ash = at_place(FileName{artifacts.at(comparison_artifact).place}, [&] {
+        return ash_of_run(run, classes_on(tube, sizes, densest), basis, tube.velocity);
+    });
     if (auto note = temperature_finding(run.comparison, source.ash.law, tube.temperature))
         source.notes.push_back(*std::move(note));
     return source;
@@ -172,10 +180,28 @@ DepositSource source_of_run(const CommandOptions& options, const TubeConditions&
 /// The options that were given, for the provenance.
 Json options_json(const CommandOptions& options) {
     Json json = Json::object();
-    for (const char* name : {"--tube-diameter", "--gas-velocity", "--gas-temperature", "--gas-viscosity",
-                             "--sizes", "--ash-load", "--assumption", "--law", "--density",
-                             "--contact-modulus", "--work-of-adhesion", "--damping-law", "--damping"})
-        if (options.has(name)) json[std::string(name).substr(2)] = options[name];
+    std::vector<std::string> names{"--tube-diameter",
+                                   "--gas-velocity",
+                                   "--gas-temperature",
+                                   "--gas-viscosity",
+                                   "--sizes",
+                                   "--sheet",
+                                   "--decimal",
+                                   "--ash-load",
+                                   "--assumption",
+                                   "--law",
+                                   "--detachment",
+                                   "--density",
+                                   "--contact-modulus",
+                                   "--yield-pressure",
+                                   "--work-of-adhesion",
+                                   "--damping-law",
+                                   "--damping",
+                                   "--damping-restitution",
+                                   "--at"};
+    for (const LawParameter& parameter : law_parameters()) names.push_back(option_of(parameter));
+    for (const std::string& name : names)
+        if (options.has(name)) json[name.substr(2)] = options[name];
     if (options.has("run")) {
         json["run"] = options["run"];
         json.erase("damping-law");
@@ -192,7 +218,9 @@ void require_own(const std::filesystem::path& file) {
     throw InputError("is there already, and no result of deposit", "another -o").at(FileName{file.string()});
 }
 
-void run_deposit_command(const CommandOptions& options, std::ostream& out) {
+}  // namespace
+
+Deposition write_deposition(const CommandOptions& options, const TableOptions& table) {
     if (!options.has("run") && !options.has("--law"))
         throw InputError("neither a run nor a contact is given",
                          "RUN_DIR; or --law, --density and the other options of an impact")
@@ -201,7 +229,7 @@ void run_deposit_command(const CommandOptions& options, std::ostream& out) {
     const std::filesystem::path folder(options["--output"]);
     require_writable_folder(folder);
     require_own(folder / deposit_artifact);
-    SizesChoice sizes = read_sizes(options["--sizes"], table_options(options));
+    SizesChoice sizes = read_sizes(options["--sizes"], table);
     warn_of(sizes.notes, sizes.file ? sizes.file->file : "--sizes");
     tube.sizes = sizes.words;
     DepositSource source;
@@ -216,7 +244,8 @@ void run_deposit_command(const CommandOptions& options, std::ostream& out) {
     record.note(sizes.notes, "");
     const std::size_t printed = record.notes.size();
     record.note(source.notes, "");
-    const DepositionResult result = deposition_on(tube, source.ash, record);
+    Deposition deposition{.result = deposition_on(tube, source.ash, record), .files = {}};
+    const DepositionResult& result = deposition.result;
     const Artifact artifact = sealed_artifact({.record = record,
                                                .inputs = source.inputs,
                                                .options = options_json(options),
@@ -230,41 +259,8 @@ void run_deposit_command(const CommandOptions& options, std::ostream& out) {
     write_files(files);
     for (std::size_t i = printed; i < record.notes.size(); ++i)
         spdlog::warn("warning: {}", record.notes[i].text);
-    out << deposition_text(result) << "Written:";
-    for (const FileContent& file : files) out << ' ' << file.path.string();
-    out << '\n';
-}
-
-}  // namespace
-
-void add_deposit(const CommandLine& line) {
-    Command command = line.add(
-        "deposit", "What stays on a tube in a flow of ash: mass by size and around the tube",
-        "ashimpact deposit results --tube-diameter \"38 mm\" --gas-velocity \"12 m/s\" --gas-temperature "
-        "\"900 C\" "
-        "--sizes \"rosin-rammler: 20 um, 1.2\" --ash-load \"10 g/m3\" -o tube\n"
-        "  ashimpact deposit --law jkr --density \"2300 kg/m3\" --contact-modulus \"90 GPa\" "
-        "--work-of-adhesion "
-        "\"0.3 J/m2\" --damping-law tsuji --damping 0.5 --tube-diameter \"38 mm\" --gas-velocity \"12 m/s\" "
-        "--gas-temperature \"900 C\" --sizes \"20 um\" -o tube",
-        run_deposit_command);
-    command.add("run", "RUN_DIR", "folder of a finished run; else give the options of an impact");
-    command.add("--tube-diameter", "Q", "outside, \"38 mm\"")->required();
-    command.add("--gas-velocity", "Q", "far upstream, \"12 m/s\"")->required();
-    command.add("--gas-temperature", "Q", "\"900 C\"")->required();
-    command.add("--gas-viscosity", "Q", "default: that of air at the temperature");
-    command.add("--sizes", "SPEC", sizes_forms)->required();
-    command.add("--ash-load", "Q",
-                "mass of ash in the gas, \"10 g/m3\" at its temperature, \"35 g/Nm3\" at 0 C; without it "
-                "shares only");
-    command.add(
-        "--assumption", "NAME",
-        "of a run: what v_c follows from where sizes were not measured, tsuji; default: the first that the "
-        "impacts admit of contact-radius, tsuji, hunt-crossley, brach-dunn-damping, power-of-size, constant");
-    command.add_table_options();
-    command.add_contact_options(false);
-    command.add_damping_option();
-    command.add("-o,--output", "DIR", "folder to write")->required();
+    for (const FileContent& file : files) deposition.files.push_back(file.path);
+    return deposition;
 }
 
 }  // namespace ashimpact

@@ -41,10 +41,22 @@ std::string flux_cell(const std::optional<Quantity>& flux) {
 
 /// Neighbouring classes together, weighted by mass or by what arrives of them.
 struct SizeGroup {
-    double from = 0, to = 0, mass = 0, arrives = 0, stays = 0, normal = 0, flux = 0;
+    double from = 0, to = 0, mass = 0, arrives = 0, stays = 0, normal = 0, rebound = 0, flux = 0;
     const DepositedSize* middle = nullptr;
     bool has_flux = false;
 };
+
+/// "13.4 to 20.2 um", "below 8.94 um".
+std::string size_group_name(const SizeGroup& group) {
+    const std::string to = fmt::format("{:.3g} um", group.to * 1e6);
+    if (group.from == group.to) return to;
+    return group.arrives > 0 ? fmt::format("{:.3g} to {}", group.from * 1e6, to) : "below " + to;
+}
+
+/// The mean rebound velocity of a sum over what rebounds; "-" if nothing does or it is not known.
+std::string rebound_cell(double sum, double rebounds) {
+    return rebounds > 0 && std::isfinite(sum) ? velocity_text(sum / rebounds) : "-";
+}
 
 /// Of sizes that are too fine to arrive one group; of the others several.
 std::vector<SizeGroup> size_groups(const std::vector<DepositedSize>& sizes) {
@@ -62,6 +74,8 @@ std::vector<SizeGroup> size_groups(const std::vector<DepositedSize>& sizes) {
             group.arrives += arrives;
             group.stays += arrives * sizes[k].stick_fraction.value;
             group.normal += arrives * sizes[k].normal_velocity.value_or(0);
+            const double rebounds = arrives * (1 - sizes[k].stick_fraction.value);
+            if (rebounds > 0) group.rebound += rebounds * sizes[k].rebound.velocity.value_or(std::nan(""));
             if (sizes[k].deposition_flux) group.flux += sizes[k].deposition_flux->value;
             group.has_flux = sizes[k].deposition_flux.has_value();
         }
@@ -71,7 +85,7 @@ std::vector<SizeGroup> size_groups(const std::vector<DepositedSize>& sizes) {
 }
 
 std::string size_group_table(const DepositionResult& result, std::size_t width) {
-    TextTable table({"size", "mass %", "arrive %", "v_n [m/s]", "v_c [m/s]", "stay %", "g/(m2 h)"}, 1);
+    TextTable table({"size", "mass %", "arrive %", "v_n", "v_c", "stay %", "v_r", "g/(m2 h)"}, 1);
     for (const SizeGroup& group : size_groups(result.sizes)) {
         const bool any = group.arrives > 0;
         const DepositedSize& middle = *group.middle;
@@ -79,12 +93,10 @@ std::string size_group_table(const DepositionResult& result, std::size_t width) 
                                       : middle.critical_velocity ? velocity_text(*middle.critical_velocity)
                                       : middle.stick_fraction.value > 0 ? "all"
                                                                         : "none";
-        table.add({group.from == group.to ? readable(group.from, "m")
-                   : any                  ? readable(group.from, "m") + " to " + readable(group.to, "m")
-                                          : "finer than " + readable(group.to, "m"),
-                   share_text(group.mass), share_text(group.arrives / group.mass),
+        table.add({size_group_name(group), share_text(group.mass), share_text(group.arrives / group.mass),
                    any ? velocity_text(group.normal / group.arrives) : "-", threshold,
                    any ? share_text(group.stays / group.arrives) : "-",
+                   rebound_cell(group.rebound, group.arrives - group.stays),
                    group.has_flux ? flux_number(group.flux) : "-"});
     }
     table.drop_empty_columns();
@@ -92,18 +104,21 @@ std::string size_group_table(const DepositionResult& result, std::size_t width) 
 }
 
 std::string angle_table(const DepositionResult& result, std::size_t width) {
-    TextTable table({"from the front", "arrives %", "stays %", "v_n [m/s]", "g/(m2 h)"}, 1);
+    TextTable table({"from the front", "arrives %", "stays %", "v_n", "v_r", "g/(m2 h)"}, 1);
     for (std::size_t i = 0; i < result.angles.size(); i += arcs_together) {
         const std::size_t end = std::min(result.angles.size(), i + arcs_together);
         double arrives = 0;
         double stays = 0;
         double normal = 0;
+        double rebound = 0;
         double flux = 0;
         for (std::size_t k = i; k < end; ++k) {
             const DepositedArc& arc = result.angles[k];
             arrives += arc.arrives;
             stays += arc.stays;
             normal += arc.arrives * arc.normal_velocity.value_or(0);
+            if (arc.arrives > arc.stays)
+                rebound += (arc.arrives - arc.stays) * arc.rebound.velocity.value_or(std::nan(""));
             if (arc.deposition_flux) flux += arc.deposition_flux->value / static_cast<double>(end - i);
         }
         const double total = result.total.impaction_efficiency;
@@ -111,7 +126,7 @@ std::string angle_table(const DepositionResult& result, std::size_t width) {
                                result.angles[end - 1].to * 180 / std::numbers::pi),
                    total > 0 ? share_text(arrives / total) : "-", total > 0 ? share_text(stays / total) : "-",
                    arrives > 0 ? velocity_text(normal / arrives) : "-",
-                   result.tube.load ? flux_number(flux) : "-"});
+                   rebound_cell(rebound, arrives - stays), result.tube.load ? flux_number(flux) : "-"});
     }
     table.drop_empty_columns();
     return table.text(0, width);
@@ -164,6 +179,13 @@ std::vector<std::string> deposition_sentences(const DepositionResult& result) {
                     spans ? fmt::format(" ({} to {} %{})", share_text(least), share_text(greatest),
                                         total.deposition_flux ? "" : std::string(" ") + span_words)
                           : ""));
+    if (total.rebound.restitution)
+        sentences.push_back(fmt::format(
+            "The rest rebounds with a mean restitution of {:.2g}, at {} normal to the wall ({}).",
+            *total.rebound.restitution, readable(*total.rebound.velocity, "m/s"),
+            result.measured
+                ? fmt::format("as measured over the measured sizes, by {} elsewhere", name_of(result.basis))
+                : "by the damping given"));
     return sentences;
 }
 
@@ -188,7 +210,8 @@ std::string deposition_text(const DepositionResult& result, std::size_t width) {
                                 tube.load ? ", " + plain_number(1000 * *tube.load) + " g/m3" : "",
                                 result.law.name()),
                     width, 2) +
-            "\n\n" + size_group_table(result, width) + "\n" + angle_table(result, width);
+            "\n\nVelocities in m/s, normal to the wall: v_n arrives, v_r rebounds (means).\n\n" +
+            size_group_table(result, width) + "\n" + angle_table(result, width);
     if (result.total.half_angle > 0)
         text += fmt::format("Half of what stays lies within {:.0f} degrees of the front.\n",
                             result.total.half_angle * 180 / std::numbers::pi);

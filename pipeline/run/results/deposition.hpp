@@ -40,6 +40,11 @@ struct SpannedShare {
     DepositionSpan span{};
 };
 
+/// Means of what rebounds; none: nothing does, or its restitution is not known.
+struct ReboundMeans {
+    std::optional<double> restitution{}, velocity{};  ///< [1]; normal, away from the wall [m/s]
+};
+
 /// What becomes of the particles of one class of sizes.
 struct DepositedSize {
     double diameter = 0, from = 0, to = 0;  ///< [m]
@@ -50,6 +55,7 @@ struct DepositedSize {
     std::optional<double> critical_velocity{};  ///< none: all stay, or none do [m/s]
     std::optional<double> normal_velocity{};    ///< mean of arrivals [m/s]; none: nothing arrives
     SpannedShare stick_fraction{};              ///< of what arrives
+    ReboundMeans rebound{};
     std::optional<Quantity> arrival_flux{},
         deposition_flux{};  ///< mean over the circumference; none: no load
 };
@@ -59,6 +65,7 @@ struct DepositedArc {
     double from = 0, to = 0;                               ///< from the front [rad]
     double arrives = 0, stays = 0;                         ///< shares of what flies at the tube [1]
     std::optional<double> normal_velocity{}, incidence{};  ///< means of arrivals [m/s], from the normal [rad]
+    ReboundMeans rebound{};
     std::optional<Quantity> arrival_flux{}, deposition_flux{};  ///< of this part
 };
 
@@ -73,8 +80,9 @@ struct AssumedDeposition {
 struct DepositionTotal {
     double impaction_efficiency = 0;  ///< share of what flies at the tube that meets it [1]
     SpannedShare stick_fraction{};    ///< of what arrives [1]
-    double half_angle = 0;            ///< from the front, within which half of what stays lies [rad]
-    double supported_fraction = 0;    ///< of the mass that arrives, of sizes that were measured [1]
+    ReboundMeans rebound{};
+    double half_angle = 0;          ///< from the front, within which half of what stays lies [rad]
+    double supported_fraction = 0;  ///< of the mass that arrives, of sizes that were measured [1]
     std::optional<Quantity> deposition_flux{}, least_flux{},
         greatest_flux{};                        ///< mean over the circumference
     std::optional<Quantity> deposition_rate{};  ///< per length of tube

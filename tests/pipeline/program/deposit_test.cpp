@@ -110,6 +110,18 @@ TEST_CASE("what stays goes from nothing to all, and without a load there are sha
     const Json all = deposited(sandbox, ash + " --law hertz --damping '1 kg/s'");
     CHECK(value_of(all["result"]["total"], "stick_fraction") == 1);
     CHECK(all["result"]["assumption"] == "constant");
+    CHECK(all["result"]["total"]["rebound_velocity"].is_null());
+    // Undamped spheres without adhesion rebound as they came; with Tsuji's damping all with the same e.
+    CHECK(value_of(none["result"]["total"], "restitution") == 1);
+    CHECK(relative_difference(value_of(none["result"]["total"], "rebound_velocity"),
+                              value_of(none["result"]["sizes"][0], "normal_velocity")) < 1e-2);
+    const Json damped = deposited(sandbox, ash + " --law hertz --damping-law tsuji --damping 0.5");
+    const double e = parse_json(succeeded(sandbox,
+                                          "impact --json --law hertz --density '2300 kg/m3' "
+                                          "--contact-modulus '90 GPa' --diameter '20 um' --velocity "
+                                          "'5 m/s' --damping-law tsuji --damping 0.5")
+                                    .out)["restitution"]["value"];
+    CHECK(relative_difference(value_of(damped["result"]["sizes"][0], "restitution"), e) < 1e-6);
     const Json thick = deposited(sandbox, ash + " --law hertz --gas-viscosity '200 uPa s'");
     CHECK(value_of(thick["result"]["total"], "impaction_efficiency") <
           0.2 * value_of(none["result"]["total"], "impaction_efficiency"));
@@ -171,6 +183,12 @@ TEST_CASE("of a run v_c by size counts, and beyond the measured sizes the headli
     CHECK(relative_difference(value_of(measured["result"]["sizes"][0], "critical_velocity"),
                               1.2296515777623622) < 1e-6);
     CHECK(value_of(measured["result"]["total"], "supported_fraction") == 1);
+    // Their rebounds as well: e between the least and the greatest of the laboratory near these velocities.
+    const double e = value_of(measured["result"]["total"], "restitution");
+    CHECK(e > 0);
+    for (const Json& arc : measured["result"]["angles"])
+        if (!arc["rebound_velocity"].is_null())
+            CHECK(value_of(arc, "rebound_velocity") <= value_of(arc, "normal_velocity"));
     check_refused(sandbox, "deposit" + superheater + ash + " --assumption hunt-crossley",
                   "do not admit hunt-crossley");
     check_refused(sandbox, "deposit" + superheater + ash + " --density 2000", "--density: the run has it");

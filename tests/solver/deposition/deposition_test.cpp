@@ -210,12 +210,28 @@ TEST_CASE("what stays: nothing without v_c, all with any, and sums over sizes an
     CHECK(stays < 0.95 * arrives);
     double arrives_around = 0;
     double stays_around = 0;
-    for (const ArcImpaction& arc : arcs_of(classes, critical, ash_tube.velocity, 18)) {
+    // Restitution as without damping: e^2 v^2 = v^2 - v_c^2.
+    std::vector<RestitutionOfVelocity> restitution;
+    Rebounds by_size;
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+        restitution.emplace_back(
+            [v_c = critical[i]](double v) { return std::sqrt(1 - v_c * v_c / (v * v)); });
+        const Rebounds each = classes[i].rebounds(critical[i], ash_tube.velocity, restitution[i]);
+        by_size.add(each, classes[i].size.share);
+        CHECK(each.velocity <= ash_tube.velocity);
+    }
+    CHECK(relative_difference(by_size.share, arrives - stays) < 1e-12);
+    Rebounds around;
+    for (const ArcImpaction& arc : arcs_of(classes, critical, restitution, ash_tube.velocity, 18)) {
+        around.add(arc.rebounds, 1);
+        CHECK(relative_difference(arc.rebounds.share + arc.stays, arc.arrives) < 1e-12);
         CHECK(arc.stays <= arc.arrives);
         if (arc.arrives > 0) CHECK(arc.incidence * degrees < 90);
         arrives_around += arc.arrives;
         stays_around += arc.stays;
     }
+    CHECK(relative_difference(around.restitution, by_size.restitution) < 2e-3);
+    CHECK(relative_difference(around.velocity, by_size.velocity) < 2e-3);
     CHECK(relative_difference(arrives_around, arrives) < 1e-12);
     CHECK(relative_difference(stays_around, stays) < 1e-12);
 

@@ -28,17 +28,18 @@ std::optional<double> grams(const std::optional<Quantity>& flux) {
 }
 
 Figure deposited_sizes_figure(const DepositionResult& result) {
-    Figure figure{.id = "by-size",
-                  .title = "What arrives and what stays, by size",
-                  .caption =
-                      "Of the particles of each size that fly at the tube, the share that arrives and the "
-                      "share that stays; the band is the span over intervals of v_c and assumptions.",
-                  .numbers = {.columns = {"diameter [m]", "from [m]", "to [m]", "mass fraction",
-                                          "Stokes number", "effective Stokes number", "impaction efficiency",
-                                          "v_c [m/s]", "mean v_n [m/s]", "stick fraction", "least",
-                                          "greatest", "arrives [g/(m2 h)]", "stays [g/(m2 h)]"}},
-                  .columns = 2,
-                  .panel_height = 260};
+    Figure figure{
+        .id = "by-size",
+        .title = "What arrives and what stays, by size",
+        .caption =
+            "Of the particles of each size that fly at the tube, the share that arrives and the "
+            "share that stays; the band is the span over intervals of v_c and assumptions.",
+        .numbers = {.columns = {"diameter [m]", "from [m]", "to [m]", "mass fraction", "Stokes number",
+                                "effective Stokes number", "impaction efficiency", "v_c [m/s]",
+                                "mean v_n [m/s]", "stick fraction", "least", "greatest", "mean e of rebounds",
+                                "mean rebound v_n [m/s]", "arrives [g/(m2 h)]", "stays [g/(m2 h)]"}},
+        .columns = 2,
+        .panel_height = 260};
     const Axis diameter{.label = "diameter", .unit = "µm", .scale = 1e-6, .spacing = Spacing::logarithmic};
     const auto x = [](const DepositedSize& size) { return size.diameter; };
     XyPanel shares{
@@ -62,7 +63,9 @@ Figure deposited_sizes_figure(const DepositionResult& result) {
         line_of("arrives, mean v_n", 0, result.sizes, x,
                 [](const DepositedSize& size) { return size.normal_velocity.value_or(std::nan("")); }),
         line_of("v_c", 2, result.sizes, x,
-                [](const DepositedSize& size) { return size.critical_velocity.value_or(std::nan("")); })};
+                [](const DepositedSize& size) { return size.critical_velocity.value_or(std::nan("")); }),
+        line_of("rebounds, mean v_n", 3, result.sizes, x,
+                [](const DepositedSize& size) { return size.rebound.velocity.value_or(std::nan("")); })};
     if (result.measured) {
         velocities.regions.push_back({result.measured->from, result.measured->to, "measured"});
         shares.regions.push_back({result.measured->from, result.measured->to, "measured"});
@@ -72,6 +75,7 @@ Figure deposited_sizes_figure(const DepositionResult& result) {
             {size.diameter, size.from, size.to, size.mass_fraction, size.stokes, size.effective_stokes,
              size.impaction_efficiency, cell_of(size.critical_velocity), cell_of(size.normal_velocity),
              size.stick_fraction.value, size.stick_fraction.span.least, size.stick_fraction.span.greatest,
+             cell_of(size.rebound.restitution), cell_of(size.rebound.velocity),
              cell_of(grams(size.arrival_flux)), cell_of(grams(size.deposition_flux))});
     figure.numbers.shown_every = 4;
     figure.panels = {std::move(shares), std::move(velocities)};
@@ -89,8 +93,8 @@ Figure around_tube_figure(const DepositionResult& result) {
                                     : "Share of the mass that flies at the tube that arrives at and "
                                       "stays on"),
         .numbers = {.columns = {"from [deg]", "to [deg]", "arrives", "stays", "mean v_n [m/s]",
-                                "mean angle from the normal [deg]", "arrives [g/(m2 h)]",
-                                "stays [g/(m2 h)]"}},
+                                "mean angle from the normal [deg]", "mean e of rebounds",
+                                "mean rebound v_n [m/s]", "arrives [g/(m2 h)]", "stays [g/(m2 h)]"}},
         .columns = 2,
         .panel_height = 260};
     const Axis angle{
@@ -109,13 +113,16 @@ Figure around_tube_figure(const DepositionResult& result) {
                            [&](const DepositedArc& arc) { return shown(arc.deposition_flux, arc.stays); })};
     XyPanel velocity{
         .title = "mean normal velocity", .x = angle, .y = {.label = "v_n", .unit = "m/s", .from_zero = true}};
-    velocity.series = {line_of("arrives", 0, result.angles, middle, [](const DepositedArc& arc) {
-        return arc.normal_velocity.value_or(std::nan(""));
-    })};
+    velocity.series = {
+        line_of("arrives", 0, result.angles, middle,
+                [](const DepositedArc& arc) { return arc.normal_velocity.value_or(std::nan("")); }),
+        line_of("rebounds", 3, result.angles, middle,
+                [](const DepositedArc& arc) { return arc.rebound.velocity.value_or(std::nan("")); })};
     for (const DepositedArc& arc : result.angles)
         figure.numbers.rows.push_back(
             {arc.from / degree, arc.to / degree, arc.arrives, arc.stays, cell_of(arc.normal_velocity),
              cell_of(arc.incidence ? std::optional(*arc.incidence / degree) : std::nullopt),
+             cell_of(arc.rebound.restitution), cell_of(arc.rebound.velocity),
              cell_of(grams(arc.arrival_flux)), cell_of(grams(arc.deposition_flux))});
     figure.panels = {std::move(mass), std::move(velocity)};
     return figure;

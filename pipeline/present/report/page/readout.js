@@ -54,6 +54,7 @@
   };
 
   for (const plot of document.querySelectorAll('.plot')) {
+    if (plot.tabIndex === 0) continue;  // read before
     const output = plot.parentElement.querySelector('.readout');
     const known = [];
     for (const svg of plot.querySelectorAll('svg'))
