@@ -137,10 +137,13 @@ std::string beside_law_text(const std::vector<LiteratureSource>& sources, const 
             const auto beside = beside_law(law, each);
             if (!beside) continue;
             const auto& velocity = beside->critical.value;
+            const bool outside = velocity && outside_model(*velocity);
             table.add({source.key, readable(*each.diameter, "m"), literature_velocity_text(each),
-                       velocity ? readable(*velocity, "m/s") : std::string(name_of(beside->critical.verdict)),
-                       velocity ? readable_number(*velocity / each.upper, 3) : "-",
-                       beside->exponent ? fmt::format("{:.3f}", *beside->exponent) : "-"});
+                       outside    ? "above " + readable(fastest_in_model, "m/s")
+                       : velocity ? readable(*velocity, "m/s")
+                                  : std::string(name_of(beside->critical.verdict)),
+                       velocity && !outside ? readable_number(*velocity / each.upper, 3) : "-",
+                       beside->exponent && !outside ? fmt::format("{:.3f}", *beside->exponent) : "-"});
         }
     return table.text() +
            "ratio: v_c by the law over the published one, of a range or bound its upper end; exponent: d ln "

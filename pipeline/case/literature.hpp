@@ -14,14 +14,15 @@ namespace ashimpact {
 /// What a critical velocity of the literature is.
 enum class VelocityBasis {
     measured,
-    model,       ///< computed by the authors
-    second_hand  ///< measured, as others state it
+    model,        ///< computed by the authors
+    second_hand,  ///< measured, as others state it
+    extrapolated  ///< by the authors, beyond their impacts
 };
 
 template <>
 struct Names<VelocityBasis> {
     static constexpr std::string_view kind = "basis";
-    static constexpr std::array<std::string_view, 3> all{"measured", "model", "second-hand"};
+    static constexpr std::array<std::string_view, 4> all{"measured", "model", "second-hand", "extrapolated"};
 };
 
 /// A critical velocity that others published.

@@ -166,12 +166,12 @@ std::string calibration_text(const Case& data, const CalibrationSummary& summary
             residuals.add({row.sample, row.law, readable(row.residual.observed, row.unit),
                            readable(row.residual.predicted, row.unit),
                            fmt::format("{:+.2f} %", 100 * row.residual.relative_difference()),
-                           fmt::format("{:+.1f}", row.residual.relative_difference() /
+                           fmt::format("{:+.1f}", std::log(row.residual.predicted / row.residual.observed) /
                                                       row.residual.relative_uncertainty)});
     return constants.text() + "\n" + identification_text(data, summary, profiles) + "\n" + residuals.text() +
            fmt::format("\nchi^2 {} with {} degrees of freedom, probability {}; AIC {}\n",
                        readable_number(summary.chi_squared), summary.degrees_of_freedom,
-                       readable_number(summary.probability, 2), readable_number(summary.akaike)) +
+                       probability_text(summary.probability), readable_number(summary.akaike)) +
            wrapped(conclusion, output_width(), 2) + "\n";
 }
 

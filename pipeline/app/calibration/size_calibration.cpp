@@ -251,15 +251,20 @@ std::optional<bool> fits_the_data(const CalibrationSummary& summary) {
     return summary.probability >= least_probability;
 }
 
+std::string probability_text(double probability) {
+    constexpr double least_stated = 1e-6;
+    return probability < least_stated ? "below 1e-6" : readable_number(probability, 2);
+}
+
 std::string conclusion_of_sizes(const CalibrationSummary& summary) {
     const auto fits = fits_the_data(summary);
     if (!fits)
         return "There are as many constants as velocities: nothing is left that could contradict the law.";
     if (!*fits)
         return fmt::format(
-            "No value of these constants fits: chi^2 has a probability of {}. The law or an "
+            "No value of these constants fits: the probability of chi^2 is {}. The law or an "
             "uncertainty is wrong, and the intervals mean nothing.",
-            readable_number(summary.probability, 2));
+            probability_text(summary.probability));
     return "The law with these constants does not contradict the velocities.";
 }
 

@@ -24,6 +24,9 @@ struct SizeCalibration {
 /// Whether chi^2 admits the law with the calibrated constants; none without degrees of freedom.
 [[nodiscard]] std::optional<bool> fits_the_data(const CalibrationSummary& summary);
 
+/// A probability of chi^2 in words; below one in a million no digit of it means anything.
+[[nodiscard]] std::string probability_text(double probability);
+
 /// What a calibration over sizes comes to, in words.
 [[nodiscard]] std::string conclusion_of_sizes(const CalibrationSummary& summary);
 

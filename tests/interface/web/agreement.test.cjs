@@ -5,6 +5,7 @@
 const assert = require('node:assert/strict');
 const fs = require('node:fs');
 const path = require('node:path');
+const { execFileSync } = require('node:child_process');
 const { agree } = require('./agree.cjs');
 const { agreeOnReference } = require('./reference.cjs');
 
@@ -24,6 +25,20 @@ async function program(files) {
         call: (name, ...words) =>
             JSON.parse(module.UTF8ToString(module.ccall(`ashimpact_${name}`, 'number', words.map(() => 'string'), words))),
     };
+}
+
+// The estimate on a tube from a run that the page made has the bytes of the command line's from the same files.
+function agreeOnTube(web, run, sizes) {
+    const tube = { '--tube-diameter': '51 mm', '--gas-velocity': '9 m/s', '--gas-temperature': '1050 C', '--ash-load': '6 g/Nm3', '--sizes': sizes };
+    const answer = web.call('deposit', JSON.stringify({ run: 'results', ...tube }), 'tube');
+    assert.equal(answer.status, 0, JSON.stringify(answer.error));
+    const place = fs.mkdtempSync(path.join(folder, 'tube-'));
+    fs.mkdirSync(path.join(place, 'results'));
+    for (const file of run.files) fs.writeFileSync(path.join(place, 'results', file), web.read(`results/${file}`));
+    execFileSync(native, ['deposit', '-q', 'results', ...Object.entries(tube).flat(), '-o', 'tube'], { cwd: place, stdio: 'ignore' });
+    for (const file of answer.files) assert.equal(web.read(`tube/${file}`), fs.readFileSync(path.join(place, 'tube', file), 'utf8'), `${file} for ${sizes}`);
+    const wrong = web.call('deposit', JSON.stringify({ run: 'results', ...tube, '--tube-diameter': '51 kg' }), 'tube');
+    assert.deepEqual([wrong.status, wrong.error.place], [2, '--tube-diameter']);
 }
 
 (async () => {
@@ -53,6 +68,8 @@ async function program(files) {
     const figure = web.call('figure', 'results', 'restitution', 'single');
     assert.equal(figure.status, 0, JSON.stringify(figure.error));
     assert.match(figure.svg, /^<svg[\s\S]*<\/svg>\s*$/);
+
+    for (const sizes of ['rosin-rammler: 31 um, 1.1', '25 um']) agreeOnTube(web, run, sizes);
 
     // Restitution and critical velocity of one contact, as the sliders ask for them.
     const contact = JSON.parse(web.read('results/2-contact.json')).result.samples[0];

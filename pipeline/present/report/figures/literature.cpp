@@ -79,10 +79,14 @@ Figure literature_figure(const std::vector<LawBySize>& laws) {
         .id = "critical-velocity-by-size",
         .title = "Critical velocity against size: what others measured",
         .caption =
-            "Marks are published critical velocities, each of its own particles and wall, most read "
-            "in abstracts. A filled mark was measured; a hollow one is an upper bound (with a line "
-            "below it), a model's or second-hand. Fine lines are contact laws with one set "
-            "of constants; d^-0.83 is the exponent of elastic adhesion without damping. ",
+            "Marks are published critical velocities, each of its own particles and wall, without the "
+            "uncertainties, which no source states. A filled mark was measured; a hollow one is an upper "
+            "bound "
+            "(with a line below it), a model's or second-hand. Glass at 0.15 m/s is held by charge. SiO2, "
+            "ice and "
+            "the ash of Hu et al. are missing: they were read without a diameter. Fine lines are contact "
+            "laws "
+            "with one set of constants; d^-0.83 is the exponent of JKR without damping. ",
         .numbers = {.columns = {"what", "diameter [m]", "v_c [m/s]", "lower [m/s]", "upper [m/s]",
                                 "exponent of the line"}},
         .columns = 1,
@@ -154,10 +158,14 @@ Figure critical_velocity_by_size_figure(const RunData& run) {
     const ComparisonResult& comparison = run.run().comparison;
     Figure figure = literature_figure(comparison.laws_by_size);
     figure.caption +=
-        "Here they have the constants of this run, no damping, and beyond its sizes those of the nearest "
-        "sample: lower bounds, of which that of JKR holds for large and soft spheres alone. Thick lines are "
-        "the "
-        "assumptions on damping of the figure which-sizes, over the sizes for which it has them.";
+        "Here they have the constants of this run's particles, and beyond its sizes those of the nearest "
+        "sample: "
+        "they are no prediction for the other materials, and a mark that lies on one says nothing. They have "
+        "no "
+        "damping, which raises v_c; of them JKR is the highest, and holds for large and soft spheres alone. "
+        "Thick "
+        "lines are the assumptions on damping of the figure which-sizes, over the sizes for which it has "
+        "them.";
     auto& panel = std::get<XyPanel>(figure.panels.front());
     for (const SizeBasis basis : all_values<SizeBasis>) {
         if (basis == SizeBasis::adhesion || basis == SizeBasis::measured) continue;
