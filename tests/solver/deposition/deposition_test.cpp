@@ -161,14 +161,19 @@ TEST_CASE("efficiencies are those of correlations within 3.5 %, where these hold
         CHECK(relative_difference(TubeImpaction({.stokes = stokes, .drag = {0}}).efficiency(),
                                   stokes / (stokes + std::numbers::pi / 2)) < 0.03);
     // Israel & Rosner 1982 over the effective Stokes number, at the Reynolds numbers of 100 to 300 behind it.
-    for (const double reynolds : {100.0, 200.0, 300.0})
-        for (const double effective : {0.3, 0.5, 1.0, 2.0, 5.0, 20.0}) {
+    // It is closest near 150, there within 2 % but for 0.5 and 1; docs/deposit.md.
+    for (const double reynolds : {100.0, 150.0, 300.0})
+        for (const double effective : {0.2, 0.3, 0.5, 1.0, 2.0, 5.0, 20.0}) {
+            if (effective == 0.2 && reynolds != 150) continue;
+            const bool close = reynolds == 150 && effective != 0.5 && effective != 1;
             TubeParticle particle{.stokes = 1, .reynolds = reynolds};
             particle.stokes = effective / particle.effective_stokes();
             CAPTURE(reynolds);
             CAPTURE(effective);
             CHECK(relative_difference(TubeImpaction(particle).efficiency(), israel_rosner(effective)) <
-                  0.035);
+                  (close             ? 0.02
+                   : reynolds == 150 ? 0.032
+                                     : 0.035));
         }
     // With Stokes' drag it exceeds potential flow, by 8 % at S = 1: docs/deposit.md.
     CHECK(israel_rosner(1) / TubeImpaction({.stokes = 1, .drag = {0}}).efficiency() ==
