@@ -45,7 +45,8 @@ using KnownRebounds = std::shared_ptr<const std::vector<SizeRebounds>>;
 
 /// The restitution of a size, from those around it.
 RestitutionOfVelocity between_known(const KnownRebounds& known, double diameter, double critical) {
-    if (known->empty()) return [](double) { return std::numeric_limits<double>::quiet_NaN(); };
+    if (known->empty() || !(critical > 0))
+        return [](double) { return std::numeric_limits<double>::quiet_NaN(); };
     const auto above = std::ranges::lower_bound(*known, diameter, {}, &SizeRebounds::diameter);
     const SizeRebounds& upper = above == known->end() ? known->back() : *above;
     const SizeRebounds& lower = above == known->begin() || above == known->end() ? upper : above[-1];
@@ -180,22 +181,18 @@ std::vector<RestitutionOfVelocity> restitutions_by_law(
 
 std::vector<RestitutionOfVelocity> restitutions_of_run(const Run& run, SizeBasis basis,
                                                        const ReboundingSizes& sizes) {
-    const auto damping = assumed_damping(run, basis);
-    const SizeSummary& summary = *run.comparison.sizes;
-    std::vector<RestitutionOfVelocity> all;
+    const auto measured = std::make_shared<const std::vector<SizeRebounds>>(sample_rebounds(run));
+    const auto damping = measured->empty() ? assumed_damping(run, basis) : std::nullopt;
     if (damping)
-        all = restitutions_by_law(sizes, [&](double diameter) {
+        return restitutions_by_law(sizes, [&](double diameter) {
             ContactPair contact = contact_of_size(run.contact, diameter).pair;
             const Damping of_size = damping->of(diameter, contact);
-            return Impact{summary.law, run.data.detachment_of(summary.law), of_size, contact, 1};
+            const Law law = run.comparison.sizes->law;
+            return Impact{law, run.data.detachment_of(law), of_size, contact, 1};
         });
-    const auto measured = std::make_shared<const std::vector<SizeRebounds>>(sample_rebounds(run));
-    for (std::size_t i = 0; i < sizes.diameters.size(); ++i) {
-        const double diameter = sizes.diameters[i];
-        if (i == all.size()) all.push_back(between_known({}, diameter, 0));
-        if (!measured->empty() && diameter >= summary.measured.from && diameter <= summary.measured.to)
-            all[i] = between_known(measured, diameter, sizes.critical[i]);
-    }
+    std::vector<RestitutionOfVelocity> all;
+    for (std::size_t i = 0; i < sizes.diameters.size(); ++i)
+        all.push_back(between_known(measured, sizes.diameters[i], sizes.critical[i]));
     return all;
 }
 

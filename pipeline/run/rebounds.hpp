@@ -24,8 +24,9 @@ struct ReboundingSizes {
 [[nodiscard]] std::vector<RestitutionOfVelocity> restitutions_by_law(
     const ReboundingSizes& sizes, const std::function<Impact(double diameter)>& impact_of);
 
-/// Restitution of each size of a run: over the measured sizes the means of neighbouring rebounds, between two
-/// samples at equal v/v_c; elsewhere by the damping of an assumption. Unknown where the run has none.
+/// Restitution of each size of a run: the means of neighbouring rebounds of the samples around it, of the
+/// nearest one beyond them, at equal v/v_c. Of a run without impacts by the damping of an assumption; unknown
+/// where it states none.
 [[nodiscard]] std::vector<RestitutionOfVelocity> restitutions_of_run(const Run& run, SizeBasis basis,
                                                                      const ReboundingSizes& sizes);
 

@@ -180,12 +180,11 @@ std::vector<std::string> deposition_sentences(const DepositionResult& result) {
                                         total.deposition_flux ? "" : std::string(" ") + span_words)
                           : ""));
     if (total.rebound.restitution)
-        sentences.push_back(fmt::format(
-            "The rest rebounds with a mean restitution of {:.2g}, at {} normal to the wall ({}).",
-            *total.rebound.restitution, readable(*total.rebound.velocity, "m/s"),
-            result.measured
-                ? fmt::format("as measured over the measured sizes, by {} elsewhere", name_of(result.basis))
-                : "by the damping given"));
+        sentences.push_back(
+            fmt::format("The rest rebounds with a mean restitution of {:.2g}, at {} normal to the wall ({}).",
+                        *total.rebound.restitution, readable(*total.rebound.velocity, "m/s"),
+                        result.measured ? "at other sizes as measured at equal v/v_c, an assumption"
+                                        : "by the damping given"));
     return sentences;
 }
 
