@@ -54,7 +54,8 @@ for case in ("ash", "mpi"):
                      counted([row[2] for row in stuck], edges),
                      counted([math.degrees(math.atan2(row[5], -row[4])) for row in hit.values()], angles),
                      counted([math.degrees(math.atan2(row[5], -row[4])) for row in stuck], angles), len(stuck))
-    print("%s: %d impacts of %d particles, %d stuck" % (case, len(rows), len(hit), len(stuck)))
+    print("%s: %d impacts of %d particles, %d stuck, %d of them at their first impact"
+          % (case, len(rows), len(hit), len(stuck), sum(row[3] == 0 for row in hit.values())))
 with open(os.path.join(WORK, "constant/log.parcels")) as file:
     kept = int(re.findall(r"mass\) tube\s+- escape[^\n]*\n\s+- stick\s+= (\d+)", file.read())[-1])
 print("constant: %d stuck" % kept)
