@@ -344,9 +344,9 @@ const char* ashimpact_impact(const char* contact) {
 /// their names and the folder of the run as "run".
 const char* ashimpact_deposit(const char* options, const char* folder) {
     return answered([&] {
+        const Json given = parse_json(options);
         CommandOptions typed;
-        for (const auto& [key, value] : parse_json(options).items())
-            typed.text_of(key) = option_text(key, value);
+        for (const auto& [key, value] : given.items()) typed.text_of(key) = option_text(key, value);
         typed.text_of("--output") = folder;
         Json files = Json::array();
         for (const auto& file : write_deposition(typed, {}).files) files.push_back(file.filename().string());
