@@ -13,7 +13,7 @@ namespace ashimpact {
 namespace {
 
 constexpr int points_of_means = 32;     ///< offsets of equal distance
-constexpr int points_of_rebounds = 16;  ///< likewise, between particles that stay
+constexpr int points_of_rebounds = 16;  ///< between particles that stay
 
 /// The part of an interval of offsets within another.
 double overlap_of(const OffsetRange& range, double from, double to) {
@@ -30,11 +30,16 @@ Rebounds rebounds_within(const TubeImpaction& impaction, const std::vector<Offse
                          const RestitutionOfVelocity& restitution) {
     Rebounds sum;
     const auto add = [&](double from, double to) {
+        // Dense at both ends, where e and the velocity change with the root of the distance.
+        const auto share_below = [](double place) {
+            return 0.5 - 0.5 * std::cos(std::numbers::pi * place / points_of_rebounds);
+        };
         for (int i = 0; i < points_of_rebounds && to > from; ++i) {
-            const double offset = from + (to - from) * (i + 0.5) / points_of_rebounds;
+            const double width = share_below(i + 1) - share_below(i);
+            const double offset = from + (to - from) * share_below(i + 0.5);
             const double velocity = gas_velocity * impaction.at_offset(offset).normal;
             const double ratio = restitution(velocity);
-            sum.add({(to - from) / points_of_rebounds, ratio, ratio * velocity}, 1);
+            sum.add({(to - from) * width, ratio, ratio * velocity}, 1);
         }
     };
     double from = part.from;

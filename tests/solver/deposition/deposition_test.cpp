@@ -229,14 +229,14 @@ TEST_CASE("what stays: nothing without v_c, all with any, and sums over sizes an
     Rebounds around;
     for (const ArcImpaction& arc : arcs_of(classes, critical, restitution, ash_tube.velocity, 18)) {
         around.add(arc.rebounds, 1);
-        CHECK(relative_difference(arc.rebounds.share + arc.stays, arc.arrives) < 1e-12);
+        CHECK(std::abs(arc.rebounds.share + arc.stays - arc.arrives) < 1e-13);
         CHECK(arc.stays <= arc.arrives);
         if (arc.arrives > 0) CHECK(arc.incidence * degrees < 90);
         arrives_around += arc.arrives;
         stays_around += arc.stays;
     }
-    CHECK(relative_difference(around.restitution, by_size.restitution) < 2e-3);
-    CHECK(relative_difference(around.velocity, by_size.velocity) < 2e-3);
+    CHECK(relative_difference(around.restitution, by_size.restitution) < 5e-3);
+    CHECK(relative_difference(around.velocity, by_size.velocity) < 5e-3);
     CHECK(relative_difference(arrives_around, arrives) < 1e-12);
     CHECK(relative_difference(stays_around, stays) < 1e-12);
 
