@@ -82,20 +82,15 @@ Json measured_damping_json(const MeasuredDamping& result, const MeasurementSet& 
     json["rising_branch"] = result.rising && !result.rising->is_hidden()
                                 ? rising_branch_json(result.rising->upper, result.rising->falls_beyond)
                                 : Json(nullptr);
-    const auto with_check = [&](Json fit, const Interval& velocity) {
-        fit["check"] = check_json(checked(velocity, result.measured, true));
-        return fit;
-    };
     const auto* const curve = result.estimate ? &result.estimate->curve : nullptr;
     json["critical_velocity"] = curve != nullptr ? headline_json(curve->critical_velocity) : Json(nullptr);
-    json["extrapolated"] =
-        result.extrapolated
-            ? with_check(damping_fit_json(with_indices(*result.extrapolated, result.rising->indices)),
-                         result.extrapolated->critical_velocity)
-            : Json(nullptr);
-    json["direct"] = curve != nullptr ? with_check(damping_estimate_json(summary_of(*result.estimate)),
-                                                   curve->critical_velocity)
-                                      : Json(nullptr);
+    json["extrapolated"] = result.extrapolated
+                               ? damping_fit_json(with_indices(*result.extrapolated, result.rising->indices))
+                               : Json(nullptr);
+    if (result.extrapolated)
+        json["extrapolated"]["check"] =
+            check_json(checked(result.extrapolated->critical_velocity, result.measured, true));
+    json["direct"] = curve != nullptr ? damping_estimate_json(summary_of(*result.estimate)) : Json(nullptr);
     json["comparison"] = result.comparison ? comparison_json(*result.comparison) : Json(nullptr);
     json["measured"] = measured_velocity_json(result.measured);
     json["notes"] = texts_of(result.findings);

@@ -184,6 +184,7 @@ void fields(Io& io, Is<SampleComparison> auto& sample) {
     io.lenient("verdict", laws.verdict);
     io("measured_critical_velocity", sample.measured, Dimension::velocity);
     io.lenient("check", laws.check);
+    io.unless_empty("measured_by_outcomes", sample.measured_by_outcomes);
     io.unless_empty("measured_interval", sample.measured_interval, Dimension::velocity);
     io.unless_empty("extrapolated_critical_velocity", laws.extrapolated);
     io.unless_empty("interval_note", laws.interval_note);
@@ -489,6 +490,8 @@ void fields(auto& io, Is<VelocityUncertainty> auto& uncertainty) {
     io.lenient("undefined", uncertainty.undefined);
     io("mean", uncertainty.mean, Dimension::velocity);
     io("median", uncertainty.median, Dimension::velocity);
+    io.unless_empty("lower_error", uncertainty.lower_error, Dimension::velocity);
+    io.unless_empty("upper_error", uncertainty.upper_error, Dimension::velocity);
     io.lenient("relative_standard_uncertainties", uncertainty.relative);
     io.lenient("taken_as_exact", uncertainty.taken_as_exact);
     io("influences", uncertainty.influences);

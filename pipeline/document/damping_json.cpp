@@ -258,7 +258,6 @@ void fields(auto& io, Is<FitComparison> auto& comparison) {
     io("critical_damping_ratio", comparison.critical_damping_ratio, NullIfNotFinite{});
     io("critical_velocity_ratio", comparison.critical_velocity_ratio, NullIfNotFinite{});
     io.lenient("consistent", comparison.consistent);
-    io.lenient("exclude_one_another", comparison.exclude_one_another);
     io("statement", comparison.statement);
 }
 

@@ -272,6 +272,7 @@ SampleComparison comparison_of(const ComparedSample& of, const Case& data) {
                            .analytic_velocity = of.analytic.critical_velocity,
                            .laws = compare_laws(of, data.laws),
                            .measured = measured_of(of.sample, of.velocities.measured)};
+    if (entry.measured && !of.sample.measured_critical_velocity) entry.measured_by_outcomes = true;
     if (of.velocities.measured && (of.velocities.measured->lower || of.velocities.measured->upper))
         entry.measured_interval = Bounds{of.velocities.measured->lower, of.velocities.measured->upper};
     if (of.sample.published) entry.published = published_beside(*of.sample.published, of);

@@ -124,7 +124,7 @@ Fitted fit_through_model(const FitTask& task) {
     }
     if (found.estimate) fit.estimate = summary_of(*found.estimate);
     fit.comparison = found.comparison;
-    if (found.comparison && found.comparison->exclude_one_another)
+    if (found.comparison && !found.comparison->consistent)
         fitted.findings.push_back({"fits-disagree", Severity::background, found.comparison->statement});
     return fitted;
 }

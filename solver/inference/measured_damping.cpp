@@ -93,15 +93,19 @@ RisingBranch branch_for(MeasuredDamping& result, const ContactModel& model, cons
     }
 }
 
-/// An extrapolated v_c that nothing else supports must not lie above rebounds, however uncertain it is.
-void require_below_rebounds(MeasuredDamping& result) {
-    const std::optional<double>& slowest = result.measured.slowest_rebound;
+/// An extrapolated v_c must not lie above half of the rebounds, however uncertain it is; above none of them
+/// if nothing else supports it.
+void require_below_rebounds(MeasuredDamping& result, const MeasurementSet& set) {
+    std::vector<double> rebounds;
+    for (const Measurement& point : set.sorted())
+        if (!point.captured()) rebounds.push_back(point.velocity);
+    const bool alone = !result.estimate && !result.measured.fastest_capture;
+    const double bound = rebounds[alone ? 0 : rebounds.size() / 2];
     const double value = result.extrapolated->critical_velocity.value;
-    if (!slowest || result.measured.fastest_capture || value <= *slowest) return;
+    if (value <= bound) return;
     result.findings.push_back({"no-extrapolation", Severity::doubt,
                                "no extrapolated fit: its v_c of " + shortest(std::round(1e4 * value) / 1e4) +
-                                   " m/s lies above rebounds, the slowest at " + shortest(*slowest) +
-                                   " m/s, with no capture in the file"});
+                                   " m/s lies above rebounds, such as one at " + shortest(bound) + " m/s"});
     result.extrapolated.reset();
 }
 
@@ -132,16 +136,12 @@ FitComparison compare(const DampingCurveFit& extrapolated, const Interval& criti
                                   other.standard_uncertainty / other.value);
     result.consistent = std::abs(std::log(result.critical_velocity_ratio)) <= allowed ||
                         critical_velocity.contains(other.value);
-    result.exclude_one_another = !result.consistent;
     result.statement = "critical velocity of the estimate over that of the extrapolation: " +
                        shortest(std::round(1e4 * result.critical_velocity_ratio) / 1e4);
-    if (result.consistent) {
-        result.statement += "; they agree, as far as two estimates from the same impacts can tell";
-    } else {
+    if (!result.consistent)
         result.statement += "; they disagree: a damping of order " +
                             std::to_string(extrapolated.options.order) +
                             " in the restitution does not describe these impacts down to capture";
-    }
     return result;
 }
 
@@ -199,7 +199,7 @@ MeasuredDamping analyse_impacts(const ContactModel& model, const MeasurementSet&
                                               : branch_for(result, model, set, options.extrapolated);
             return extrapolate(result, model, options);
         });
-    if (!result.estimate && result.extrapolated) require_below_rebounds(result);
+    if (result.extrapolated) require_below_rebounds(result, set);
     if (result.estimate && result.extrapolated)
         result.comparison = compare(*result.extrapolated, result.estimate->curve.critical_velocity,
                                     result.estimate->curve.critical_damping);

@@ -17,9 +17,8 @@ namespace ashimpact {
 struct FitComparison {
     double critical_damping_ratio;   ///< of the estimate to the extrapolated [1]
     double critical_velocity_ratio;  ///< [1]
-    bool consistent;           ///< whether they differ by no more than estimates from the same impacts may
-    bool exclude_one_another;  ///< the negation of consistent
-    std::string statement;     ///< in words
+    bool consistent;        ///< whether they differ by no more than estimates from the same impacts may
+    std::string statement;  ///< in words
 };
 
 struct MeasuredDampingOptions {

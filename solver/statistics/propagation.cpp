@@ -42,14 +42,26 @@ SobolSums merged_without(std::span<const SobolSums> groups, std::size_t left_out
 }
 
 /// Standard error from estimates that each leave out one group: sqrt((g - 1)/g sum (x - mean)^2).
-double jackknife_error(const std::vector<std::vector<SobolIndices>>& partial, std::size_t variable,
-                       double SobolIndices::*index) {
-    std::vector<double> values;
-    values.reserve(partial.size());
-    for (const auto& each : partial) values.push_back(each[variable].*index);
+double jackknife_error(std::span<const double> values) {
     const Moments moments = Moments::of(values);
     return std::sqrt(moments.second * static_cast<double>(values.size() - 1) /
                      static_cast<double>(values.size()));
+}
+
+/// Errors of two quantiles of samples, of which one replicate after the other is left out.
+std::array<double, 2> end_errors(const std::vector<double>& samples, const std::vector<std::size_t>& begins,
+                                 const std::array<double, 2>& fractions) {
+    std::array<std::vector<double>, 2> ends;
+    for (std::size_t i = 0; i < begins.size(); ++i) {
+        const auto at = [&](std::size_t place) {
+            return samples.begin() + static_cast<std::ptrdiff_t>(place);
+        };
+        std::vector<double> others(samples.begin(), at(begins[i]));
+        if (i + 1 < begins.size()) others.insert(others.end(), at(begins[i + 1]), samples.end());
+        const std::vector<double> found = gsl::quantiles(others, fractions);
+        for (std::size_t end = 0; end < 2; ++end) ends[end].push_back(found[end]);
+    }
+    return {jackknife_error(ends[0]), jackknife_error(ends[1])};
 }
 
 /// Inputs that vary together.
@@ -231,9 +243,15 @@ std::vector<SobolIndices> sobol_indices(std::span<const SobolSums> groups) {
         partial.push_back(estimates(merged_without(groups, g)));
         if (partial.back().empty()) return indices;
     }
+    std::vector<double> values(partial.size());
+    const auto error_of = [&](std::size_t variable, double SobolIndices::*index) {
+        std::ranges::transform(partial, values.begin(),
+                               [&](const auto& each) { return each[variable].*index; });
+        return jackknife_error(values);
+    };
     for (std::size_t i = 0; i < indices.size(); ++i) {
-        indices[i].first_error = jackknife_error(partial, i, &SobolIndices::first);
-        indices[i].total_error = jackknife_error(partial, i, &SobolIndices::total);
+        indices[i].first_error = error_of(i, &SobolIndices::first);
+        indices[i].total_error = error_of(i, &SobolIndices::total);
     }
     return indices;
 }
@@ -248,6 +266,7 @@ Propagation propagate(const std::vector<RandomInput>& inputs, const UncertainMod
     Propagation result{};
     std::vector<SobolSums> replicates;
     std::vector<double> samples;
+    std::vector<std::size_t> begins;  ///< of each replicate in the samples
     for (int i = 0; i < options.replicates; ++i) {
         const auto [columns, undefined] = sampler.replicate(static_cast<std::size_t>(i));
         const std::vector<double>& a = columns[0];
@@ -255,6 +274,7 @@ Propagation propagate(const std::vector<RandomInput>& inputs, const UncertainMod
         result.undefined += undefined;
         result.evaluations += (a.size() + undefined) * columns.size();
         if (a.size() < 2) continue;
+        begins.push_back(samples.size());
         replicates.push_back(SobolSums::of({a, b, {columns.begin() + 2, columns.end()}}));
         for (std::size_t point = 0; point < a.size(); ++point)
             samples.insert(samples.end(), {a[point], b[point]});
@@ -265,6 +285,7 @@ Propagation propagate(const std::vector<RandomInput>& inputs, const UncertainMod
     const Moments moments = Moments::of(samples);
     const std::vector<double> quantiles = gsl::quantiles(samples, fractions);
     result.interval = {*value, std::sqrt(moments.variance()), quantiles[0], quantiles[2]};
+    result.end_errors = end_errors(samples, begins, {fractions[0], fractions[2]});
     result.mean = moments.mean;
     result.median = quantiles[1];
     result.influences = influences_of(sampler.factors(), replicates);

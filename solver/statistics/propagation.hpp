@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -84,6 +85,7 @@ struct Influence {
 /// A result with its distribution under uncertain inputs.
 struct Propagation {
     Interval interval;  ///< value at the inputs' values; standard deviation and quantiles of the samples
+    std::array<double, 2> end_errors;  ///< standard errors of both ends by Monte Carlo, by the jackknife
     double mean;
     double median;
     std::vector<Influence> influences;  ///< largest total first

@@ -186,6 +186,22 @@ TEST_CASE("the summary shows what a verdict compares, and marks a velocity that 
     CHECK_MESSAGE(text.find("* 0.684") != std::string::npos, text);
     CHECK_MESSAGE(text.find("* 0.700") == std::string::npos, text);
     CHECK_MESSAGE(text.find("*: extrapolated from the rebounds") != std::string::npos, text);
+
+    // Without a measurement of its own, and the same by every law.
+    for (const Law law : {Law::of<Hertz>(), Law::of<Jkr>()})
+        sample.laws.set(law, {.velocity = estimated,
+                              .extrapolated = VelocityEstimate{.value = law == Law::of<Jkr>() ? 0.65 : 0.4}});
+    sample.measured_by_outcomes = true;
+    const std::string same =
+        comparison_text({.reported = ReportedLaw{Law::of<Jkr>(), "why", {}}, .samples = {sample}}, 120);
+    CHECK_MESSAGE(
+        same.find("Captures and rebounds alone: fine 0.832 m/s (0.558 to 1.10).") != std::string::npos, same);
+    CHECK_MESSAGE(same.find("The impacts give v_c, whatever the contact law. Other sizes by jkr: why.") !=
+                      std::string::npos,
+                  same);
+    CHECK_MESSAGE(
+        same.find("fine    all        0.700  0.652 to 0.725  0.400 to 0.650\n") != std::string::npos, same);
+    CHECK_MESSAGE(same.find("verdict") == std::string::npos, same);
 }
 
 TEST_CASE("the summary begins with what sticks, or with what is known of it") {

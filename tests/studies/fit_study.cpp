@@ -30,7 +30,7 @@ struct Tally {
     void take(const MeasuredDamping& result, double truth) {
         ++done;
         no_fit += result.extrapolated ? 0U : 1U;
-        if (!result.comparison || !result.comparison->exclude_one_another) return;
+        if (!result.comparison || result.comparison->consistent) return;
         ++disagree;
         const Interval& v = result.extrapolated->critical_velocity;
         falsely += v.lower.value_or(0.0) <= truth && v.upper.value_or(truth) >= truth ? 1U : 0U;

@@ -18,8 +18,6 @@ namespace ashimpact {
 
 namespace {
 
-constexpr const char* misses = "off %";
-
 std::string or_dash(std::string_view text) {
     return text.empty() ? "-" : std::string(text);
 }
@@ -90,17 +88,6 @@ std::string assumptions_text(const ComparisonResult& result, std::size_t width) 
     return text.empty() ? text : text + "\n";
 }
 
-/// By how much a law misses the v_c of maugis-dugdale, which lies between DMT and JKR.
-std::string miss_cell(const SampleComparison& sample, Law law, const LawComparison& of) {
-    const auto reference =
-        std::ranges::find_if(sample.laws, [](const auto& each) { return each.first.has_cohesive_zone(); });
-    if (reference == sample.laws.end() || law.has_cohesive_zone() || !of.velocity) return "-";
-    const auto& between = reference->second.velocity;
-    if (!between) return "-";
-    const double off = std::round(1000 * (of.velocity->value / between->value - 1)) / 10;
-    return off == 0 ? "0.0" : fmt::format("{:+.1f}", off);
-}
-
 std::string velocity_cell(const LawComparison& law) {
     if (law.velocity) return (is_extrapolated(law) ? "* " : "") + velocity_text(law.velocity->value);
     return law.verdict == LawVerdict::finite ? "-" : std::string(name_of(law.verdict));
@@ -111,40 +98,58 @@ std::string published_cell(const SampleComparison& sample, Law law) {
     return beside == nullptr ? "-" : readable_number(beside->published.value);
 }
 
+/// A row of the table: laws that give a sample the same answer.
+struct LawRow {
+    std::vector<std::string> laws{};
+    std::array<std::string, 4> answer{};  ///< velocity, interval, published value, verdict
+    std::vector<double> extrapolated{};   ///< [m/s]
+};
+
+std::vector<LawRow> law_rows(const SampleComparison& sample) {
+    std::vector<LawRow> rows;
+    for (const auto& [law, of] : sample.laws) {
+        const std::array<std::string, 4> answer{
+            velocity_cell(of), or_dash(of.velocity ? bounds_text(of.velocity->interval) : ""),
+            published_cell(sample, law), or_dash(verdict_words(of.check))};
+        auto row = std::ranges::find(rows, answer, &LawRow::answer);
+        if (row == rows.end()) row = rows.insert(row, LawRow{.answer = answer});
+        row->laws.emplace_back(law.name());
+        if (of.extrapolated) row->extrapolated.push_back(of.extrapolated->value);
+    }
+    if (rows.size() == 1 && rows.front().laws.size() > 1) rows.front().laws = {"all"};
+    return rows;
+}
+
 std::string laws_text(const ComparisonResult& result, std::size_t width) {
     const bool reproduced = is_reproduction(result);
-    TextTable table({"sample", "law", "dynamic v_c", reproduced ? "by inputs" : "95 % interval", misses,
+    TextTable table({"sample", "law", "dynamic v_c", reproduced ? "by inputs" : "95 % interval",
                      "extrapolated", "published", "verdict"},
                     2);
     bool any_verdict = false;
-    bool any_miss = false;
     bool any_extrapolated = false;
     for (const SampleComparison& sample : result.samples) {
         std::string name = sample.name;
-        for (const auto& [law, of] : sample.laws) {
-            const std::string miss = miss_cell(sample, law, of);
-            any_miss = any_miss || miss != "-";
-            any_verdict = any_verdict || !verdict_words(of.check).empty();
-            any_extrapolated = any_extrapolated || is_extrapolated(of);
-            table.add({std::exchange(name, ""), std::string(law.name()), velocity_cell(of),
-                       or_dash(of.velocity ? bounds_text(of.velocity->interval) : ""), miss,
-                       of.extrapolated ? velocity_text(of.extrapolated->value) : "-",
-                       published_cell(sample, law), or_dash(verdict_words(of.check))});
+        for (const auto& [laws, answer, extrapolated] : law_rows(sample)) {
+            any_verdict = any_verdict || answer[3] != "-";
+            any_extrapolated = any_extrapolated || answer[0].starts_with('*');
+            std::string range = "-";
+            if (!extrapolated.empty()) {
+                const auto [least, greatest] = std::ranges::minmax(extrapolated);
+                range = velocity_text(least);
+                if (velocity_text(greatest) != range) range += " to " + velocity_text(greatest);
+            }
+            table.add(
+                {std::exchange(name, ""), joined(laws), answer[0], answer[1], range, answer[2], answer[3]});
         }
     }
     table.drop_empty_columns();
-    std::string text = "All laws [m/s]";
+    std::string text = "By law [m/s]";
     text += any_verdict ? "; the verdict is that of the measured velocity:\n\n" : ":\n\n";
     text += table.text(0, width);
     if (reproduced)
         text += wrapped_line(
             "by inputs: what the rounding of published numbers and the stated uncertainties of the inputs "
             "leave open.",
-            width);
-    if (any_miss)
-        text += wrapped_line(
-            std::string(misses) +
-                ": by how much a law misses the v_c of maugis-dugdale, the law between DMT and JKR.",
             width);
     if (any_extrapolated)
         text += wrapped_line(

@@ -80,7 +80,11 @@ std::string sticking_sentence(const SampleComparison& sample, const ComparisonRe
 /// The law of the run, and why it is that one.
 std::string law_sentence(const ComparisonResult& result) {
     if (!result.reported) return {};
-    return fmt::format("By {}{}: {}.", result.reported->law.name(),
+    const bool of_impacts = std::ranges::all_of(
+        result.samples, [](const SampleComparison& sample) { return is_of_impacts(*sample.reported); });
+    return fmt::format("{} {}{}: {}.",
+                       of_impacts ? "The impacts give v_c, whatever the contact law. Other sizes by" : "By",
+                       result.reported->law.name(),
                        result.samples.size() > 1 ? ", one law for all sizes" : "", result.reported->reason);
 }
 
@@ -128,27 +132,32 @@ std::string bracket_sentence(const ComparisonResult& result) {
     if (!any) return {};
     const std::string text = "In brackets: the interval that holds the velocity with 95 %";
     if (own.empty() || !result.reported) return text + ".";
-    return fmt::format("{}, {} being equally likely; by {} alone it is {}.", text,
-                       enumerated(result.reported->admissible), result.reported->law.name(), enumerated(own));
+    return fmt::format("{}, over {}; by {} alone it is {}.", text, enumerated(result.reported->admissible),
+                       result.reported->law.name(), enumerated(own));
 }
 
-/// "Measured, for comparison only: fine 1.60 m/s (1.50 to 1.70)."
+/// "Captures and rebounds alone: fine 1.60 m/s (1.50 to 1.70)."
 std::string measured_text(const ComparisonResult& result) {
     std::vector<std::string> measured;
+    std::vector<std::string> outcomes;
     bool bare = false;
     for (const SampleComparison* each : by_size(result)) {
         const SampleComparison& sample = *each;
         if (!sample.measured) continue;
         const std::string bounds = bounds_text(sample.measured_interval);
         const double velocity = sample.measured->value();
-        measured.push_back(sample.name + " " +
-                           critical_velocity_text(velocity, velocity_text(velocity) + " m/s") +
-                           (bounds.empty() ? "" : " (" + bounds + ")"));
-        bare = bare || bounds.empty();
+        const bool stated = !sample.measured_by_outcomes;
+        (stated ? measured : outcomes)
+            .push_back(sample.name + " " +
+                       critical_velocity_text(velocity, velocity_text(velocity) + " m/s") +
+                       (bounds.empty() ? "" : " (" + bounds + ")"));
+        bare = bare || (stated && bounds.empty());
     }
-    if (measured.empty()) return {};
-    return "Measured, for comparison only: " + enumerated(measured) +
-           (bare ? "; where no uncertainty is stated, no law is judged by it." : ".");
+    std::string text = outcomes.empty() ? "" : "Captures and rebounds alone: " + enumerated(outcomes) + ". ";
+    if (!measured.empty())
+        text += "Measured, for comparison only: " + enumerated(measured) +
+                (bare ? "; where no uncertainty is stated, no law is judged by it." : ".");
+    return text;
 }
 
 std::string span_cell(const VelocitySpan& span) {

@@ -38,6 +38,11 @@ namespace ashimpact {
 /// Whether the velocity of a law is the paper's extrapolation, because its impacts give no estimate.
 [[nodiscard]] bool is_extrapolated(const LawComparison& law);
 
+/// Whether v_c follows from the measured impacts alone, the same by every law.
+[[nodiscard]] inline bool is_of_impacts(const ReportedVelocity& reported) {
+    return reported.velocity && reported.velocity->method == VelocityMethod::estimate;
+}
+
 /// What is reported of a sample: its critical velocity, or the bound that the impacts give instead.
 struct Answer {
     enum class Kind { none, velocity, above, below };

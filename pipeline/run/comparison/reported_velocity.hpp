@@ -10,13 +10,6 @@
 
 namespace ashimpact {
 
-/// The interval of a critical velocity that one of several laws gives, each of them as likely as the others:
-/// the quantiles 2.5 % and 97.5 % of the mixture, with equal weights, of the laws' own distributions. Each of
-/// those is taken as two halves of normal distributions that meet in the value of the law and have its 95 %
-/// interval. The interval of one law is its own. Where a law leaves an end open, so does the mixture.
-/// @param laws velocities with an interval; at least one
-[[nodiscard]] Bounds interval_over_laws(const std::vector<VelocityEstimate>& laws);
-
 /// What the reported velocity of a sample depends on.
 struct ReportedEvidence {
     const ReportedLaw& law;
@@ -30,8 +23,8 @@ struct ReportedEvidence {
 
 /// The critical velocity of a sample by the law of the run, with the interval over the admissible laws. A
 /// reproduction has no interval. If the law could not be fitted to the impacts of the sample, the next law by
-/// preference that gives a velocity takes its place, and the reason names both. If no law gives a velocity, or
-/// the law of the run captures always or never, there are only the bounds that the outcomes of the impacts
+/// preference that gives a velocity takes its place, and the reason names both. If no law gives a velocity,
+/// or the law of the run captures always or never, there are only the bounds that the outcomes of the impacts
 /// give. A measured critical velocity of the case does not enter.
 [[nodiscard]] ReportedVelocity reported_velocity(const ReportedEvidence& evidence);
 

@@ -86,8 +86,9 @@ struct SampleComparison {
     std::optional<double> contact_modulus{}, separation_energy{};  ///< E* [Pa], W_s [J]
     double analytic_velocity = 0;                                  ///< v_s of Eq. 30 [m/s]
     LawMap<LawComparison> laws{};
-    std::optional<Stated> measured{};           ///< critical velocity as measured [m/s]
-    std::optional<Bounds> measured_interval{};  ///< [m/s]; also of outcomes that give bounds only
+    std::optional<Stated> measured{};            ///< critical velocity as measured [m/s]
+    std::optional<bool> measured_by_outcomes{};  ///< true: not stated, but by captures and rebounds alone
+    std::optional<Bounds> measured_interval{};   ///< [m/s]; also of outcomes that give bounds only
     std::optional<PublishedBeside> published{};
     std::optional<GlassEffect> glass{};              ///< where the case has oxides
     std::optional<TemperatureLimits> temperature{};  ///< where it has oxides or a temperature

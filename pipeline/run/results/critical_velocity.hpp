@@ -15,6 +15,7 @@
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/calibration/calibration.hpp"
 #include "solver/inference/critical_velocity_uncertainty.hpp"
+#include "solver/inference/curve/headline.hpp"
 #include "solver/motion/regime.hpp"
 #include "solver/statistics/interval.hpp"
 #include "solver/statistics/propagation.hpp"
@@ -39,8 +40,8 @@ template <>
 struct Names<VelocityMethod> {
     static constexpr std::string_view kind = "method";
     static constexpr std::array<std::string_view, 3> all{
-        "posterior of v_c with a smooth curve of damping over velocity, captures by their probability",
-        "eta(e) extrapolated to e = 0, a polynomial (Dong et al. 2013)", "critical damping of 6-fit.json"};
+        estimate_method, "eta(e) extrapolated to e = 0, a polynomial (Dong et al. 2013)",
+        "critical damping of 6-fit.json"};
 };
 
 /// A critical velocity with its interval: the form in which every part of a run states one.
@@ -81,8 +82,10 @@ struct Names<DampingUnderChange> {
 /// How an interval of v_c came about, and what dominates it.
 struct VelocityUncertainty {
     std::size_t evaluations = 0;
-    std::size_t undefined = 0;                                              ///< samples without a result
-    std::optional<double> mean{}, median{};                                 ///< [m/s]
+    std::size_t undefined = 0;               ///< samples without a result
+    std::optional<double> mean{}, median{};  ///< [m/s]
+    std::optional<double> lower_error{},
+        upper_error{};  ///< of the ends of the interval, by Monte Carlo [m/s]
     std::vector<std::pair<std::string, std::optional<double>>> relative{};  ///< standard uncertainties [1]
     std::vector<std::string> taken_as_exact{};                              ///< inputs without uncertainty
     std::vector<Influence> influences{};            ///< largest total first; NaN: not known

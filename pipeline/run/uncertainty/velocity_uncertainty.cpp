@@ -22,6 +22,8 @@ VelocityUncertainty uncertainty_of(const Propagation& propagation, const std::ve
                                     .undefined = propagation.undefined,
                                     .mean = propagation.mean,
                                     .median = propagation.median,
+                                    .lower_error = propagation.end_errors[0],
+                                    .upper_error = propagation.end_errors[1],
                                     .influences = propagation.influences,
                                     .damping = damping};
     for (const RandomInput& input : inputs) {
@@ -222,7 +224,7 @@ void set_uncertainty(const VelocityTask& task, LawCriticalVelocity& velocity,
     if (velocity.from_impacts && task.fit.estimate && task.data.uncertainty.reread) {
         const Interval interval = from_estimate(task);
         estimate = estimate_of(interval);
-        if (task.measured) velocity.check = checked(interval, *task.measured, !task.measured_is_reported);
+        if (task.measured_is_reported) velocity.check = checked(interval, *task.measured, false);
     } else if (const auto found = velocity.from_impacts && !task.fit.estimate
                                       ? velocity.extrapolated
                                       : propagated_or_finding("interval", from_damping)) {

@@ -510,6 +510,9 @@ TEST_CASE("damping --impacts: a bound with its number, and no chi^2 where the no
     sandbox.write("rebounds.csv", "velocity [m/s],rebound_velocity [m/s]\n1.9,0.3\n2.2,0.5\n");
     const auto rebounds = ashimpact_program(sandbox, arguments + "rebounds.csv" + contact);
     CHECK(rebounds.out == containing("v_c < 1.9 m/s: no impact was captured"));
+    sandbox.write("fast.csv", "v_in,v_r,u(v_in),u(v_r)\n1.9,0.3,0.03,0.03\n2.2,2.23,0.03,0.03\n");
+    const auto fast = ashimpact_program(sandbox, arguments + "fast.csv" + contact);
+    CHECK(fast.out == containing("none gives it                  -"));
 }
 
 TEST_CASE("damping --robust: outliers that hide the rising branch leave none, as JSON and as text") {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
@@ -11,6 +13,7 @@
 #include "solver/inference/critical_velocity_uncertainty.hpp"
 #include "solver/inference/curve/headline.hpp"
 #include "solver/inference/curve/recorded_impacts.hpp"
+#include "solver/statistics/moments.hpp"
 #include "solver/statistics/propagation.hpp"
 #include "solver/surrogate/cohesive_velocity_map.hpp"
 #include "tests/solver/inference/ash_laboratory.hpp"
@@ -70,6 +73,24 @@ TEST_CASE("what can be recorded of an impact has probability one in all") {
             sum += step * std::exp(log_probability(curve, scatter, impact));
         CHECK(std::abs(sum - 1.0) < 0.03);
     }
+}
+
+TEST_CASE("rebounds on a smooth curve without scatter: the interval holds where the curve begins") {
+    // Of the paper's three samples, from e = 0.05 on; the damping there is that of brach-dunn.
+    const ContactModel model = ash_model(Law::of<BrachDunn>());
+    const SyntheticLaboratory curve = ash_laboratory(model, TrueDamping::quadratic);
+    for (const double factor : {0.55, 1.0, 1.5})  // on all velocities
+        for (const double u : {0.001, 0.01, 0.06}) {
+            CAPTURE(factor);
+            CAPTURE(u);
+            std::vector<std::pair<double, double>> impacts;
+            const double begin = curve.critical_velocity();
+            for (double v = 1.06 * begin; v < 4.5 * begin; v *= 1.17)
+                impacts.emplace_back(factor * v, factor * v * curve.restitution(v));
+            const CriticalVelocityEstimate estimate = estimate_critical_velocity(model, set_of(impacts, u));
+            CHECK(estimate.curve.critical_velocity.contains(factor * begin));
+            CHECK(*estimate.curve.critical_velocity.upper < impacts.front().first + 2.0 * u);
+        }
 }
 
 TEST_CASE("eight impacts give no absurd critical velocity") {
@@ -276,6 +297,30 @@ TEST_CASE("a linear model: standard deviation, quantiles and indices are known")
         CHECK(std::abs(influence.first.value - share) < 5.0 * influence.first.standard_error + 0.002);
         CHECK(std::abs(influence.total.value - share) < 5.0 * influence.total.standard_error + 0.002);
     }
+}
+
+TEST_CASE("errors of Monte Carlo are stated as large as they are, of indices and of the ends") {
+    const std::vector<RandomInput> inputs{{"a", 1.0, 0.05}, {"b", 1.0, 0.05}, {"c", 1.0, 0.1}};
+    const auto power = [](std::span<const double> x) {
+        return std::optional(std::pow(x[0], 5) / (std::pow(x[1], 3) * std::pow(x[2], 2)));
+    };
+    std::array<std::vector<double>, 4> found;  // lower end, upper end, first-order and total index
+    std::array<double, 4> stated{};
+    constexpr int runs = sanitized ? 40 : 150;
+    for (int seed = 1; seed <= runs; ++seed) {
+        const Propagation one = propagate(inputs, power, {.seed = static_cast<std::uint64_t>(seed)});
+        const Influence& a = influence_of(one, "a");
+        const std::array values{*one.interval.lower, *one.interval.upper, a.first.value, a.total.value};
+        const std::array errors{one.end_errors[0], one.end_errors[1], a.first.standard_error,
+                                a.total.standard_error};
+        for (std::size_t i = 0; i < 4; ++i) {
+            found[i].push_back(values[i]);
+            stated[i] += errors[i] * errors[i] / runs;
+        }
+    }
+    for (std::size_t i = 0; i < 4; ++i)
+        CHECK(relative_difference(std::sqrt(stated[i]), std::sqrt(Moments::of(found[i]).variance())) <
+              (sanitized ? 0.5 : 0.3));
 }
 
 TEST_CASE("inputs of one factor are ranked together; shapes have the stated uncertainty") {

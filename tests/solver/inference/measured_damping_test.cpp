@@ -264,6 +264,7 @@ TEST_CASE("a robust extrapolation of few rebounds with outliers is finite or ref
     for (const Law law : fitted_laws) check(eight, law);
     const MeasuredDamping scattered = analysed(eight, Law::of<Dmt>());
     REQUIRE(scattered.estimate);
+    CHECK(has_finding(scattered, "no-extrapolation"));                 // at 88 m/s
     CHECK(*scattered.estimate->curve.critical_velocity.lower < 0.97);  // the slowest rebound
     CHECK(has_finding(scattered, "no-captures"));
     for (unsigned long seed = 1; seed <= static_cast<unsigned long>(repetitions(40)); ++seed) {

@@ -35,8 +35,9 @@ std::string measured_sentence(const SampleData& sample) {
     const auto& measured = sample.comparison->measured;
     if (!measured) return "No measured critical velocity to compare with.";
     const std::string bounds = bounds_text(sample.comparison->measured_interval);
-    std::string text =
-        "Measured: " + value_words(measured->value()) + (bounds.empty() ? "" : " (95 %: " + bounds + ")");
+    std::string text = value_words(measured->value()) + (bounds.empty() ? "" : " (95 %: " + bounds + ")");
+    if (sample.comparison->measured_by_outcomes) return "Captures and rebounds alone: " + text + ".";
+    text.insert(0, "Measured: ");
     const auto add = [&](CriticalVelocityVerdict verdict, const char* one, const char* many) {
         std::vector<std::string> laws;
         for (const LawData& law : sample.laws)
@@ -59,7 +60,7 @@ std::string laws_in_interval(const std::optional<ReportedLaw>& run) {
     return ", over " + listed(names);
 }
 
-/// "a particle sticks when it is slower than 1.86 m/s (95 %: 1.60 to 2.16 m/s), by Maugis-Dugdale: ..."
+/// "a particle sticks when it is slower than 1.86 m/s (95 %: 1.60 to 2.16 m/s), whatever the contact law."
 /// @param run whose law and admissible laws are named
 std::string reported_sentence(const ReportedVelocity& reported, std::optional<ContactRegime> relaxing,
                               const std::optional<ReportedLaw>& run) {
@@ -79,6 +80,10 @@ std::string reported_sentence(const ReportedVelocity& reported, std::optional<Co
         return "the critical velocity lies below " + velocity + escaped(": " + reported.reason + ".");
     const std::string bounds = bounds_text(reported.interval);
     const bool outside = answer.velocity > fastest_in_model;
+    if (is_of_impacts(reported) && !outside)
+        return fmt::format(
+            "a particle sticks when it is slower than {} (95 %: {} m/s), whatever the contact law.", velocity,
+            bounds);
     return (outside ? "the critical velocity is " : "a particle sticks when it is slower than ") + velocity +
            escaped((bounds.empty() ? "" : " (95 %: " + bounds + " m/s" + laws_in_interval(run) + ")") +
                    (reported.law ? ", by " + display_name(reported.law->name()) : "") + ": " +
@@ -121,8 +126,9 @@ std::string temperature_sentence(const SampleComparison& sample) {
     return text + ".";
 }
 
-/// "By each law: Hertz 1.10 m/s, JKR ...", where the laws were computed at all.
+/// "By each law: Hertz 1.10 m/s, JKR ...", where they were computed at all and differ.
 std::string by_each_law(const SampleData& sample) {
+    if (const auto& reported = sample.comparison->reported; reported && is_of_impacts(*reported)) return {};
     std::vector<std::string> laws;
     for (const LawData& law : sample.laws) {
         if (law.velocity == nullptr) continue;
