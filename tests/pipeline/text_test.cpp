@@ -188,6 +188,7 @@ TEST_CASE("the summary shows what a verdict compares, and marks a velocity that 
     CHECK_MESSAGE(text.find("*: extrapolated from the rebounds") != std::string::npos, text);
 
     // Without a measurement of its own, and the same by every law.
+    sample.laws = {};
     for (const Law law : {Law::of<Hertz>(), Law::of<Jkr>()})
         sample.laws.set(law, {.velocity = estimated,
                               .extrapolated = VelocityEstimate{.value = law == Law::of<Jkr>() ? 0.65 : 0.4}});

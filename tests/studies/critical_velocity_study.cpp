@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How often the interval of v_c holds in laboratories of known truth; docs/uncertainty.md has the table.
-//     critical_velocity_study [REPETITIONS [ROW [LAW [SEED]]]]    the study; 1000 repetitions by default; ""
-//     is
-//                                                                 every row or law; another seed adds
-//                                                                 laboratories
+// How often the interval of v_c holds in laboratories of known truth; prints the tables of
+// docs/uncertainty.md.
+//     critical_velocity_study [REPETITIONS [ROW [LAW [SEED]]]]    the study; "" is every row or law
+//     critical_velocity_study files FOLDER                        laboratories that truths.py has written
 //     critical_velocity_study quick REPETITIONS                   each row with one law, for the tests
 // Exit status 1 where a demand is not met.
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "core/text/error.hpp"
 #include "solver/inference/curve/headline.hpp"
@@ -34,7 +38,6 @@ struct Tally {
     unsigned silent = 0;   ///< off by more than a factor of 2 without a warning
     unsigned none = 0;     ///< no estimate, of 12 impacts or more
     unsigned few = 0;      ///< no estimate, of fewer
-    unsigned absurd = 0;   ///< off by more than a factor of 3
     std::vector<double> width{};
     std::vector<double> ratio{};
 
@@ -55,7 +58,6 @@ struct Tally {
         silent += other.silent;
         none += other.none;
         few += other.few;
-        absurd += other.absurd;
     }
 };
 
@@ -66,14 +68,29 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
+/// Per cent held (warned of the misses), per cent with a warning; median of v_c over the truth; that of the
+/// width.
+std::string cell_of(const Tally& tally) {
+    const auto percent = [&](unsigned count) { return 100.0 * count / tally.done; };
+    const unsigned misses = tally.above + tally.below;
+    std::string text = fmt::format("{:.3g}", percent(tally.covered));
+    if (misses > 0) text += fmt::format(" ({} of {})", tally.warned, misses);
+    text += fmt::format(", {:.0f}; {:.2f}; {:.2f}", percent(tally.doubted), median(tally.ratio),
+                        median(tally.width));
+    if (tally.none + tally.few > 0) text += fmt::format("; no estimate {}", tally.none + tally.few);
+    if (tally.silent > 0) text += fmt::format("; silent factor of 2: {}", tally.silent);
+    return text;
+}
+
 /// @param options what the laboratory states beside its impacts
+/// @param alt factor of the truth up to which the interval may lie
 void take(Tally& tally, const ContactModel& model, const MeasurementSet& set, double truth,
-          const EstimateOptions& options) {
+          const EstimateOptions& options, double alt = 1.0) {
     ++tally.done;
     try {
         const auto estimate = estimate_critical_velocity(model, set, options);
         const Interval& v = estimate.curve.critical_velocity;
-        const bool above = *v.lower > truth;
+        const bool above = *v.lower > alt * truth;
         const bool below = *v.upper < truth;
         tally.above += above ? 1U : 0U;
         tally.below += below ? 1U : 0U;
@@ -82,9 +99,8 @@ void take(Tally& tally, const ContactModel& model, const MeasurementSet& set, do
             estimate.findings, [](const Finding& finding) { return finding.severity == Severity::doubt; });
         tally.warned += (above || below) && warns ? 1U : 0U;
         tally.doubted += warns ? 1U : 0U;
-        tally.silent += !warns && (v.value > 2.0 * truth || v.value < 0.5 * truth) ? 1U : 0U;
+        tally.silent += !warns && (v.value > 2.0 * alt * truth || v.value < 0.5 * truth) ? 1U : 0U;
         const double ratio = v.value / truth;
-        tally.absurd += ratio > 3.0 || ratio < 1.0 / 3.0 ? 1U : 0U;
         tally.ratio.push_back(ratio);
         tally.width.push_back((*v.upper - *v.lower) / truth);
     } catch (const InputError&) {
@@ -101,15 +117,7 @@ Tally run(const studies::Row& row, const Law& law, int repetitions, unsigned lon
     const EstimateOptions options = studies::options_of(row);
     test::Random random(seed);
     Tally tally;
-    const auto start = std::chrono::steady_clock::now();
     for (int i = 0; i < repetitions; ++i) take(tally, model, laboratories.measure(random), truth, options);
-    const double seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / repetitions;
-    std::printf("| %s | %s | %.1f %% | %u | %u | %u | %u | %u | %u | %u | %.3f | %.3f | %.2f |\n",
-                row.name.c_str(), std::string(law.name()).c_str(), 100.0 * tally.covered / tally.done,
-                tally.above, tally.below, tally.warned, tally.doubted, tally.none + tally.few, tally.silent,
-                tally.absurd, median(tally.ratio), median(tally.width), seconds);
-    std::fflush(stdout);
     return tally;
 }
 
@@ -119,7 +127,11 @@ bool quick(int repetitions) {
         const studies::Row& row = studies::rows()[i];
         const std::size_t first = row.hertz ? 0 : 1;  // laws() begins with Hertz
         const std::size_t choices = studies::laws().size() - first;
-        all.add(run(row, studies::laws()[first + i % choices], repetitions, studies::default_seed));
+        const Law& law = studies::laws()[first + i % choices];
+        const Tally tally = run(row, law, repetitions, studies::default_seed);
+        std::printf("| %s | %s | %s |\n", row.name.c_str(), std::string(law.name()).c_str(),
+                    cell_of(tally).c_str());
+        all.add(tally);
     }
     return all.holds();
 }
@@ -128,9 +140,51 @@ bool study(int repetitions, const std::string& only_row, const std::string& only
     bool good = true;
     for (const studies::Row& row : studies::rows()) {
         if (!only_row.empty() && row.name != only_row) continue;
-        for (const Law& law : studies::laws())
-            if ((only_law.empty() || law.name() == only_law) && (row.hertz || law != Law::of<Hertz>()))
-                good = run(row, law, repetitions, seed).holds() && good;
+        // Twenty thousand impacts are many laboratories in one.
+        const int count = row.flaw == studies::Flaw::many ? std::max(1, repetitions / 20) : repetitions;
+        std::printf("| %s |", row.name.c_str());
+        for (const Law& law : studies::laws()) {
+            if (!only_law.empty() && law.name() != only_law) continue;
+            const bool has = row.hertz || law != Law::of<Hertz>();
+            const Tally tally = has ? run(row, law, count, seed) : Tally{};
+            std::printf(" %s |", has ? cell_of(tally).c_str() : "-");
+            std::fflush(stdout);
+            good = (!has || tally.holds()) && good;
+        }
+        std::puts("");
+    }
+    return good;
+}
+
+/// One laboratory of truths.csv.
+struct Listed {
+    std::string row, tells, file;
+    double truth = 0.0;
+    double alt = 1.0;
+};
+
+bool study_files(const std::string& folder) {
+    std::ifstream table(folder + "/truths.csv");
+    std::string line;
+    std::getline(table, line);
+    std::vector<std::pair<std::string, Tally>> rows;
+    while (std::getline(table, line)) {
+        std::ranges::replace(line, ',', ' ');
+        Listed listed;
+        std::istringstream(line) >> listed.row >> listed.tells >> listed.file >> listed.truth >> listed.alt;
+        const std::string name = listed.row + " | " + listed.tells;
+        if (rows.empty() || rows.back().first != name) rows.emplace_back(name, Tally{});
+        std::ifstream file(folder + "/" + listed.file);
+        const std::string text{std::istreambuf_iterator<char>(file), {}};
+        // The estimate does not depend on the contact.
+        take(rows.back().second, studies::model_of(studies::rows().front(), Law::of<Dmt>(), listed.truth),
+             read_measurements(text, listed.file), listed.truth, {}, listed.alt);
+    }
+    bool good = !rows.empty();
+    for (auto& [name, tally] : rows) {
+        std::printf("| %s | %s |\n", name.c_str(), cell_of(tally).c_str());
+        if (name.ends_with("bound")) tally.none = 0;  // captures alone give a bound and no estimate
+        good = tally.holds() && good;
     }
     return good;
 }
@@ -145,13 +199,9 @@ int repetitions_of(const std::string& word) {
 int main(int argc, char** argv) {
     const std::vector<std::string> words(argv + 1, argv + argc);
     const auto word = [&](std::size_t i) { return i < words.size() ? words[i] : std::string{}; };
-    std::puts(
-        "| truth and file | law | covered | above | below | warned | of all | no estimate | silent factor of "
-        "2 | off by 3 | median of "
-        "v_c/truth | "
-        "median width | s each |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+    if (word(0) == "files") return study_files(word(1)) ? 0 : 1;
     if (word(0) == "quick") return quick(repetitions_of(word(1))) ? 0 : 1;
-    const int repetitions = words.empty() ? 1000 : repetitions_of(word(0));
+    const int repetitions = words.empty() ? 200 : repetitions_of(word(0));
     const unsigned long seed = word(3).empty() ? studies::default_seed : std::stoul(word(3));
     return study(repetitions, word(1), word(2), seed) ? 0 : 1;
 }

@@ -153,9 +153,10 @@ std::string measured_text(const ComparisonResult& result) {
                        (bounds.empty() ? "" : " (" + bounds + ")"));
         bare = bare || (stated && bounds.empty());
     }
-    std::string text = outcomes.empty() ? "" : "Captures and rebounds alone: " + enumerated(outcomes) + ". ";
+    std::string text = outcomes.empty() ? "" : "Captures and rebounds alone: " + enumerated(outcomes) + ".";
     if (!measured.empty())
-        text += "Measured, for comparison only: " + enumerated(measured) +
+        text += std::string(text.empty() ? "" : " ") +
+                "Measured, for comparison only: " + enumerated(measured) +
                 (bare ? "; where no uncertainty is stated, no law is judged by it." : ".");
     return text;
 }
