@@ -134,10 +134,10 @@ def restitution_over_velocity(program, _run):
 
 
 def interval(_program, run):
-    """v_c of one sample by every law with its interval, and what one of the intervals comes from."""
+    """v_c of one sample by every law with what its inputs leave open, and where that comes from."""
     with open(f"{run}/7-critical-velocity.json", encoding="utf-8") as file:
         sample = [each for each in json.load(file)["result"]["samples"] if each["name"] == "104 um"][0]
-    picture = Picture("Critical velocities with their intervals, and the parts of one of them", 420)
+    picture = Picture("Critical velocities, what their inputs leave open, and where one of these intervals comes from", 420)
     axes = Axes(picture, 30, 182, (0.4, 0.76), (0, 6))
     left, right = 130, RIGHT
 
@@ -148,22 +148,23 @@ def interval(_program, run):
         picture.line([(across(tick), axes.top), (across(tick), axes.bottom)], "soft", kind="grid")
         picture.text(across(tick), axes.bottom + 18, f"{tick:g}", "soft mid")
     picture.rectangle(left, axes.top, right - left, axes.bottom - axes.top, "thin")
-    picture.text(8, 22, label("v", "c", " [m/s] with its interval of 95 %"), "bold")
+    picture.text(8, 22, label("v", "c", " [m/s] and what the inputs leave open"), "bold")
     names = {"hertz": "Hertz", "dmt": "DMT", "brach-dunn": "Brach-Dunn", "jkr": "JKR", "maugis-dugdale": "Maugis-Dugdale", "measured": "measured"}
     for place, (key, name) in enumerate(names.items()):
         y = axes.top + 18 + 23.5 * place
         value, ends = sample[key]["critical_velocity"]["value"], sample[key]["interval"]
         colour = "ink" if key == "measured" else "red" if key == "maugis-dugdale" else "blue"
         picture.text(left - 8, y + 5, name, "end")
-        picture.line([(across(ends["lower"]["value"]), y), (across(ends["upper"]["value"]), y)], colour)
-        for end in ("lower", "upper"):
-            x = across(ends[end]["value"])
-            picture.line([(x, y - 5), (x, y + 5)], colour)
+        if ends["lower"]:    # the measured one states no uncertainty
+            picture.line([(across(ends["lower"]["value"]), y), (across(ends["upper"]["value"]), y)], colour)
+            for end in ("lower", "upper"):
+                x = across(ends[end]["value"])
+                picture.line([(x, y - 5), (x, y + 5)], colour)
         picture.dot(across(value), y, colour, 3.5)
-    picture.text(8, 234, "What the red interval comes from", "bold")
+    picture.text(8, 234, "What the red one comes from", "bold")
     influences = sample["maugis-dugdale"]["uncertainty"]["influences"]
-    shares = {"the impacts": 0.0, "density": 0.0, "adhesion": 0.0, "moduli": 0.0}
-    of = {"damping fit": "the impacts", "density": "density", "work of adhesion": "adhesion"}
+    shares = {"the fit": 0.0, "density": 0.0, "adhesion": 0.0, "moduli": 0.0}
+    of = {"damping fit": "the fit", "density": "density", "work of adhesion": "adhesion"}
     for influence in influences:
         shares[of.get(influence["factor"], "moduli")] += max(0.0, influence["first"])
     for place, (name, share) in enumerate(shares.items()):
