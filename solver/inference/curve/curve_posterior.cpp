@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace ashimpact {
@@ -37,7 +36,7 @@ constexpr double outlier_share = 0.02;
 constexpr double outliers_at_rest = 0.1;  ///< share of outliers that read zero
 
 /// Rebound velocity over v - v_c of the slowest rebounds that are reckoned with where no curve is.
-constexpr double slow_restitution = 0.12;
+constexpr double slow_restitution = 0.05;
 
 /// Degrees of freedom with which noise is known before: its logarithm within 0.2, or within a factor of 3.
 constexpr double stated_freedom = 12.0;
@@ -49,8 +48,8 @@ struct ScatterPrior {
     double stated;    ///< weight where the noise is stated
     double unstated;  ///< weight where it is not: particles are assumed to differ more
 };
-constexpr std::array scatters{ScatterPrior{0.003, 0.55, 0.1}, ScatterPrior{0.02, 0.28, 0.3},
-                              ScatterPrior{0.06, 0.11, 0.33}, ScatterPrior{0.15, 0.04, 0.18},
+constexpr std::array scatters{ScatterPrior{0.003, 0.55, 0.25}, ScatterPrior{0.02, 0.28, 0.3},
+                              ScatterPrior{0.06, 0.11, 0.22}, ScatterPrior{0.15, 0.04, 0.14},
                               ScatterPrior{0.4, 0.02, 0.09}};
 
 double square(double x) {
@@ -220,39 +219,30 @@ LikeliestCurve CurvePosterior::fitted(double log_critical_velocity, double thres
 
 LikeliestCurve CurvePosterior::at(double log_critical_velocity) const {
     std::optional<LikeliestCurve> best;
-    const double sum = over_scatters([&](double threshold, double weight) {
-        const LikeliestCurve curve = fitted(log_critical_velocity, threshold);
-        const double log_density = curve.log_density + std::log(weight);
-        if (!best || log_density > best->log_density)
-            best = LikeliestCurve{curve.curve, curve.scatter, log_density};
-        return log_density;
-    });
-    best->log_density = sum;
+    double sum = 0.0;
+    const auto add = [&](double threshold, double weight) {
+        LikeliestCurve curve = fitted(log_critical_velocity, threshold);
+        curve.log_density += std::log(weight);
+        const bool better = !best || curve.log_density > best->log_density;
+        const double most = better ? curve.log_density : best->log_density;
+        sum = (best ? sum * std::exp(best->log_density - most) : 0.0) + std::exp(curve.log_density - most);
+        if (better) best = curve;
+    };
+    if (prior_.scatter)
+        add(*prior_.scatter, 1.0);
+    else
+        for (const ScatterPrior& scatter : scatters)
+            add(scatter.threshold, prior_.noise_known ? scatter.stated : scatter.unstated);
+    best->log_density += std::log(sum);
     return *best;
 }
 
 double CurvePosterior::log_outcomes(double log_critical_velocity) const {
-    return over_scatters([&](double threshold, double weight) {
-        return log_outcomes(log_critical_velocity, threshold) + std::log(weight);
-    });
-}
-
-double CurvePosterior::over_scatters(const std::function<double(double, double)>& log_density) const {
-    if (prior_.scatter) return log_density(*prior_.scatter, 1.0);
-    double sum = -std::numeric_limits<double>::infinity();
-    for (const ScatterPrior& scatter : scatters) {
-        const double next =
-            log_density(scatter.threshold, prior_.noise_known ? scatter.stated : scatter.unstated);
-        sum = std::max(sum, next) + std::log1p(std::exp(-std::abs(sum - next)));
-    }
-    return sum;
-}
-
-double CurvePosterior::log_outcomes(double log_critical_velocity, double threshold) const {
     double sum = 0.0;
     const double unit = prior_.noise_known ? 1.0 : prior_.noise;
     for (const RecordedImpact& impact : *impacts_) {
-        const double width = std::hypot(unit * impact.incident_u / impact.velocity, threshold);
+        const double width =
+            std::hypot(unit * impact.incident_u / impact.velocity, prior_.scatter.value_or(0.01));
         const double captured = normal_below((log_critical_velocity - impact.log_velocity) / width);
         if (impact.recorded == Recorded::rebound) {
             sum += impact.count * std::log((1.0 - outlier_share) * (1.0 - captured) + outlier_share);

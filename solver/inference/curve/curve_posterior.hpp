@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -79,10 +78,6 @@ class CurvePosterior {
 
   private:
     [[nodiscard]] LikeliestCurve fitted(double log_critical_velocity, double threshold) const;
-    [[nodiscard]] double log_outcomes(double log_critical_velocity, double threshold) const;
-    /// ln of the sum of densities over the scatters between particles. @param log_density of (scatter,
-    /// weight)
-    [[nodiscard]] double over_scatters(const std::function<double(double, double)>& log_density) const;
 
     const std::vector<RecordedImpact>* impacts_;
     CurvePrior prior_;
