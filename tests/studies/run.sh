@@ -14,7 +14,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 status=0
 "$1" "$whole" || status=1
-/usr/bin/python3 "$(dirname "$0")/truths.py" "$folder" "$whole"
+python3 "$(dirname "$0")/truths.py" "$folder" "$whole"
 "$1" files "$folder" || status=1
 "$2" "$whole" || status=1
 exit $status
