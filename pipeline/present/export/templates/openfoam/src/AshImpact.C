@@ -534,9 +534,14 @@ void Foam::AshImpact<CloudType>::writeFileHeader(Ostream& os)
 
 
 template<class CloudType>
-void Foam::AshImpact<CloudType>::info(Ostream& os)
+void Foam::AshImpact<CloudType>::info(AshInfoArgument)
 {
+    #if OPENFOAM < 2212
     PatchInteractionModel<CloudType>::info(os);
+    #else
+    PatchInteractionModel<CloudType>::info();
+    Ostream& os = this->log ? Info.stream() : Snull;
+    #endif
     if (returnReduce(sum(nStuck_) > 0, orOp<bool>())) stuck();   // on every rank, so that the field can be reconstructed
     labelList nStuck(nStuck_);
     scalarList massStuck(massStuck_);

@@ -1,6 +1,10 @@
-#if !defined(OPENFOAM) || OPENFOAM < 1900
-    #error "Written for OpenFOAM.com (ESI), v1912; the Foundation's fork has another base class for patch interactions"
+#if !defined(OPENFOAM)
+    #error "No OPENFOAM is defined: this is OpenFOAM of the Foundation (8 to 13) or foam-extend; AshImpact needs OpenFOAM.com (ESI), v1912 or later"
+#elif OPENFOAM < 1900
+    #error "OPENFOAM is before 1900: AshImpact needs OpenFOAM.com (ESI), v1912 or later"
 #endif
+
+#include "ash_table.h"  // in front of OpenFOAM, of which a later version has its own log() in view here
 
 #include "basicKinematicCloud.H"
 #include "basicKinematicCollidingCloud.H"
