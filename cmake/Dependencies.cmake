@@ -12,12 +12,14 @@ find_package(Boost 1.68 REQUIRED)  # headers only: the tables of Boost.Random
 find_package(TBB REQUIRED)
 find_package(hwy REQUIRED)
 find_package(ZLIB REQUIRED)
-set(MPI_CXX_SKIP_MPICXX ON)  # the C interface: that of C++ is no longer part of MPI
-find_package(MPI REQUIRED COMPONENTS CXX)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(MINIZIP REQUIRED IMPORTED_TARGET GLOBAL minizip)  # spreadsheets are zip archives of XML
 find_package(pugixml REQUIRED)
-pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)  # CMake's own module requires a C compiler in the project
+if(ASHIMPACT_SWEEP)
+  set(MPI_CXX_SKIP_MPICXX ON)  # the C interface: that of C++ is no longer part of MPI
+  find_package(MPI REQUIRED COMPONENTS CXX)
+  pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)  # CMake's own module requires a C compiler in the project
+endif()
 if(BUILD_TESTING)
   find_package(doctest REQUIRED)
 endif()
