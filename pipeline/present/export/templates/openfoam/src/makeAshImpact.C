@@ -1,5 +1,5 @@
 #if !defined(OPENFOAM)
-    #error "No OPENFOAM is defined: this is OpenFOAM of the Foundation (8 to 13) or foam-extend; AshImpact needs OpenFOAM.com (ESI), v1912 or later"
+    #error "No OPENFOAM is defined: this is OpenFOAM of the Foundation or foam-extend; AshImpact needs OpenFOAM.com (ESI), v1912 or later"
 #elif OPENFOAM < 1900
     #error "OPENFOAM is before 1900: AshImpact needs OpenFOAM.com (ESI), v1912 or later"
 #endif
