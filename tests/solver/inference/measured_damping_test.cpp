@@ -267,7 +267,7 @@ TEST_CASE("a robust extrapolation of few rebounds with outliers is finite or ref
     CHECK(has_finding(scattered, "no-extrapolation"));                 // at 88 m/s
     CHECK(*scattered.estimate->curve.critical_velocity.lower < 0.97);  // the slowest rebound
     CHECK(has_finding(scattered, "no-captures"));
-    for (unsigned long seed = 1; seed <= static_cast<unsigned long>(repetitions(40)); ++seed) {
+    for (unsigned long seed = 1; seed <= static_cast<unsigned long>(repetitions(15)); ++seed) {
         CAPTURE(seed);
         MeasurementSet set = measured(4 + static_cast<int>(seed % 5), 20, seed);
         Random random(1000 + seed);
