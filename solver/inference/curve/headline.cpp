@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <set>
 
 #include "core/text/error.hpp"
@@ -165,10 +164,7 @@ std::optional<Finding> slow_rebound_note(const CurveEstimate& estimate, const On
         if (impact.recorded != Recorded::zero) continue;
         const double r = impact.velocity * curve.restitution(impact.log_velocity);
         const double seen = std::max(impact.resolution, estimate.scatter.noise * impact.rebound_u);
-        // Without a camera, noise alone puts a capture at v_c above it.
-        const double allowed =
-            impact.resolution > 0.0 ? 0.0 : 2.0 * estimate.scatter.noise * impact.incident_u;
-        if (impact.velocity - allowed < estimate.critical_velocity.value || r > 3.0 * seen) continue;
+        if (impact.velocity < estimate.critical_velocity.value || r > 3.0 * seen) continue;
         doubtful += impact.count;
         end = std::max(end, seen);
     }
@@ -196,46 +192,36 @@ std::optional<Finding> no_captures_note(const MeasurementSet& set) {
         "goes on as it does above it"};
 }
 
-/// Note on impacts around v_c, if there are none between the fastest capture and a much faster rebound.
-std::optional<Finding> onset_note(const std::vector<RecordedImpact>& impacts) {
-    constexpr double wide = 2.0;
+/// Notes on impacts around v_c: none between the fastest capture and a much faster rebound, or no rebound
+/// between rest and a speed that the camera resolves.
+std::optional<Finding> onset_note(const std::vector<RecordedImpact>& impacts, double unit) {
+    constexpr double wide = 1.5;
+    constexpr double resolved = 2.5;  // in standard uncertainties
+    constexpr double sharp = 12.0;    // beyond which the onset is sharp rather than hidden
     double capture = 0.0;
-    double slowest = std::numeric_limits<double>::infinity();
-    for (const RecordedImpact& impact : impacts)
-        if (impact.recorded == Recorded::rebound)
-            slowest = std::min(slowest, impact.velocity);
-        else
+    bool zero = false;
+    const RecordedImpact* slowest = nullptr;
+    const RecordedImpact* least = nullptr;
+    for (const RecordedImpact& impact : impacts) {
+        if (impact.recorded != Recorded::rebound) {
             capture = std::max(capture, impact.velocity);
-    if (capture == 0.0 || slowest <= wide * capture) return std::nullopt;
-    return Finding{"no-impacts-near-onset", Severity::doubt,
-                   "no impact between " + shortest(capture) + " m/s, captured, and " + shortest(slowest) +
-                       " m/s: where v_c lies between them rests on the form of the curve"};
-}
-
-/// Note on rebounds slower than all that are recorded: if they were taken for captures, v_c follows from the
-/// curve of the others, and may lie below the interval.
-std::optional<Finding> hidden_rebounds_note(std::vector<RecordedImpact> impacts, const CurvePrior& prior,
-                                            const std::pair<double, double>& range,
-                                            const Interval& velocity) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const RecordedImpact& impact : impacts)
-        if (impact.recorded == Recorded::rebound) least = std::min(least, impact.rebound);
-    bool any = false;
-    for (RecordedImpact& impact : impacts) {
-        if (impact.recorded != Recorded::zero || impact.resolution > 0.0) continue;
-        impact.resolution = 2.0 * least;  // below it a rebound may or may not be seen
-        any = true;
+            zero = zero || (impact.recorded == Recorded::zero && impact.resolution == 0.0);
+            continue;
+        }
+        if (slowest == nullptr || impact.velocity < slowest->velocity) slowest = &impact;
+        if (least == nullptr || impact.rebound < least->rebound) least = &impact;
     }
-    if (!any) return std::nullopt;
-    const CurvePosterior hidden(impacts, prior);
-    const Density density([&](double x) { return hidden.at(x).log_density; }, range.first, range.second,
-                          places::first);
-    std::vector<std::pair<double, double>> values;
-    add_velocities(values, density, 0.0, 1.0);
-    if (MarginalSample(std::move(values)).quantile(0.5) > *velocity.lower) return std::nullopt;
-    return Finding{"no-slow-rebounds", Severity::doubt,
-                   "no rebound slower than " + shortest(least) +
-                       " m/s is recorded: if slower ones were taken for captures, v_c is lower"};
+    if (capture > 0.0 && slowest->velocity > wide * capture)
+        return Finding{"no-impacts-near-onset", Severity::doubt,
+                       "no impact between " + shortest(capture) + " m/s, captured, and " +
+                           shortest(slowest->velocity) +
+                           " m/s: where v_c lies between them rests on the form of the curve"};
+    const double u = unit * least->rebound_u;
+    if (zero && least->rebound > resolved * u && least->rebound < sharp * u)
+        return Finding{"no-slow-rebounds", Severity::doubt,
+                       "no rebound slower than " + shortest(least->rebound) +
+                           " m/s is recorded: if slower ones were taken for captures, v_c is lower"};
+    return std::nullopt;
 }
 
 /// Note on a work of adhesion that alone captures faster impacts than those that do.
@@ -245,6 +231,21 @@ std::optional<Finding> adhesion_note(const ContactModel& model, double critical)
         "adhesion-too-strong", Severity::doubt,
         "by this law and work of adhesion impacts are captured up to a higher velocity without any "
         "damping: the impacts contradict it"};
+}
+
+/// Note on damping that is greater at faster impacts, which the prior hardly expects.
+std::optional<Finding> rising_note(const EstimatedDamping& curve) {
+    constexpr double reach = 2.5;  // of v_c
+    constexpr double rise = 0.1;   // of ln eta
+    if (curve.velocity.empty()) return std::nullopt;
+    const double critical = curve.velocity.front();
+    for (std::size_t i = 1; i < curve.velocity.size() && curve.velocity[i] <= reach * critical; ++i)
+        if (curve.damping[i] > std::exp(rise) * curve.damping.front())
+            return Finding{
+                "damping-rises", Severity::doubt,
+                "damping rises with velocity above v_c, where it mostly falls: the interval has held "
+                "less often then"};
+    return std::nullopt;
 }
 
 }  // namespace
@@ -317,8 +318,8 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
     const bool grouped_without_noise = noise_known && !set.has_noise();
     for (const auto& note : {slow_rebound_note(estimate.curve, curve, impacts),
                              misfit_note(estimate.curve.scatter, set.has_noise()), no_captures_note(set),
-                             adhesion_note(model, found_velocity.value), onset_note(impacts),
-                             hidden_rebounds_note(impacts, prior, range, v)})
+                             adhesion_note(model, found_velocity.value), rising_note(estimate.curve.damping),
+                             onset_note(impacts, noise_known ? 1.0 : neighbours)})
         if (note) estimate.findings.push_back(*note);
     if (grouped_without_noise) estimate.curve.scatter.noise *= neighbours;  // a velocity, as without groups
     return estimate;

@@ -186,13 +186,11 @@ TEST_CASE("doubts where no impact is near v_c, or slow rebounds may pass for cap
     };
     const std::vector<std::pair<double, double>> fast{{2.2, 0.7}, {3.1, 1.3}, {4.0, 2.0}};
     auto impacts = fast;
-    impacts.insert(impacts.end(), {{0.6, 0.0}, {1.0, 0.0}});
+    impacts.insert(impacts.end(), {{0.6, 0.0}, {1.1, 0.0}});
     CHECK(contains(doubts(impacts), "no-impacts-near-onset"));
-    impacts.insert(impacts.end(), {{1.4, 0.12}, {1.5, 0.17}});
-    auto booked = impacts;  // rebounds slower than 0.1 m/s as captures
-    booked.insert(booked.end(), {{1.2, 0.0}, {1.25, 0.0}, {1.3, 0.0}, {1.35, 0.0}});
-    CHECK(contains(doubts(booked), "no-slow-rebounds"));
-    impacts.insert(impacts.end(), {{1.1, 0.0}, {1.2, 0.02}, {1.25, 0.04}, {1.3, 0.06}, {1.35, 0.09}});
+    impacts.insert(impacts.end(), {{1.2, 0.0}, {1.4, 0.12}, {1.5, 0.17}});
+    CHECK(contains(doubts(impacts), "no-slow-rebounds"));
+    impacts.insert(impacts.end(), {{1.3, 0.03}});
     CHECK_FALSE(contains(doubts(impacts), "no-slow-rebounds"));
     CHECK_FALSE(contains(doubts(impacts), "no-impacts-near-onset"));
 }
