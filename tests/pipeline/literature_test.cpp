@@ -244,6 +244,10 @@ TEST_CASE("literature lists sources with what was read and what is missing, besi
     test::check_refused(sandbox, "literature --density 1000", "--density: is given without --law");
     test::check_refused(sandbox, "literature --law jkr --density 1000 --work-of-adhesion 0.1",
                         "--contact-modulus: is missing");
+    for (const std::string command : {"literature", "calibrate --sizes arffman2015 --free work_of_adhesion"})
+        test::check_refused(sandbox,
+                            command + " --law maugis-dugdale --tabor 1 --work-of-adhesion 0.1 " + silver,
+                            "--tabor: goes with the size");
     test::succeeded(sandbox, "literature --law jkr " + silver + "--work-of-adhesion 0.1 -o field.svg");
     for (const char* piece : {"jungmann2018, glass on metal", "JKR, d^-0.83"})
         CHECK(sandbox.read("field.svg") == test::containing(piece));

@@ -275,7 +275,15 @@ ContactPair MaterialChoice::contact(double diameter) const {
     return pair;
 }
 
+void refuse_size_dependent(const CommandOptions& options, const std::string& problem) {
+    for (const auto& [option, allowed] :
+         {std::pair{"--tabor", "--cohesion-range or --cohesive-stress, which every size shares"},
+          std::pair{"--roughness", "the w of rough surfaces by --work-of-adhesion"}})
+        if (options.has(option)) throw InputError(problem, allowed).at(option);
+}
+
 MaterialChoice read_material(CommandOptions options) {
+    refuse_size_dependent(options, "goes with the size, and several sizes are asked for");
     options.text_of("--diameter") = fmt::format("{} m", reference_diameter);
     return {read_contact(options), options.positive("--density", Dimension::density)};
 }

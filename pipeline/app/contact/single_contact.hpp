@@ -89,6 +89,8 @@ struct MaterialChoice {
 };
 inline constexpr double reference_diameter = 1e-6;  ///< any size [m]
 
+/// Refuses --tabor and --roughness, which belong to one size. @throws InputError naming the option
+void refuse_size_dependent(const CommandOptions& options, const std::string& problem);
 /// The material of options as Command::add_material_options() adds them. @throws InputError naming the option
 [[nodiscard]] MaterialChoice read_material(CommandOptions options);
 

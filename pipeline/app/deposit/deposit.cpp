@@ -90,13 +90,7 @@ DepositingAsh ash_of_options(const CommandOptions& options, const TubeConditions
     for (const char* option :
          {"--partner-radius", "--partner-diameter", "--partner-density", "--partner-mass"})
         if (options.has(option)) throw InputError("the partner is the tube", "no second sphere").at(option);
-    for (const char* option : {"--roughness", "--tabor"})
-        if (options.has(option))
-            throw InputError("goes with the size, and a tube meets many",
-                             std::string_view(option) == "--tabor"
-                                 ? "--cohesion-range or --cohesive-stress"
-                                 : "the w of rough surfaces by --work-of-adhesion")
-                .at(option);
+    refuse_size_dependent(options, "goes with the size, and a tube meets many");
     if (options.has("--assumption"))
         throw InputError("belongs to a run", "--damping-law, the law for every size").at("--assumption");
     CommandOptions typed = options;
