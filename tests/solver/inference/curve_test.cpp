@@ -186,11 +186,14 @@ TEST_CASE("doubts where no impact is near v_c, or slow rebounds may pass for cap
     };
     const std::vector<std::pair<double, double>> fast{{2.2, 0.7}, {3.1, 1.3}, {4.0, 2.0}};
     auto impacts = fast;
-    impacts.insert(impacts.end(), {{0.6, 0.0}, {1.1, 0.0}});
+    const auto add = [&](const std::vector<std::pair<double, double>>& more) {
+        for (const auto& each : more) impacts.push_back(each);
+    };
+    add({{0.6, 0.0}, {1.1, 0.0}});
     CHECK(contains(doubts(impacts), "no-impacts-near-onset"));
-    impacts.insert(impacts.end(), {{1.2, 0.0}, {1.4, 0.12}, {1.5, 0.17}});
+    add({{1.2, 0.0}, {1.4, 0.12}, {1.5, 0.17}});
     CHECK(contains(doubts(impacts), "no-slow-rebounds"));
-    impacts.insert(impacts.end(), {{1.3, 0.03}});
+    add({{1.3, 0.03}});
     CHECK_FALSE(contains(doubts(impacts), "no-slow-rebounds"));
     CHECK_FALSE(contains(doubts(impacts), "no-impacts-near-onset"));
 }
