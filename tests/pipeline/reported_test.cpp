@@ -217,10 +217,11 @@ TEST_CASE("a law that cannot be fitted to a sample is replaced there, a capture 
     CHECK(replaced.reason == "jkr, by which the run reports, could not be fitted here");
     const ReportedLaw both{Law::named("dmt"), "why", {Law::named("dmt"), Law::named("jkr")}};
     for (const std::optional<double> lower : {std::optional(0.45), std::optional<double>()}) {
-        velocities.set(Law::named("jkr"),
-                       {.velocity = VelocityEstimate{.value = 0.6, .interval = Bounds{lower, 0.7}}});
+        LawMap<LawCriticalVelocity> two = velocities;
+        two.set(Law::named("jkr"),
+                {.velocity = VelocityEstimate{.value = 0.6, .interval = Bounds{lower, 0.7}}});
         const Bounds over =
-            *reported_velocity({both, preference, velocities, known, ReportedBasis::impacts, none}).interval;
+            *reported_velocity({both, preference, two, known, ReportedBasis::impacts, none}).interval;
         CHECK(over.lower == (lower ? std::optional(0.4) : lower));
         CHECK(over.upper == 0.7);
     }
