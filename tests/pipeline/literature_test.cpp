@@ -244,7 +244,8 @@ TEST_CASE("literature lists sources with what was read and what is missing, besi
     test::check_refused(sandbox, "literature --density 1000", "--density: is given without --law");
     test::check_refused(sandbox, "literature --law jkr --density 1000 --work-of-adhesion 0.1",
                         "--contact-modulus: is missing");
-    for (const std::string command : {"literature", "calibrate --sizes arffman2015 --free work_of_adhesion"})
+    for (const std::string command :
+         {"literature", "calibrate --sizes arffman2015 --uncertainty '10 %' --free work_of_adhesion"})
         test::check_refused(sandbox,
                             command + " --law maugis-dugdale --tabor 1 --work-of-adhesion 0.1 " + silver,
                             "--tabor: goes with the size");
