@@ -2,7 +2,6 @@
 #include <cmath>
 #include <initializer_list>
 #include <ostream>
-#include <ranges>
 #include <string>
 #include <vector>
 
@@ -139,7 +138,8 @@ std::string result_text(const CriticalVelocityProblem& problem, const CriticalVe
                                        readable(result.dissipated, "J"), readable(result.plastic, "J"),
                                        readable(result.detachment_energy, "J")));
         bool rebounds = true;  // beyond v_c
-        for (const double crossing : result.crossings | std::views::drop(1)) {
+        for (std::size_t i = 1; i < result.crossings.size(); ++i) {
+            const double crossing = result.crossings[i];
             rebounds = !rebounds;
             list.add(rebounds ? "rebounds again" : "captured again", "above " + value_text(crossing, "m/s"));
         }

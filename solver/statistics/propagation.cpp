@@ -245,8 +245,8 @@ std::vector<SobolIndices> sobol_indices(std::span<const SobolSums> groups) {
     }
     std::vector<double> values(partial.size());
     const auto error_of = [&](std::size_t variable, double SobolIndices::*index) {
-        std::ranges::transform(partial, values.begin(),
-                               [&](const auto& each) { return each[variable].*index; });
+        std::transform(partial.begin(), partial.end(), values.begin(),
+                       [&](const auto& each) { return each[variable].*index; });
         return jackknife_error(values);
     };
     for (std::size_t i = 0; i < indices.size(); ++i) {
