@@ -134,9 +134,9 @@ std::string laws_text(const ComparisonResult& result, std::size_t width) {
             any_extrapolated = any_extrapolated || answer[0].starts_with('*');
             std::string range = "-";
             if (!extrapolated.empty()) {
-                const auto [least, greatest] = std::ranges::minmax(extrapolated);
-                range = velocity_text(least);
-                if (velocity_text(greatest) != range) range += " to " + velocity_text(greatest);
+                const auto [least, greatest] = std::minmax_element(extrapolated.begin(), extrapolated.end());
+                range = velocity_text(*least);
+                if (velocity_text(*greatest) != range) range += " to " + velocity_text(*greatest);
             }
             table.add(
                 {std::exchange(name, ""), joined(laws), answer[0], answer[1], range, answer[2], answer[3]});
