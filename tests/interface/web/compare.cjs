@@ -25,6 +25,8 @@ function numbersIn(value) {
 // uncertainty of its coefficients: below a millionth of them it is none.
 function sizeBeside(parent, key) {
     const none = 1e-6;
+    if (parent.at_touch) return Math.abs(parent.incident.value);  // the ledger of an impact's energy
+    if (key === 'equation_41') return Math.abs(parent.rebound.static_impulse.value);  // a difference of impulses
     if (key === 'residual') return largest(numbersIn(parent).filter(Number.isFinite));
     if (['relative_difference', 'first', 'total', 'first_error', 'total_error'].includes(key)) return 1;
     if (parent.lower_velocity && ['dissipated', 'adhesion', 'plastic'].includes(key)) return 1;  // shares on a curve
