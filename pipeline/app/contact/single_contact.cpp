@@ -245,7 +245,7 @@ void refuse_contact_options(const CommandOptions& options) {
          "--partner-density", "--partner-mass", "--roughness", "--contact-modulus", "--work-of-adhesion",
          "--yield-pressure", "--damping", "--damping-restitution", "--detachment"},
         problem, allowed);
-    if (options["--damping-law"] != name_of(DampingLaw::constant))
+    if (options.has("--damping-law") && options["--damping-law"] != name_of(DampingLaw::constant))
         throw InputError(problem, allowed).at("--damping-law");
 }
 
