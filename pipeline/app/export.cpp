@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <ostream>
 
 #include <fmt/format.h>
@@ -129,18 +127,22 @@ void read_ranges(const CommandOptions& options, ExportSubject& subject) {
 /// The subject with the damping of one velocity, and a line on that.
 ExportSubject with_one_damping(const ExportSubject& subject, double velocity) {
     ExportSubject constant = with_damping_at(subject, velocity);
-    double fastest = std::numeric_limits<double>::infinity();
-    for (const Laboratory& each : subject.laboratory)
-        if (!each.impacts.empty()) fastest = std::min(fastest, each.impacts.back().velocity);
-    const bool beyond = velocity > fastest;
-    if (beyond)
-        spdlog::warn("warning: --at: no impact is as fast; beyond {} the damping stays what it is there",
+    for (const AshSize& size : subject.sizes) {
+        const auto critical = threshold_at(subject, size.diameter).value;
+        if (!critical || !size.damping.depends_on_velocity()) continue;
+        const double fastest = velocity_at_place(size.damping.nodes.back().t, *critical);
+        if (velocity <= fastest) continue;
+        spdlog::warn("warning: --at: no impact was faster than {}; the damping is that there",
                      readable(fastest, "m/s"));
-    constant.origins.push_back(
-        fmt::format("at every velocity the damping is that of {}, so that e is {} there and v_c "
-                    "is not that of the run unless it is that velocity",
-                    readable(velocity, "m/s"),
-                    beyond ? "that of the damping of the fastest impact" : "the measured one"));
+        constant.origins.push_back(fmt::format(
+            "at every velocity the damping is that of {}, the fastest impact: none was as fast as {}",
+            readable(fastest, "m/s"), readable(velocity, "m/s")));
+        return constant;
+    }
+    constant.origins.push_back(fmt::format(
+        "at every velocity the damping is that of {}, so that e is the measured one there and v_c "
+        "is not that of the run unless it is that velocity",
+        readable(velocity, "m/s")));
     return constant;
 }
 
@@ -160,7 +162,7 @@ ExportSubject subject_of(const CommandOptions& options, const ExportCode& code) 
     }
     refuse_contact_options(options);
     if (options.has("--follow-velocity") && options.has("--at"))
-        throw InputError("the damping follows the velocity, or is that of one", "one of the two")
+        throw InputError("one damping and one that follows are asked for", "one of the two")
             .at("--follow-velocity, --at");
     if (options.has("--follow-velocity")) warn_idle("--follow-velocity", "the damping of a run does so");
     ExportSubject subject = subject_of_run(
