@@ -6,6 +6,7 @@ const assert = require('node:assert/strict');
 const fs = require('node:fs');
 const path = require('node:path');
 const { execFileSync } = require('node:child_process');
+const { walk } = require('./compare.cjs');
 const { agree } = require('./agree.cjs');
 const { agreeOnReference } = require('./reference.cjs');
 
@@ -27,13 +28,10 @@ async function program(files) {
     };
 }
 
-// Whether texts are the same but for numbers, and those to 1e-8 of the greater.
+// Whether artifacts or tables have the same numbers to 1e-8.
 function sameButForRounding(one, other, what) {
-    const number = /[-+]?\d+\.?\d*(?:e[-+]?\d+)?/g;
-    assert.equal(one.replace(number, '#'), other.replace(number, '#'), what);
-    const numbers = other.match(number).map(Number);
-    for (const [i, value] of one.match(number).map(Number).entries())
-        assert.ok(Math.abs(value - numbers[i]) <= 1e-8 * Math.max(Math.abs(value), Math.abs(numbers[i])), `${what}: ${value}, ${numbers[i]}`);
+    const parsed = text => (what.includes('.json') ? JSON.parse(text).result : text.split(/[,\n]/).map(cell => (cell === '' || isNaN(cell) ? cell : Number(cell))));
+    walk(parsed(one), parsed(other), '', 0, (place, left, right, distance) => assert.ok(distance <= 1e-8, `${what}${place}: ${left}, ${right}`));
 }
 
 // The estimate on a tube from a run that the page made is the command line's from the same files; drawings are rounded.
