@@ -87,8 +87,8 @@ function offerTube(artifacts) {
     tube.nodes.answer.replaceChildren();
     for (const name of ['told', 'problem']) tube.nodes[name].textContent = '';
     const rows = artifacts && resultOf(artifacts, 'comparison.json')?.by_size;
-    const named = [...new Set((rows ?? []).map((row) => row.basis))].filter((basis) => basis !== 'measured');
-    tube.nodes.assumption.replaceChildren(...makeSelect({}, [['', 'by the first that the impacts admit'], ...named.map((basis) => [basis, `by ${basis.replaceAll('-', ' ')}`])], '').children);
+    const named = [...new Set((rows ?? []).map((row) => row.assumption))].filter((name) => !['measured', 'adhesion-alone'].includes(name));
+    tube.nodes.assumption.replaceChildren(...makeSelect({}, [['', 'by the first that the impacts admit'], ...named.map((name) => [name, `by ${name.replaceAll('-', ' ')}`])], '').children);
 }
 
 function missingOfTube(options) {
