@@ -56,7 +56,6 @@ async function compute() {
         hideResults(false);
         byId('app-progress').textContent = 'Done; the results are below.';
         offerWhatIf(artifacts);
-        offerTube(artifacts);
         byId('app-results').focus({ preventScroll: true });
         byId('app-results').scrollIntoView({ block: 'start', behavior: 'instant' });
     } catch (error) {
@@ -79,14 +78,12 @@ function showStale() {
     byId('app-stale').hidden = !isStale();
     if (!run.artifacts || state.document === run.document) return;
     run.artifacts = null;
-    offerTube(null);
     hideResults(true);
     byId('app-progress').textContent = '';
 }
 
 function saveAll() {
-    const files = [...(run.files ?? []), ...Object.entries(run.artifacts ?? {}).map(([name, text]) => [`results/${name}`, text]),
-        ...Object.entries(tube.files ?? {}).map(([name, text]) => [`tube/${name}`, text])];
+    const files = [...(run.files ?? []), ...Object.entries(run.artifacts ?? {}).map(([name, text]) => [`results/${name}`, text])];
     save('ashimpact.zip', zipOf(files), 'application/zip');
     if (!isStale()) keepCase();
 }
