@@ -143,11 +143,10 @@ std::optional<AmountNote> read_note(const std::string& text, std::size_t line) {
     if (text.size() > longest_name || !std::regex_match(text, match, form)) return std::nullopt;
     const std::string unit = match.str(3);
     const bool is_stated = text.find_first_of("=:") != std::string::npos;
-    const xrd::HeadingUnit states = xrd::read_heading("x [" + unit + "]").states;
-    if (unit.empty() ? !is_stated : states == xrd::HeadingUnit::other) return std::nullopt;
+    const xrd::Heading of_unit = xrd::read_heading("x [" + unit + "]");
+    if (unit.empty() ? !is_stated : of_unit.states == xrd::HeadingUnit::other) return std::nullopt;
     AmountNote note{.line = line, .text = text, .what = read_line(match.str(1)), .amount = match.str(2)};
     if (!unit.empty()) {
-        const xrd::Heading of_unit = xrd::read_heading("x [" + unit + "]");
         note.what.heading.unit = of_unit.unit;
         note.what.heading.states = of_unit.states;
         note.what.heading.scale = of_unit.scale;

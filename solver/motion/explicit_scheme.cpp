@@ -158,7 +158,7 @@ ImpactResult solve_impact_explicit(const Impact& impact, const ExplicitSchemeOpt
 }
 
 /// The number near @p start above which a statement holds, to rounding; it fails below.
-/// @throws ConvergenceError if it holds or fails over 2^60 on both sides of @p start
+/// @throws ConvergenceError if it holds, or fails, from @p start/26,000 to 26,000 @p start
 template <class Statement>
 static double least_that(Statement&& holds, double start) {
     double low = start;

@@ -402,7 +402,7 @@ TEST_CASE("critical-velocity and damping by the paper's scheme stand beside the 
     CHECK(ashimpact_program(sandbox,
                             "critical-velocity --law jkr --radius '44 um' --density 2600" + rest + scheme)
               .err == containing("--method"));
-    // A second crossing says what it means.
+    // Beyond a second crossing faster impacts are captured again.
     CHECK(ashimpact_program(
               sandbox,
               "critical-velocity --law thornton-ning --radius '44 um' --density 2600 --contact-modulus "

@@ -160,7 +160,8 @@ Figure critical_velocity_by_size_figure(const RunData& run) {
     figure.caption +=
         "Here they have the constants of this run's particles, and beyond its sizes those of the nearest "
         "sample: "
-        "they are no prediction for the other materials, and a mark that lies on one says nothing. They have "
+        "they are no prediction for the other materials, and a mark on one of them is no test of it. They "
+        "have "
         "no "
         "damping, which raises v_c; of them JKR is the highest, and holds for large and soft spheres alone. "
         "Thick "
