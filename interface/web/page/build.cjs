@@ -15,7 +15,7 @@ const hash = (text) => `'sha256-${crypto.createHash('sha256').update(text).diges
 const packed = (bytes) => zlib.gzipSync(bytes, { level: 9 }).toString('base64');
 
 // In the order in which they are joined: each uses those before it.
-const parts = ['state', 'dom', 'history', 'quantity', 'fields', 'zip', 'program', 'grid', 'ash', 'wall', 'impacts', 'plot', 'what_if', 'live', 'results', 'files', 'main'];
+const parts = ['state', 'dom', 'history', 'quantity', 'fields', 'zip', 'program', 'grid', 'ash', 'wall', 'impacts', 'plot', 'what_if', 'live', 'tube', 'results', 'files', 'main'];
 
 // The report's reader of figures, as a function that is called when there are figures.
 function readouts() {

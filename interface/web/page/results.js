@@ -24,11 +24,16 @@ function stopRun() {
     byId('app-progress').textContent = 'Stopped.';
 }
 
-// The report as the program writes it, its head and its provenance at the end left to the downloaded file.
-function showReport(text) {
+// A page as the program writes it, and the text of its style, which the policy of this page admits as a sheet alone.
+function parsedPage(text) {
     const [element, style] = /<style>([^]*?)<\/style>/.exec(text);
-    const report = new DOMParser().parseFromString(text.replace(element, ''), 'text/html');
-    const sheet = new CSSStyleSheet();  // which the policy of the page admits, as it does not a style element
+    return [new DOMParser().parseFromString(text.replace(element, ''), 'text/html'), style];
+}
+
+// The report, its head and its provenance at the end left to the downloaded file.
+function showReport(text) {
+    const [report, style] = parsedPage(text);
+    const sheet = new CSSStyleSheet();
     sheet.replaceSync(style);
     document.adoptedStyleSheets = [sheet];
     byId('app-markers').replaceChildren(...(report.querySelector('svg.defs')?.childNodes ?? []));
@@ -56,6 +61,7 @@ async function compute() {
         hideResults(false);
         byId('app-progress').textContent = 'Done; the results are below.';
         offerWhatIf(artifacts);
+        offerTube(artifacts);
         byId('app-results').focus({ preventScroll: true });
         byId('app-results').scrollIntoView({ block: 'start', behavior: 'instant' });
     } catch (error) {
@@ -78,12 +84,14 @@ function showStale() {
     byId('app-stale').hidden = !isStale();
     if (!run.artifacts || state.document === run.document) return;
     run.artifacts = null;
+    offerTube(null);
     hideResults(true);
     byId('app-progress').textContent = '';
 }
 
 function saveAll() {
-    const files = [...(run.files ?? []), ...Object.entries(run.artifacts ?? {}).map(([name, text]) => [`results/${name}`, text])];
+    const files = [...(run.files ?? []), ...Object.entries(run.artifacts ?? {}).map(([name, text]) => [`results/${name}`, text]),
+        ...Object.entries(tube.files ?? {}).map(([name, text]) => [`tube/${name}`, text])];
     save('ashimpact.zip', zipOf(files), 'application/zip');
     if (!isStale()) keepCase();
 }

@@ -21,7 +21,10 @@ function written(answer, folder, wanted) {
 
 function answerTo({ name, files, remove, words, read }) {
     for (const old of remove ?? []) if (program.FS.analyzePath(old).exists) program.FS.unlink(old);
-    for (const [file, bytes] of files ?? []) program.FS.writeFile(file, bytes);
+    for (const [file, bytes] of files ?? []) {
+        if (file.includes('/')) program.FS.mkdirTree(`${program.FS.cwd()}/${file.slice(0, file.lastIndexOf('/'))}`);
+        program.FS.writeFile(file, bytes);
+    }
     const text = program.ccall(`ashimpact_${name}`, 'number', words.map(() => 'string'), words);
     const answer = JSON.parse(program.UTF8ToString(text));
     return { answer, artifacts: written(answer, words[1], read) };

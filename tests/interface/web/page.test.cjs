@@ -64,6 +64,7 @@ async function journey(browser, width, scheme) {
     for (const { name, bytes } of inputs) if (name !== 'case.json') assert.equal(files.get(name), bytes.toString(), `${where}: ${name} in the archive`);
     agree(`${browser.browserType().name()} at ${where}`, path.join(example, 'results'), name => files.get(`results/${name}`));
     await whatIfAgrees(page, where);
+    await estimatesTube(opening, where);
     await page.getByLabel('Particle diameter', { exact: true }).fill('90');
     assert.ok(await page.locator('#app-stale').isVisible(), `${where}: results of another case are told`);
     await drop(page, [archive]);
@@ -350,6 +351,25 @@ async function whatIfAgrees(page, where) {
         const corner = sharpestCorner(await page.locator(`#app-what-if path.${kind}`).first().getAttribute('d'));
         assert.ok(corner < 6, `${where}: the curve turns by ${corner.toFixed(1)} degrees at once`);
     }
+}
+
+// What stays on a tube, after the run: what is missing, a wrong quantity at its field, the answer with its figures.
+async function estimatesTube(opening, where) {
+    const { page } = opening;
+    await press(page, '#app-tube-run');
+    assert.match(await page.locator('#app-tube .problem').textContent(), /^Still missing: outer diameter of the tube;.*sizes of the ash\.$/, where);
+    await page.getByText('Fill in an example of a tube').click();
+    const diameter = page.getByLabel('Outer diameter of the tube');
+    await diameter.fill('38 kg');
+    await press(page, '#app-tube-run');
+    await page.locator('#app-tube .wrong').filter({ hasText: 'kg' }).waitFor();
+    await diameter.fill('38 mm');
+    await press(page, '#app-tube-run');
+    await page.locator('#app-tube-answer figure').first().waitFor();
+    assert.equal(await page.locator('#app-tube-answer figure').count(), 3, where);
+    assert.match(await page.locator('#app-tube-answer').textContent(), /g\/\(m2 h\) of ash stays on the clean tube.*What this is not/, where);
+    await isClean(opening, `${where}, with a tube`);
+    assert.equal(JSON.parse(unzip((await downloaded(page, '#app-save-all')).bytes).get('tube/deposit.json')).schema, 'deposit', where);
 }
 
 // Each step has an example at a click, and together they are a case that can be computed.
