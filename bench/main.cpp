@@ -18,6 +18,7 @@
 #include "bench/population.hpp"
 #include "bench/seams.hpp"
 #include "bench/thread_table.hpp"
+#include "bench/tube.hpp"
 #include "bench/viscoelastic.hpp"
 #include "solver/batch/kernels/kernel.hpp"
 
@@ -138,6 +139,7 @@ void run(const Options& options) {
     compare_methods(options);
     print_integrated_laws(options);
     print_seams(options);
+    print_tube(options);
     print_thread_table(options.repetitions);
 }
 
