@@ -239,7 +239,7 @@ const Command commands_on_files[]{
     {"modulus", {"wide.csv", "--amorphous-fraction remainder"}},
     {"modulus",
      {"peaks.csv", "--amorphous-fraction 0.3", "--porosity-law coble-kingery", "--porosity '10 %'"}},
-    {"calibrate", {"case.json", "--free density:each", "--free work_of_adhesion"}},
+    {"calibrate", {"case.json", "--free density:each"}},
     {"cross-check", {"case.json"}},
 };
 
@@ -297,7 +297,8 @@ TEST_CASE("another sample or law changes no result of those beside it; a name ch
     check_within(of_twin, all, 0);
 }
 
-TEST_CASE("no order of options, rows, phases or keys changes what the other commands print") {
+TEST_CASE("no order of options, rows, phases or keys changes what the other commands print" *
+          doctest::skip(test::sanitized)) {
     const Files files = files_for_commands();
     const Sandbox sandbox;
     const Sandbox other;
