@@ -17,6 +17,7 @@
 #include "bench/peers.hpp"
 #include "bench/population.hpp"
 #include "bench/seams.hpp"
+#include "bench/size_of_work.hpp"
 #include "bench/thread_table.hpp"
 #include "bench/tube.hpp"
 #include "bench/viscoelastic.hpp"
@@ -140,6 +141,7 @@ void run(const Options& options) {
     print_integrated_laws(options);
     print_seams(options);
     print_tube(options);
+    print_sizes_of_work();
     print_thread_table(options.repetitions);
 }
 
