@@ -133,6 +133,11 @@ std::optional<PrintedNumber> read_with_uncertainty(std::string_view text) {
 
 }  // namespace
 
+std::string_view without_unit(std::string_view cell, std::string_view unit) {
+    const bool is_name = !unit.empty() && unit != "%" && unit != "-" && !is_digit(unit.front());
+    return is_name && cell.ends_with(unit) ? trimmed(cell.substr(0, cell.size() - unit.size())) : cell;
+}
+
 void NumberMarks::see(std::string_view cell, std::size_t column) {
     if (cell.find_first_of(".,") == std::string_view::npos) {
         const auto found = columns_.find(column);

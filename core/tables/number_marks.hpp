@@ -66,4 +66,7 @@ class NumberMarks {
     bool has_decimal_comma_ = false;
 };
 
+/// A cell without the unit of its column behind its number: "5 um" under "d [um]".
+[[nodiscard]] std::string_view without_unit(std::string_view cell, std::string_view unit);
+
 }  // namespace ashimpact

@@ -192,23 +192,38 @@ TEST_CASE(
         test::succeeded(sandbox, "calibrate --sizes one.csv --law jkr " + silver + "--free work_of_adhesion")
             .out == test::containing("There are as many constants as velocities"));
 
+    sandbox.write("plain.csv", "d [um],v_c [m/s]\n1,0.1\n");
+    sandbox.write("units.csv", "d [um],v_c [m/s]\n1 um,0.1 m/s\n");
+    const std::string of_one =
+        " --law jkr " + silver + "--uncertainty '10 %' --free work_of_adhesion --json --sizes ";
+    CHECK(test::succeeded(sandbox, "calibrate" + of_one + "units.csv").out ==
+          test::succeeded(sandbox, "calibrate" + of_one + "plain.csv").out);
+    sandbox.write("grouped.csv", "d [um];v_c [mm/s]\n1;100.000\n");
+    CHECK(test::succeeded(sandbox, "calibrate" + of_one + "grouped.csv --decimal point").out ==
+          test::succeeded(sandbox, "calibrate" + of_one + "plain.csv").out);
+    sandbox.write("mixed.csv", "d [um],v_c [m/s]\n1,100 mm/s\n");
     sandbox.write("bare.csv", "d,v_c [m/s]\n1,0.1\n");
     sandbox.write("negative.csv", "d [um],v_c [m/s]\n1,-0.1\n");
     const std::string jkr_free = " --law jkr " + silver + "--free work_of_adhesion";
     const struct {
         std::string options, says;
-    } refused[] = {{"--sizes jkr.csv --uncertainty 0.1 -o fit.txt" + jkr_free, "fit.txt"},
-                   {"-o fit.svg --free density", "--output requires --sizes"},
-                   {"--sizes jkr.csv" + jkr_free, "--uncertainty: is missing"},
-                   {"--sizes jkr.csv --uncertainty 0.1 --law jkr " + silver, "--free: is missing"},
-                   {"--sizes jkr.csv --uncertainty 0.1 --law jkr --work-of-adhesion 0.1 " + silver +
-                        "--free yield_pressure",
-                    "--free: yield_pressure is free, and"},
-                   {"--sizes bare.csv --uncertainty 0.1" + jkr_free, "bare.csv: line 1: \"d\" has no unit"},
-                   {"--sizes negative.csv --uncertainty 0.1" + jkr_free,
-                    "negative.csv: line 2, cell 2: \"-0.1\" is no size"},
-                   {"--law jkr --free density", "--law: is given without --sizes"},
-                   {"--free damping", "/calibration: damping is free, and no case determines it"}};
+    } refused[] = {
+        {"--sizes mixed.csv --uncertainty 0.1" + jkr_free,
+         "mixed.csv: line 2, cell 2: \"100 mm/s\" is no size or velocity; allowed: a number > 0 in m/s"},
+        {"--sizes jkr.csv --law jkr " + silver + "--free time_step",
+         "--free: \"time_step\" cannot follow from velocities over sizes"},
+        {"--sizes jkr.csv --uncertainty 0.1 -o fit.txt" + jkr_free, "fit.txt"},
+        {"-o fit.svg --free density", "--output requires --sizes"},
+        {"--sizes jkr.csv" + jkr_free, "--uncertainty: is missing"},
+        {"--sizes jkr.csv --uncertainty 0.1 --law jkr " + silver, "--free: is missing"},
+        {"--sizes jkr.csv --uncertainty 0.1 --law jkr --work-of-adhesion 0.1 " + silver +
+             "--free yield_pressure",
+         "--free: yield_pressure is free, and"},
+        {"--sizes bare.csv --uncertainty 0.1" + jkr_free, "bare.csv: line 1: \"d\" has no unit"},
+        {"--sizes negative.csv --uncertainty 0.1" + jkr_free,
+         "negative.csv: line 2, cell 2: \"-0.1\" is no size"},
+        {"--law jkr --free density", "--law: is given without --sizes"},
+        {"--free damping", "/calibration: damping is free, and no case determines it"}};
     for (const auto& row : refused) {
         CAPTURE(row.options);
         test::check_refused(sandbox, "calibrate " + row.options, row.says);

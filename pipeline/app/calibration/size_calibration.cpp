@@ -7,12 +7,14 @@
 
 #include <fmt/format.h>
 
+#include "core/plausibility.hpp"
 #include "core/quantities/checks.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/tables/number_marks.hpp"
 #include "core/tables/text_lines.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
+#include "pipeline/app/command.hpp"
 #include "pipeline/case/literature.hpp"
 #include "pipeline/files/file.hpp"
 #include "solver/motion/scale.hpp"
@@ -38,10 +40,11 @@ struct SizedVelocity {
     std::optional<double> uncertainty{};  ///< standard [m/s]
 };
 
-/// A heading "d [um]" as the column and the SI value of its unit.
+/// A heading "d [um]" as the column and its unit.
 struct SizeHeading {
     SizeColumn column;
-    double unit;
+    double unit;  ///< [SI]
+    std::string unit_name;
 };
 
 SizeHeading read_size_heading(const std::string& cell) {
@@ -51,10 +54,12 @@ SizeHeading read_size_heading(const std::string& cell) {
     if (bracket == std::string::npos || !cell.ends_with(']'))
         throw InputError(in_quotes(cell) + " has no unit", "d [um], v_c [m/s], u(v_c) [m/s]");
     const auto dimension = column == SizeColumn::diameter ? Dimension::length : Dimension::velocity;
-    return {column, to_si(1, cell.substr(bracket + 1, cell.size() - bracket - 2), dimension)};
+    const std::string unit = cell.substr(bracket + 1, cell.size() - bracket - 2);
+    return {column, to_si(1, unit, dimension), unit};
 }
 
-std::vector<SizedVelocity> read_size_table(const std::string& bytes) {
+std::vector<SizedVelocity> read_size_table(const std::string& bytes, std::optional<DecimalMark> decimal,
+                                           std::vector<Finding>& doubts) {
     const TextLines file(bytes, {.content = "a table of critical velocities"});
     const std::vector<TextLine> lines = lines_with_content(file);
     const char separator = separator_of(lines.front().text);
@@ -70,7 +75,7 @@ std::vector<SizedVelocity> read_size_table(const std::string& bytes) {
                 throw InputError(fmt::format("the column {} is missing", name_of(needed)),
                                  "d [um], v_c [m/s], u(v_c) [m/s]");
     });
-    NumberMarks marks;
+    NumberMarks marks(decimal);
     for (std::size_t k = 0; k < headings.size(); ++k)
         if (headings[k].unit < (headings[k].column == SizeColumn::diameter ? 1e-7 : 0.05))
             marks.may_hold_thousands(k);  // of nm, mm/s
@@ -86,10 +91,18 @@ std::vector<SizedVelocity> read_size_table(const std::string& bytes) {
         SizedVelocity sized;
         for (std::size_t k = 0; k < headings.size(); ++k)
             at_place(at_cell(row.line, k), [&] {
-                const auto number = marks.read(row.cells[k], k);
+                const std::string& unit = headings[k].unit_name;
+                const auto number = marks.read(without_unit(row.cells[k], unit), k);
                 if (!number || !(number->value > 0) || number->per_cent)
-                    throw InputError(in_quotes(row.cells[k]) + " is no size or velocity", "a number > 0");
+                    throw InputError(in_quotes(row.cells[k]) + " is no size or velocity",
+                                     "a number > 0 in " + unit);
                 const double value = number->value * headings[k].unit;
+                if (headings[k].column != SizeColumn::uncertainty)
+                    if (auto doubt = implausible(
+                            *plausible_range(headings[k].column == SizeColumn::diameter ? "diameter"
+                                                                                        : "velocity"),
+                            {value}))
+                        doubts.push_back(*std::move(doubt));
                 if (headings[k].column == SizeColumn::diameter)
                     sized.diameter = value;
                 else if (headings[k].column == SizeColumn::velocity)
@@ -117,16 +130,27 @@ std::vector<SizedVelocity> sized_velocities(const LiteratureSource& source) {
     return rows;
 }
 
-std::vector<SizedVelocity> read_sizes(const std::string& name) {
+std::vector<SizedVelocity> read_sizes(const CommandOptions& options) {
+    const std::string& name = options["--sizes"];
     const auto& sources = literature();
     const auto source = std::ranges::find(sources, name, &LiteratureSource::key);
-    if (source != sources.end() && !std::filesystem::exists(name)) return sized_velocities(*source);
+    if (source != sources.end() && !std::filesystem::exists(name)) {
+        if (options.has("--decimal")) warn_idle("--decimal", "no table is read");
+        return sized_velocities(*source);
+    }
     const std::string bytes = read_file(name);
-    return at_place(FileName{name}, [&] { return read_size_table(bytes); });
+    std::vector<Finding> doubts;
+    const auto rows = at_place(
+        FileName{name}, [&] { return read_size_table(bytes, table_options(options).decimal, doubts); });
+    if (!doubts.empty()) warn_of({doubts.front()}, name);
+    return rows;
 }
 
 /// Sets standard uncertainties that the table does not state.
 void complete_uncertainties(std::vector<SizedVelocity>& rows, const CommandOptions& options) {
+    if (options.has("--uncertainty") &&
+        std::ranges::all_of(rows, [](const SizedVelocity& row) { return row.uncertainty.has_value(); }))
+        warn_idle("--uncertainty", "the table states that of each velocity");
     for (SizedVelocity& row : rows) {
         if (row.uncertainty) continue;
         if (!options.has("--uncertainty"))
@@ -180,12 +204,6 @@ SizeModel read_size_model(CommandOptions options, const std::vector<FreeConstant
         search("--damping", Scale::of(contact, largest.velocity).damping_unit(damping));
     model.damping = read_damping(options, contact);
     for (const FreeConstant& each : free) {
-        if (each.per_sample || each.quantity == CalibrationQuantity::time_step ||
-            each.quantity == CalibrationQuantity::wall_young_modulus)
-            throw InputError(
-                in_quotes(name_of(each.quantity)) + " cannot follow from velocities over sizes",
-                "work_of_adhesion, yield_pressure, damping, contact_modulus or density, each for all sizes")
-                .at("--free");
         if (each.quantity == CalibrationQuantity::work_of_adhesion)
             model.ratios.push_back(ratios_between(1e-3, 30, 7));
         else if (each.quantity == CalibrationQuantity::yield_pressure)
@@ -214,7 +232,15 @@ SizeCalibration read_size_calibration(const CommandOptions& options, const std::
         throw InputError("is given beside a case or --compare", "one of them").at("--sizes");
     if (free.empty())
         throw InputError("is missing", "work_of_adhesion, yield_pressure, damping ...").at("--free");
-    std::vector<SizedVelocity> rows = read_sizes(options["--sizes"]);
+    for (const FreeConstant& each : free)
+        if (each.per_sample || each.quantity == CalibrationQuantity::time_step ||
+            each.quantity == CalibrationQuantity::wall_young_modulus)
+            throw InputError(
+                in_quotes(name_of(each.quantity)) + " cannot follow from velocities over sizes",
+                "work_of_adhesion, yield_pressure, damping, contact_modulus or density, each for all sizes")
+                .at("--free");
+    if (options.has("--allow-outside")) warn_idle("--allow-outside", "there is no case");
+    std::vector<SizedVelocity> rows = read_sizes(options);
     if (rows.empty()) throw InputError("has no velocity with a size", "rows of d and v_c").at("--sizes");
     complete_uncertainties(rows, options);
     std::ranges::sort(rows, {}, &SizedVelocity::diameter);
