@@ -8,6 +8,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "core/plausibility.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
@@ -220,6 +221,13 @@ Deposition write_deposition(const CommandOptions& options, const TableOptions& t
                          "RUN_DIR; or --law, --density and the other options of an impact")
             .at("deposit");
     TubeConditions tube = read_tube(options);
+    std::vector<Finding> doubts = options.doubts();
+    if (options["--ash-load"].find("Nm3") != std::string::npos)  // a unit that no other quantity has
+        if (auto doubt = implausible(*plausible_range("ash_load"), {*tube.load})) {
+            doubt->text.insert(0, "--ash-load: ");
+            warn_of({*doubt});
+            doubts.push_back(*std::move(doubt));
+        }
     const std::filesystem::path folder(options["--output"]);
     require_writable_folder(folder);
     require_own(folder / deposit_artifact);
@@ -234,7 +242,7 @@ Deposition write_deposition(const CommandOptions& options, const TableOptions& t
     if (sizes.file) source.inputs.push_back(*sizes.file);
 
     StageRecord record{.stage = "deposition", .file = deposit_artifact};
-    record.note(options.doubts(), "");
+    record.note(doubts, "");
     record.note(sizes.notes, "");
     const std::size_t printed = record.notes.size();
     record.note(source.notes, "");

@@ -19,14 +19,14 @@
 
 namespace ashimpact {
 
-/// Columns of a sieve table.
-enum class SieveColumn { size, from, to, finer, coarser, retained, share };
+/// Columns of a sieve table. A residue is all that is coarser, or what lies on one sieve, which is retained.
+enum class SieveColumn { size, from, to, finer, coarser, residue, retained, share };
 
 template <>
 struct Names<SieveColumn> {
     static constexpr std::string_view kind = "sieve column";
-    static constexpr std::array<std::string_view, 7> all{"size",    "from",     "to",   "finer",
-                                                         "coarser", "retained", "share"};
+    static constexpr std::array<std::string_view, 8> all{"size",    "from",    "to",       "finer",
+                                                         "coarser", "residue", "retained", "share"};
 };
 
 namespace {
@@ -59,7 +59,7 @@ SieveHeading sieve_heading(const std::string& cell) {
         heading.unit = trimmed(std::string_view(cell).substr(in + 4));
         name = trimmed(std::string_view(cell).substr(0, in));
     }
-    heading.column = meaning<SieveColumn>(words, name);
+    if (name != "q3") heading.column = meaning<SieveColumn>(words, name);  // the density beside the sum Q3
     return heading;
 }
 
@@ -113,6 +113,7 @@ class SieveTable {
     bool take(const TextLine& line) {
         separator_ = separator_of(line.text);
         columns_.clear();
+        may_be_on_each_ = false;
         for (const std::string& cell : cut_row(line, separator_).cells)
             columns_.push_back(sieve_heading(cell));
         if (place(SieveColumn::retained))
@@ -120,6 +121,11 @@ class SieveTable {
                         "\"residue\" for all that is coarser; or \"from\", \"to\" and \"share\" for what "
                         "lies on each "
                         "sieve");
+        for (SieveHeading& heading : columns_) {
+            if (heading.column != SieveColumn::residue) continue;
+            heading.column = SieveColumn::coarser;
+            may_be_on_each_ = true;
+        }
         const bool sized = place(SieveColumn::size) || place(SieveColumn::to);
         if (place(SieveColumn::share) && place(SieveColumn::from) && sized)
             kind_ = SieveColumn::share;
@@ -170,16 +176,17 @@ class SieveTable {
 
     [[nodiscard]] double number(const TableRow& row, std::size_t column) {
         const std::string place = at_cell(row.line, column);
-        std::string_view cell = row.cells.at(column);
-        if (const std::string& unit = columns_[column].unit;
-            !unit.empty() && unit != "%" && unit != "-" && !is_digit(unit.front()) && cell.ends_with(unit))
-            cell = trimmed(cell.substr(0, cell.size() - unit.size()));
+        const std::string& unit = columns_[column].unit;
+        const std::string_view cell = without_unit(row.cells.at(column), unit);
         const auto read = at_place(place, [&]() { return marks_.read(cell, column); });
         if (read && read->standard_uncertainty && !told_uncertain_) {
             note("uncertainties are not used, the first in " + place);
             told_uncertain_ = true;
         }
-        if (!read) throw InputError("cannot read " + in_quotes(row.cells.at(column)), "a number").at(place);
+        if (!read)
+            throw InputError("cannot read " + in_quotes(row.cells.at(column)),
+                             unit.empty() ? "a number" : "a number in " + unit)
+                .at(place);
         return read->per_cent && !unit_given_ ? read->value / 100 : read->value;
     }
     [[nodiscard]] double length(const TableRow& row, SieveColumn column) {
@@ -265,6 +272,13 @@ class SieveTable {
         double greatest = 0;
         for (const ShareRow& row : rows) greatest = std::max(greatest, row.share);
         const double scale = bare_scale(greatest, notes);
+        double sum = 0;
+        for (const ShareRow& row : rows) sum += row.share * scale;
+        if (may_be_on_each_ && kind_ == SieveColumn::coarser && std::abs(sum - 1) <= sum_tolerance)
+            refuse_line(rows.front().line,
+                        "the residues may be all that is coarser, or what lies on each sieve: they add up to "
+                        "100 %",
+                        "\"cumulative residue\"; or \"from\", \"to\" and \"share\" for what lies on each");
         std::vector<double> diameters;
         std::vector<double> finer;
         for (const ShareRow& row : rows) {
@@ -300,6 +314,7 @@ class SieveTable {
     SieveColumn kind_ = SieveColumn::finer;
     double scale_ = 1;
     bool unit_given_ = false;
+    bool may_be_on_each_ = false;  ///< the shares, if they are coarser
     std::vector<ShareRow> rows_{};
     std::vector<Finding> notes_{};
     std::optional<std::string> sample_{};

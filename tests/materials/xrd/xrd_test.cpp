@@ -608,6 +608,9 @@ TEST_CASE("numbers of an XRD table that may be grouped are refused with both rea
     CHECK(contains(input_error_of([&] { static_cast<void>(read("phase,wt%\n#N/A,12\nQuartz,60\n")); }),
                    "#N/A") == false);
     CHECK(read("phase,wt%\n#DIV/0!,12\nQuartz,60\n").samples.front().analysis.phases.size() == 2);
+    CHECK(read("Phase;Gew.-%\nQuarz;53\namorph (Differenz);47\nkristallin;53\n")
+              .samples.front()
+              .analysis.phases.size() == 2);
 }
 
 TEST_CASE("Table 1 of the paper as a file: by volume, glass by difference from the crystalline total") {

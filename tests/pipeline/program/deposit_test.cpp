@@ -201,6 +201,7 @@ TEST_CASE("what a sieve table has beside sizes and shares is said") {
                     "column \"Bemerkung\" is not used"},
           {"size [um];passing [Vol.-%]\n10;20\n20;100\n", "is by volume: taken as by mass"},
           {"size [um];passing\n10;20\n20;100\n", "by their size they are per cent"},
+          {"size [um];cumulative residue\n10;80\n15;20\n20;0\n", "by their size they are per cent"},
           {"size [um];passing [%]\n10 um;20 \u00b1 1\n20 um;100\n", "uncertainties are not used"},
           {"size [um];passing [%]\n10;20\n20;100\nTotal;100\n", "line 4 is no size and left out"},
           {"from [um];to [um];share [%]\n0;10;20\n10;20;80\n", "20 % is finer than the smallest size"}}) {
@@ -222,6 +223,9 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
     sandbox.write("none.csv", "a,b\n1,2\n");
     sandbox.write("sum-and-rest.csv", "size [um];passing [%];residue [%]\n10;20;80\n20;100;0\n");
     sandbox.write("two-sizes.csv", "size [um];size [mm];passing [%]\n10;1;20\n20;2;100\n");
+    sandbox.write("units.csv", "size [um];passing [%]\n10 um;20\n0.02 mm;100\n");
+    sandbox.write("residue.csv", "size [um];residue [%]\n5;60\n20;30\n40;10\n100;0\n");
+    sandbox.write("density.csv", "size [um];q3\n5;0.1\n20;0.5\n40;1\n");
     sandbox.write("grams.csv", "size [um];passing [g]\n10;0.2\n20;1\n");
     sandbox.write("number.csv", "size [um];passing [number fraction]\n10;0.2\n20;1\n");
     sandbox.write("samples.csv", "Probe;size [um];passing [%]\nA;10;20\nB;20;100\n");
@@ -248,6 +252,10 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
           Refused{"sum.csv", "add up to 80 %"},
           Refused{"sum-and-rest.csv", "\"passing [%]\" and \"residue [%]\" state one thing twice"},
           Refused{"two-sizes.csv", "state one thing twice"},
+          Refused{"residue.csv",
+                  "line 2: the residues may be all that is coarser, or what lies on each sieve"},
+          Refused{"density.csv", "no line names the columns"},
+          Refused{"units.csv", "line 3, cell 1: cannot read \"0.02 mm\"; allowed: a number in um"},
           Refused{"grams.csv", "unit of \"passing [g]\""},
           Refused{"number.csv", "unit of"},
           Refused{"samples.csv", "several samples, \"A\" and \"B\""},
