@@ -69,8 +69,8 @@ constexpr std::array ranges{
         Dimension::velocity, 0.05, 150, "0.05 to 150 m/s", {"m/s", "cm/s", "mm/s"}, "gas_velocity"},
     PlausibleRange{
         Dimension::viscosity, 5e-6, 2e-4, "5 to 200 uPa s", {"uPa s", "mPa s", "Pa s"}, "gas_viscosity"},
-    PlausibleRange{
-        Dimension::density, 1e-9, 1, "1 ug/m3 to 1 kg/m3", {"g/m3", "mg/m3", "ug/m3"}, "ash_load"}};
+    PlausibleRange{Dimension::density, 1e-9, 1, "1 ug/m3 to 1 kg/m3", {"g/m3", "mg/m3", "ug/m3"}, "ash_load"},
+    PlausibleRange{Dimension::fraction, 1e-3, 2, "0.001 to 2", {"%", "%", "%"}, "friction"}};
 
 /// Factor by which a number without a unit may lie outside of its range.
 constexpr double slip = 1000;

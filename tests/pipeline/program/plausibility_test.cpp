@@ -21,6 +21,7 @@ void write_files(const Sandbox& sandbox) {
     test::write_example(sandbox, test::with_one_sample(test::example_case(), {"hertz"}));
     sandbox.write("fast.csv", "v_in,e_n\n2e7,0.2\n3e7,0.3\n");
     sandbox.write("quick.csv", "v_in [km/s],e_n\n1,0.2\n3,0.3\n3,0.3\n");
+    sandbox.write("small.csv", "d [nm],v_c [m/s]\n5.0,1.2\n20.0,0.4\n");
     sandbox.write("soft.csv", "phase,wt%,density [kg/m3]\nquartz,40,2.65\nglass,60,2500\n");
     sandbox.write("phases.json", R"([{"name": "soft", "density": "2 g/cm3", "young_modulus": 70}])");
     sandbox.write("sweep.json",
@@ -87,6 +88,17 @@ TEST_CASE("with its unit it counts, and is warned of before anything else") {
           {"impact --law hertz --velocity '2 m/s' --diameter '88 um' --mass '1 mg' --contact-modulus '90 "
            "GPa'",
            "warning: --mass: density of the sphere: 2.803e+06 kg/m3 is outside"},
+          {std::string(
+               "impact --law hertz --velocity '2 m/s' --diameter '88 um' --angle '45 deg' --friction 20") +
+               usual_contact,
+           "warning: --friction: 20 is outside of what is plausible, 0.001 to 2"},
+          {std::string("deposit --law hertz --sizes '20 um' --tube-diameter '38 mm' --gas-velocity 12 "
+                       "--gas-temperature '900 C' -o tube --ash-load '10 kg/Nm3'") +
+               usual_contact,
+           "warning: --ash-load: 2.328 kg/m3 is outside of what is plausible"},
+          {"calibrate --sizes small.csv --uncertainty '10 %' --law jkr --density '2300 kg/m3' "
+           "--contact-modulus '90 GPa' --free work_of_adhesion",
+           "warning: small.csv: 5 nm is outside of what is plausible, 10 nm to 5 mm"},
           {"sweep sweep.json -o out.json",
            "warning: mass: density of the sphere: 2.803e+06 kg/m3 is outside"}}) {
         CAPTURE(command);
