@@ -112,8 +112,11 @@ class TableCells {
         Entry entry = read(row, column);
         if (const auto& uncertainty = heading_.uncertainty_of(quantity)) {
             if (entry.standard_uncertainty) fail(*uncertainty, row, "is given twice", "one uncertainty");
-            entry.standard_uncertainty = read(row, *uncertainty).value / uncertainty->coverage *
-                                         (uncertainty->is_relative ? entry.value : 1.0);
+            const double stated = read(row, *uncertainty).value / uncertainty->coverage;
+            if (!uncertainty->is_relative)
+                entry.standard_uncertainty = stated;
+            else if (entry.value != 0.0)  // a share of the 0 of a capture says nothing
+                entry.standard_uncertainty = stated * entry.value;
         }
         if (entry.standard_uncertainty && !(*entry.standard_uncertainty > 0.0))
             fail(column, row, "has an uncertainty that is not positive", "> 0");
@@ -135,7 +138,7 @@ class TableCells {
         if (!column || outcome_word(row.cells[column->position]) != OutcomeWord::none) return;
         const double rounding = 0.01 + 0.01 / point.velocity;  // of numbers with two decimals
         if (std::abs(read(row, *column).value - point.restitution()) > rounding)
-            fail(*column, row, "is not v_r over v_in, which is " + shortest(point.restitution()),
+            fail(*column, row, "is not v_r over v_in, which is " + readable_number(point.restitution()),
                  "one of the two columns, or a file without this row");
     }
 
@@ -336,7 +339,9 @@ std::optional<MeasuredQuantity> read_rebound(Measurement& point, const Measureme
     point.noise = as_velocity ? noise_of_rebound(velocity, reading) : noise_of_restitution(velocity, reading);
     if (point.noise && as_velocity) point.noise = correlated(*point.noise, heading, cells, row);
     const bool both = velocity.standard_uncertainty && reading.standard_uncertainty;
-    if (both || !point.noise || !has_reading) return std::nullopt;
+    const auto& column = heading.uncertainty_of(quantity);
+    const bool share_of_zero = column && column->is_relative && reading.value == 0.0;
+    if (both || !point.noise || !has_reading || share_of_zero) return std::nullopt;
     return velocity.standard_uncertainty ? MeasuredQuantity::velocity : quantity;
 }
 

@@ -259,6 +259,8 @@ TEST_CASE("an uncertainty is in the unit of its column, in its own, or in per ce
     CHECK(contains(warnings_of(read_measurements(slow, "t.csv")),
                    "column \"u(v_in)\" has no unit: taken in that of column \"v_in\""));
     CHECK(noise_of_incident("v_in [m/s];u(v_in) [%];v_r [m/s]\n2;3;0.5\n") == doctest::Approx(0.06));
+    CHECK(noise_of_incident("v_in [m/s];u(v_in) [%];v_r [m/s];u(v_r) [%]\n2;3;0;2\n") ==
+          doctest::Approx(0.06));
     CHECK(contains(
         input_error_of([] { return read_measurements("v_in;u(v_in);e_n;u(e_n)\n2;0.1;0.5;4\n", "t.csv"); }),
         "\"4\" in column \"u(e_n)\" may be 4 % or a fraction whose decimal mark was lost"));
