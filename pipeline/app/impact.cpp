@@ -86,8 +86,8 @@ void run_impact_command(const CommandOptions& options, std::ostream& out) {
         rebound = oblique_result(*at_angle, result);
     }
     if (!options.has("--json")) {
-        out << impact_text(impact, result) << (rebound ? oblique_text(*at_angle, *rebound) : std::string())
-            << requested_text(damping);
+        out << impact_text(impact, result, oblique ? ", normal" : "")
+            << (rebound ? oblique_text(*at_angle, *rebound) : std::string()) << requested_text(damping);
         return;
     }
     Json json = impact_json(impact, result);
@@ -169,6 +169,8 @@ void run_critical_velocity_command(const CommandOptions& options, std::ostream& 
             regime_of(choice.impact(problem.damping, *result.value), result.maximum_overlap.value_or(0));
         warn_of(regime.warnings);
         regime_at_capture = regime_text(regime);
+    } else if (angle) {
+        warn_idle("--angle", "there is no critical velocity");
     }
     if (options.has("--json")) {
         Json json{{"law", problem.law.name()}};

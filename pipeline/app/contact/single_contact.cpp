@@ -413,16 +413,16 @@ void add_model(TextList& list, Law law, Detachment detachment, const Damping& da
     add_damping_lines(list, damping, contact);
 }
 
-std::string impact_text(const Impact& impact, const ImpactResult& result) {
+std::string impact_text(const Impact& impact, const ImpactResult& result, const std::string& normal) {
     const auto time = [](const std::optional<double>& value, const char* none) {
         return value ? readable(*value, "s") : std::string(none);
     };
     TextList list;
     add_model(list, impact.law, impact.detachment, impact.damping, impact.contact);
-    list.add("velocity", readable(impact.velocity, "m/s"));
+    list.add("velocity" + normal, readable(impact.velocity, "m/s"));
     list.add("outcome", std::string(name_of(result.outcome)));
     list.add("restitution", readable_number(result.restitution));
-    list.add("rebound velocity", readable(result.rebound_velocity, "m/s"));
+    list.add("rebound velocity" + normal, readable(result.rebound_velocity, "m/s"));
     list.add("contact time", time(result.contact_time, "none: the particle stays"));
     list.add("approach time", time(result.approach_time, "none: the approach never turns"));
     list.add("maximum overlap", readable(result.maximum_overlap, "m"));

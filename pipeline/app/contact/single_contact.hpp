@@ -107,8 +107,9 @@ void refuse_material(const CommandOptions& options, const std::string& without);
 /// An impact and what it did, with the keys of the command's --json.
 [[nodiscard]] Json impact_json(const Impact& impact, const ImpactResult& result);
 
-/// The lines a reader gets of it.
-[[nodiscard]] std::string impact_text(const Impact& impact, const ImpactResult& result);
+/// The lines a reader gets of it. @param normal behind "velocity", of an impact at an angle
+[[nodiscard]] std::string impact_text(const Impact& impact, const ImpactResult& result,
+                                      const std::string& normal = {});
 
 /// Adds the coefficients that a damping has beside the first, "adhesion_damping".
 void add_further_damping(Json& json, const Damping& damping, const ContactPair& contact);

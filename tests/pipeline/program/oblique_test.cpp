@@ -63,6 +63,7 @@ TEST_CASE("an angle splits the velocity, and a normal impact stays as it was") {
         succeeded(sandbox, "impact --velocity '4 m/s' --angle '60 deg' --friction 0.2" + oblique_ash).out;
     CHECK(text == containing("mu = 0.2: slides throughout"));
     CHECK(text == containing("degrees from the normal"));
+    CHECK(text == containing("velocity, normal          2 m/s"));
 }
 
 TEST_CASE("the critical velocity at an angle is that of the sphere") {
