@@ -81,12 +81,14 @@ bool is_same_number(const Json& one, const Json& other) {
 /// Compares the result of an artifact with what its stage computes.
 class EditReader {
   public:
-    explicit EditReader(std::string_view file) : file_(file) {}
+    /// @param removable whether a value that was removed is no edit
+    explicit EditReader(std::string_view file, bool removable = true) : file_(file), removable_(removable) {}
 
     /// The JSON pointer, below the result, of the first edit that does not count.
     std::optional<std::string> first(const Json& edited, const Json& computed, const std::string& pointer,
                                      const Json& holder, const std::string& member) {
-        if (counts(holder, member) || edited.is_null()) return std::nullopt;
+        if (counts(holder, member) || (edited.is_null() && (removable_ || computed.is_null())))
+            return std::nullopt;
         if (edited.is_number() && computed.is_number())
             return is_same_number(edited, computed) ? std::nullopt : std::optional(pointer);
         if (edited.is_array() && computed.is_array() && edited.size() == computed.size()) {
@@ -118,6 +120,7 @@ class EditReader {
     }
 
     std::string_view file_;
+    bool removable_;
     std::vector<std::string> laws_ = names_of_laws();
 };
 
@@ -177,6 +180,14 @@ std::vector<std::string_view> with_sources(std::span<const std::string_view> fil
 
 /// Refuses edits of an artifact that do not count. @param computed what its stage computes
 void require_to_count(const Artifact& edited, const Stage& stage, const Json& computed) {
+    const auto refuse = [&](const std::string& place) {
+        const std::vector<std::string> reads(stage.reads.begin(), stage.reads.end());
+        throw InputError("was edited, and only part of what comes after would rest on it",
+                         fmt::format("{}; or of {}, with --from {}", allowed_edits(edited.file),
+                                     joined(reads), stage.name))
+            .at(place)
+            .at(FileName{edited.place});
+    };
     const Json& samples = edited.document->at("result").at("samples");
     const Json& others = computed.at("samples");
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -185,13 +196,14 @@ void require_to_count(const Artifact& edited, const Stage& stage, const Json& co
         if (same == others.end()) continue;
         const auto found = EditReader(edited.file)
                                .first(samples[i], *same, child_pointer("/result/samples", i), samples[i], "");
-        if (!found) continue;
-        const std::vector<std::string> reads(stage.reads.begin(), stage.reads.end());
-        throw InputError("was edited, and only part of what comes after would rest on it",
-                         fmt::format("{}; or of {}, with --from {}", allowed_edits(edited.file),
-                                     joined(reads), stage.name))
-            .at(*found)
-            .at(FileName{edited.place});
+        if (found) refuse(*found);
+    }
+    for (const auto& [key, value] : edited.document->at("result").items()) {
+        if (key == "samples") continue;  // beside them a comparison states their velocities again
+        const auto found =
+            EditReader(edited.file, false)
+                .first(value, computed.value(key, Json()), child_pointer("/result", key), value, key);
+        if (found) refuse(*found);
     }
 }
 

@@ -21,8 +21,8 @@ using IsUsed = std::function<bool(std::string_view file)>;
 void require_up_to_date(const std::vector<Artifact>& all, const IsUsed& is_used);
 
 /// Refuses edits on which only part of the later results would rest: those of values that later stages do not
-/// read, or read from an earlier artifact as well. A value that was removed is no such edit. To find them,
-/// the stage of each edited artifact is computed from those that it reads, which are loaded if need be.
+/// read, or read from an earlier artifact as well. A value that was removed from a sample is no such edit. To
+/// find them, the stage of each edited artifact is computed from those that it reads, loaded if need be.
 /// @throws InputError with the file, and the JSON pointer of the first such value
 void require_edits_to_count(const Artifacts& artifacts, ContactModels& models);
 

@@ -122,9 +122,23 @@ TEST_CASE("an interval has one level throughout a run") {
 TEST_CASE("an edited comparison is refused by a report, which shows its numbers from other artifacts too") {
     const Sandbox sandbox;
     test::put_built_in_run(sandbox);
-    edit_result(sandbox, "comparison.json", "/result/samples/0/analytic_critical_velocity/value = 9");
-    check_refused(sandbox, "report results",
-                  "results/comparison.json: /result/samples/0/analytic_critical_velocity/value: was edited");
+    const std::string computed = sandbox.read("results/comparison.json");
+    const std::string deposit =
+        "deposit results --tube-diameter '38 mm' --gas-velocity 12 --gas-temperature '900 C' --sizes '88 um' "
+        "-o tube";
+    for (const auto& [command, edit] :
+         {std::pair{std::string("report results"), "/samples/0/analytic_critical_velocity/value = 9"},
+          {"report results", "/reported/samples/0/critical_velocity/value = 1.52"},
+          {"report results", "/reported/law = \"hertz\""},
+          {"figure which-sizes results -o f.svg", "/by_size/0/diameter/value = 5e-5"},
+          {deposit, "/by_size/0/critical_velocity = null"},
+          {"export openfoam results -o out", "/by_size/0/critical_velocity = null"}}) {
+        const std::string place = std::string("/result") + edit;
+        edit_result(sandbox, "comparison.json", place);
+        check_refused(sandbox, command,
+                      "results/comparison.json: " + place.substr(0, place.find(" =")) + ": was edited");
+        sandbox.write("results/comparison.json", computed);
+    }
 }
 
 TEST_CASE("a run from its own 0-case.json in the current folder is up to date") {
@@ -170,6 +184,9 @@ TEST_CASE("an option that changes nothing is said or refused") {
         check_refused(sandbox,
                       "damping --law hertz --velocity 2 --restitution 0.5 " + option + elastic_sphere,
                       option.substr(0, option.find(' ')) + " requires --");
+    sandbox.write("sizes.csv", "d [um];v_c [m/s];u(v_c) [m/s]\n5;1.2;.2\n10;.7;.14\n");
+    constexpr auto of_sizes =
+        "calibrate --law jkr --density 2600 --contact-modulus '90 GPa' --free work_of_adhesion ";
     for (const auto& [command, says] :
          {std::pair{std::string("export table --law dmt --damping 1e-3 --damping-exponent 2 -o out") +
                         adhesive_sphere,
@@ -179,6 +196,14 @@ TEST_CASE("an option that changes nothing is said or refused") {
            "warning: --damping-exponent: there is no damping, so it changes nothing"},
           {std::string("impact --law dmt --velocity 2 --damping-law tsuji") + adhesive_sphere,
            "warning: --damping-law: there is no damping, so it changes nothing"},
+          {std::string("critical-velocity --law hertz --angle '60 deg'") + elastic_sphere,
+           "warning: --angle: there is no critical velocity, so it changes nothing"},
+          {std::string(of_sizes) + "--sizes sizes.csv --uncertainty '50 %'",
+           "warning: --uncertainty: the table states that of each velocity, so it changes nothing"},
+          {std::string(of_sizes) + "--sizes sizes.csv --allow-outside",
+           "warning: --allow-outside: there is no case, so it changes nothing"},
+          {std::string(of_sizes) + "--sizes arffman2015 --uncertainty '10 %' --decimal point",
+           "warning: --decimal: no table is read, so it changes nothing"},
           {std::string("impact --law hertz --velocity 2 --damping-law brach-dunn-damping --damping 0.2 "
                        "--adhesion-damping 0.5") +
                adhesive_sphere,
