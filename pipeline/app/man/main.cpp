@@ -405,9 +405,7 @@ std::string man_page(const CLI::App& program, const CLI::App& command) {
 std::string reference_page(const CLI::App& program) {
     std::string page = R"(# Commands
 
-This page lists every command with its options. It is written by the program that parses them, as are the manual pages and what bash and zsh complete.
-
-Quantities carry their unit in quotes, `"44 um"`; a bare number is SI. Results go to standard output, messages to standard error. Exit status: 0 done; 2 the input is wrong; 3 a computation did not converge; 1 a defect of the program.
+> **Summary.** Every command of the program is listed with its options. Quantities carry their unit in quotes, `"44 um"`; a bare number is SI. Results go to standard output, messages to standard error. Exit status: 0 done; 2 the input is wrong; 3 a computation did not converge; 1 a defect of the program.
 
 )";
     for (const CLI::App* command : commands_of(program)) {
