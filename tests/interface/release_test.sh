@@ -8,7 +8,7 @@ trap 'rm -rf "$scratch"' EXIT
 fail() { echo "failed: $1"; exit 1; }
 
 mkdir "$scratch/packaging" "$scratch/debian"
-cp "$root/packaging/release" "$scratch/packaging/"
+cp -r "$root"/packaging/{release,recipes} "$scratch/packaging/"
 cp "$root/debian/changelog" "$scratch/debian/"
 cp "$root/CMakeLists.txt" "$root/CITATION.cff" "$root/CHANGELOG.md" "$scratch/"
 cd "$scratch"
@@ -22,6 +22,9 @@ for version in 97.0.0 97.1.0; do
     grep -q "^project(ashimpact VERSION $version " CMakeLists.txt || fail "CMakeLists.txt is not at $version"
     [[ $(grep -c '^version: ' CITATION.cff) == 1 && $(grep -c '^date-released: ' CITATION.cff) == 1 ]] || fail 'CITATION.cff'
     grep -qx "version: $version" CITATION.cff || fail "CITATION.cff is not at $version"
+    for recipe in packaging/recipes/*/*.*; do
+        [[ $(diff "$root/$recipe" "$recipe" | grep '^>' | grep -cF "$version") -ge 1 ]] || fail "$recipe"
+    done
     [[ $(head -1 debian/changelog) == "ashimpact ($version) unstable; urgency=medium" ]] || fail 'debian/changelog'
     [[ $(grep '^## ' CHANGELOG.md | head -2) == '## [Unreleased]'*"[$version] - "* ]] || fail 'CHANGELOG.md'
 done
