@@ -1,5 +1,5 @@
 # What cmake/Dependencies.cmake finds, for WebAssembly: the same targets, header-only ones from this machine, the others
-# compiled from Debian's source packages, which cmake/web/libraries.sh fetches. MPI, HDF5, oneTBB and CLI11 are left out.
+# compiled from Debian's source packages, which cmake/web/libraries.sh fetches. MPI, HDF5 and oneTBB are left out.
 set(ASHIMPACT_WEB_LIBRARIES "${PROJECT_SOURCE_DIR}/build/web-libraries" CACHE PATH "Where libraries.sh put them")
 find_program(ASHIMPACT_BASH bash REQUIRED)
 execute_process(COMMAND "${ASHIMPACT_BASH}" "${CMAKE_CURRENT_LIST_DIR}/libraries.sh" "${ASHIMPACT_WEB_LIBRARIES}"
@@ -14,7 +14,7 @@ set(config "${CMAKE_CURRENT_LIST_DIR}/config")  # what their own configure scrip
 # Header-only libraries.
 add_library(web_headers INTERFACE)
 target_include_directories(web_headers SYSTEM INTERFACE "${ASHIMPACT_WEB_LIBRARIES}/include")
-foreach(name nlohmann_json::nlohmann_json ashimpact::valijson Boost::headers FastFloat::fast_float)
+foreach(name CLI11::CLI11 nlohmann_json::nlohmann_json ashimpact::valijson Boost::headers FastFloat::fast_float)
   add_library(${name} INTERFACE IMPORTED GLOBAL)
   target_link_libraries(${name} INTERFACE web_headers)
 endforeach()

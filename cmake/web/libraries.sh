@@ -7,7 +7,7 @@ set -euo pipefail
 mkdir -p "$1"
 folder=$(readlink -f "$1")
 names=(gsl zlib minizip nettle pugixml highway)
-headers=(fmt spdlog nlohmann valijson eigen3 boost fast_float)
+headers=(CLI fmt spdlog nlohmann valijson eigen3 boost fast_float)
 
 sources=$folder/source
 mkdir -p "$folder/apt/lists/partial" "$folder/include" "$sources"

@@ -134,6 +134,23 @@ constexpr auto minmax_element(Range&& range, Compare compare = {}, Projection pr
         std::minmax_element(std::begin(range), std::end(range), web::by(compare, projection));
     return MinMax<decltype(std::begin(range))>{min, max};
 }
+template <class Value>
+struct Extremes {
+    Value min, max;
+};
+template <class Range, class Compare = web::Less, class Projection = web::Identity>
+constexpr auto minmax(Range&& range, Compare compare = {}, Projection projection = {}) {
+    const auto found = ranges::minmax_element(range, compare, projection);
+    return Extremes<std::decay_t<decltype(*found.min)>>{*found.min, *found.max};
+}
+template <class Range, class Same = web::Same, class Projection = web::Identity>
+constexpr auto adjacent_find(Range&& range, Same same = {}, Projection projection = {}) {
+    return std::adjacent_find(std::begin(range), std::end(range), web::by(same, projection));
+}
+template <class Range, class Output>
+constexpr void move(Range&& range, Output output) {
+    std::move(std::begin(range), std::end(range), output);
+}
 template <class Range, class Value>
 constexpr void replace(Range&& range, const Value& before, const Value& after) {
     std::replace(std::begin(range), std::end(range), before, after);

@@ -74,14 +74,24 @@ std::string emptiness(const CLI::Option& option, const std::string& text) {
     return "";
 }
 
+template <class Number>
+std::optional<Number> whole(const std::string& text) {
+    if constexpr (std::is_floating_point_v<Number>) {
+        return whole_decimal(text);
+    } else {
+        Number number = 0;
+        const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+        return failure == std::errc() && end == text.data() + text.size() ? std::optional(number)
+                                                                          : std::nullopt;
+    }
+}
+
 /// That the argument is a Number in a range, all of it.
 template <class Number>
 CLI::Validator within(Number least, Number most, const char* kind) {
     return {[=](std::string& text) -> std::string {
-                Number number = 0;
-                const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-                const bool is_number = failure == std::errc() && end == text.data() + text.size();
-                if (is_number && number >= least && number <= most) return "";
+                const auto number = whole<Number>(text);
+                if (number && *number >= least && *number <= most) return "";
                 return fmt::format("is {}; allowed: a {} from {} to {}", in_quotes(text), kind, least, most);
             },
             "", kind};
