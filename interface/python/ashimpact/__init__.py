@@ -17,7 +17,7 @@ import pathlib as _pathlib
 import sys as _sys
 
 _built = {path.name[5:] for path in _pathlib.Path(__file__).parent.glob("_core*.so")}
-if not _built.intersection(_machinery.EXTENSION_SUFFIXES):
+if _built and not _built.intersection(_machinery.EXTENSION_SUFFIXES):
     _versions = sorted(int(name.split("cpython-3")[1].split("-")[0]) for name in _built)
     raise ImportError(
         f"ashimpact is built for Python {', '.join(f'3.{minor}' for minor in _versions)},"

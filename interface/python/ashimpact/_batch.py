@@ -13,16 +13,17 @@ from numbers import Integral, Real
 from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, TypeVar, Union, cast
 
 import numpy as np
-import numpy.typing as npt
 
 from ashimpact import _core
 
 if TYPE_CHECKING:
+    import numpy.typing as npt  # from numpy 1.20 on
     import pandas
 
-Numbers = npt.NDArray[np.float64]
-Truths = npt.NDArray[np.bool_]
-NumbersLike = Union[float, npt.ArrayLike]
+    Numbers = npt.NDArray[np.float64]
+    Truths = npt.NDArray[np.bool_]
+    NumbersLike = Union[float, npt.ArrayLike]
+
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 _MANY = 100_000
@@ -179,7 +180,7 @@ def flat_arrays(arguments: Mapping[str, NumbersLike]) -> tuple[dict[str, Numbers
         if not table.index.equals(tables[first].index):
             raise _core.InputError(f"{first} and {name} have different indices; allowed: one index, or arrays (to_numpy())")
     try:
-        shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
+        shape = np.broadcast(*arrays.values()).shape
     except ValueError:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items() if array.ndim)
         raise _core.InputError(f"shapes do not fit: {shapes}; allowed: shapes that broadcast") from None

@@ -18,12 +18,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Sequence, Union
 
 import numpy as np
-import numpy.typing as npt
 
 from ashimpact import _core
 from ashimpact._batch import _name, flat_arrays, is_real, real_numbers, takes_law_parameters
 
 if TYPE_CHECKING:
+    import numpy.typing as npt
     import pandas
 
 PathLike = Union[str, "os.PathLike[str]"]
