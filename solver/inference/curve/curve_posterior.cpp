@@ -35,8 +35,11 @@ constexpr double form_error = 0.04;
 constexpr double outlier_share = 0.02;
 constexpr double outliers_at_rest = 0.1;  ///< share of outliers that read zero
 
-/// Rebound velocity over v - v_c of the slowest rebounds that are reckoned with where no curve is.
+/// Rebound velocity over v - v_c of the slowest rebounds that are reckoned with where no curve is: at least
+/// the first, and that share of the least one among the rebounds that were certain to be seen. No onset of a
+/// contact law is so convex that it falls below half of that.
 constexpr double slow_restitution = 0.05;
+constexpr double slow_share = 0.5;
 
 /// Degrees of freedom with which noise is known before: its logarithm within 0.2, or within a factor of 3.
 constexpr double stated_freedom = 12.0;
@@ -82,6 +85,7 @@ struct RecordFit {
     double regular;      ///< share of it that depends on the curve
     double residual = 0.0;
     double variance = 1.0;
+    double by_noise = 0.0;          ///< share of the variance that is noise
     Vector slope = Vector::Zero();  ///< of the expected reading
 };
 
@@ -121,6 +125,8 @@ RecordFit fit_of(const OnsetCurve& curve, const Scatter& scatter, const Recorded
     const double by_incident = (mean - along * impact.velocity) * width;
     fit.variance = square(rebound_u) + square(half) + share * (1.0 - share) * square(by_incident) +
                    square(form_error * mean) + square(addition * impact.velocity);
+    fit.by_noise =
+        (square(rebound_u) + share * (square(half) + (1.0 - share) * square(by_incident))) / fit.variance;
     const double deviation = std::sqrt(fit.variance);
     double regular = 0.0;
     double outlier = outlier_share * flat;
@@ -187,6 +193,7 @@ LikeliestCurve CurvePosterior::fitted(double log_critical_velocity, double thres
         log_density = 0.5 * gradient.dot(off) -
                       freedom * (std::log(noise / expected_noise) + 0.5 * square(expected_noise / noise));
         double count = 0.0;
+        double told = 0.0;  // of the noise, in impacts
         double squares = 0.0;
         for (const RecordedImpact& impact : *impacts_) {
             const RecordFit fit = fit_of(curve, scatter, impact, addition);
@@ -196,7 +203,8 @@ LikeliestCurve CurvePosterior::fitted(double log_critical_velocity, double thres
             gradient += weight * fit.residual * fit.slope;
             precision.selfadjointView<Eigen::Lower>().rankUpdate(fit.slope, weight);
             count += impact.count * fit.regular;
-            squares += weight * square(fit.residual);
+            told += impact.count * fit.regular * fit.by_noise;
+            squares += weight * fit.by_noise * square(fit.residual);
         }
         const Eigen::LLT<Matrix> factor(precision.selfadjointView<Eigen::Lower>());
         log_density -=
@@ -206,13 +214,14 @@ LikeliestCurve CurvePosterior::fitted(double log_critical_velocity, double thres
         for (const double y : {0.03, 0.3, 1.0, 2.0})
             longest = std::max(longest, std::abs(OnsetCurve::terms(y).dot(step)));
         coefficients += std::min(1.0, 1.5 / longest) * step;
-        // The curve takes some freedom from the residuals.
+        // The noise is the likeliest: an impact tells of it by the share that noise has in its variance. The
+        // curve takes some freedom from the residuals.
         const Matrix inverse = factor.solve(Matrix::Identity());
         const double taken =
             OnsetCurve::size - inverse.diagonal().cwiseQuotient(prior.deviation.cwiseAbs2()).sum();
         if (addition < 0.015)
             noise = std::sqrt((square(noise) * squares + freedom * square(expected_noise)) /
-                              (std::max(count - taken, 0.0) + freedom));
+                              (std::max(told * (1.0 - taken / std::max(count, 1.0)), 0.0) + freedom));
     }
     return {OnsetCurve(log_critical_velocity, coefficients), {noise, threshold}, log_density};
 }
@@ -240,6 +249,14 @@ LikeliestCurve CurvePosterior::at(double log_critical_velocity) const {
 double CurvePosterior::log_outcomes(double log_critical_velocity) const {
     double sum = 0.0;
     const double unit = prior_.noise_known ? 1.0 : prior_.noise;
+    const double critical = std::exp(log_critical_velocity);
+    double seen = 1.0;
+    for (const RecordedImpact& impact : *impacts_)
+        if (impact.recorded == Recorded::rebound &&
+            impact.rebound > std::max(impact.resolution, unit * impact.rebound_u) &&
+            impact.velocity > critical)
+            seen = std::min(seen, impact.rebound / (impact.velocity - critical));
+    const double slope = std::max(slow_restitution, slow_share * seen);
     for (const RecordedImpact& impact : *impacts_) {
         const double width =
             std::hypot(unit * impact.incident_u / impact.velocity, prior_.scatter.value_or(0.01));
@@ -250,8 +267,7 @@ double CurvePosterior::log_outcomes(double log_critical_velocity) const {
         }
         double at_rest = captured;
         if (impact.recorded == Recorded::zero && impact.resolution > 0.0) {
-            const double slow =
-                slow_restitution * std::max(0.0, impact.velocity - std::exp(log_critical_velocity));
+            const double slow = slope * std::max(0.0, impact.velocity - critical);
             at_rest += (1.0 - captured) * std::max(0.0, 1.0 - slow / impact.resolution);
         }
         sum += impact.count * std::log((1.0 - outlier_share) * at_rest + outlier_share * outliers_at_rest);

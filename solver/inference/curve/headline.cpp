@@ -183,6 +183,16 @@ std::optional<Finding> misfit_note(const Scatter& scatter, bool noise_known) {
                        " times as much as stated about any smooth damping: the interval is widened by that"};
 }
 
+/// Note on particles that differ more than those of one kind.
+std::optional<Finding> particles_note(const Scatter& scatter) {
+    constexpr double wide = 0.15;
+    if (scatter.threshold < wide) return std::nullopt;
+    return Finding{"particles-differ", Severity::doubt,
+                   "v_c differs between particles by about " +
+                       shortest(std::round(100.0 * scatter.threshold)) +
+                       " %: the interval is that of the middle one, and of none if there are two kinds"};
+}
+
 /// Note on impacts that bound v_c from above alone.
 std::optional<Finding> no_captures_note(const MeasurementSet& set) {
     if (set.captures() > 0) return std::nullopt;
@@ -197,7 +207,6 @@ std::optional<Finding> no_captures_note(const MeasurementSet& set) {
 std::optional<Finding> onset_note(const std::vector<RecordedImpact>& impacts, double unit) {
     constexpr double wide = 1.5;
     constexpr double resolved = 2.5;  // in standard uncertainties
-    constexpr double sharp = 12.0;    // beyond which the onset is sharp rather than hidden
     double capture = 0.0;
     bool zero = false;
     const RecordedImpact* slowest = nullptr;
@@ -216,8 +225,8 @@ std::optional<Finding> onset_note(const std::vector<RecordedImpact>& impacts, do
                        "no impact between " + shortest(capture) + " m/s, captured, and " +
                            shortest(slowest->velocity) +
                            " m/s: where v_c lies between them rests on the form of the curve"};
-    const double u = unit * least->rebound_u;
-    if (zero && least->rebound > resolved * u && least->rebound < sharp * u)
+    // A sharp onset looks the same.
+    if (zero && least->rebound > resolved * unit * std::max(least->incident_u, least->rebound_u))
         return Finding{"no-slow-rebounds", Severity::doubt,
                        "no rebound slower than " + shortest(least->rebound) +
                            " m/s is recorded: if slower ones were taken for captures, v_c is lower"};
@@ -316,10 +325,11 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
                              shortest(*v.upper) + " m/s",
                          "impacts closer to v_c");
     const bool grouped_without_noise = noise_known && !set.has_noise();
-    for (const auto& note : {slow_rebound_note(estimate.curve, curve, impacts),
-                             misfit_note(estimate.curve.scatter, set.has_noise()), no_captures_note(set),
-                             adhesion_note(model, found_velocity.value), rising_note(estimate.curve.damping),
-                             onset_note(impacts, noise_known ? 1.0 : neighbours)})
+    for (const auto& note :
+         {slow_rebound_note(estimate.curve, curve, impacts),
+          misfit_note(estimate.curve.scatter, set.has_noise()), particles_note(estimate.curve.scatter),
+          no_captures_note(set), adhesion_note(model, found_velocity.value),
+          rising_note(estimate.curve.damping), onset_note(impacts, noise_known ? 1.0 : neighbours)})
         if (note) estimate.findings.push_back(*note);
     if (grouped_without_noise) estimate.curve.scatter.noise *= neighbours;  // a velocity, as without groups
     return estimate;

@@ -196,6 +196,30 @@ TEST_CASE("doubts where no impact is near v_c, or slow rebounds may pass for cap
     add({{1.3, 0.03}});
     CHECK_FALSE(contains(doubts(impacts), "no-slow-rebounds"));
     CHECK_FALSE(contains(doubts(impacts), "no-impacts-near-onset"));
+    // A sharp onset and slow rebounds that nobody saw look the same.
+    CHECK(contains(doubts({{0.9, 0.0}, {1.2, 0.0}, {1.3, 0.5}, {1.5, 0.7}, {2.0, 1.0}, {3.0, 1.7}}),
+                   "no-slow-rebounds"));
+    CHECK_FALSE(contains(doubts(impacts), "particles-differ"));
+    impacts = fast;
+    for (const double v : {0.5, 0.6, 0.7, 0.8, 0.9, 1.0})  // two kinds of particles
+        add({{v, 0.4 * (v - 0.3)}, {2.0 * v, 0.0}, {v + 1.0, 0.4 * (v + 0.7)}});
+    CHECK(contains(doubts(impacts), "particles-differ"));
+}
+
+TEST_CASE("noise is that of the impacts that tell of it, however many are far from v_c") {
+    const ContactModel model = ash_model(Law::of<Dmt>());
+    const SyntheticLaboratory truth = ash_laboratory(model, TrueDamping::quadratic);
+    Random random(36);
+    std::vector<std::pair<double, double>> impacts;
+    for (int i = 0; i < 60; ++i) {
+        const double v = random.uniform(0.3, 8.0) * truth.critical_velocity();
+        const double r = v * truth.restitution(v);
+        impacts.emplace_back(v + random.normal(0.03), r > 0.0 ? std::max(1e-6, r + random.normal(0.03)) : r);
+    }
+    const double noise = estimate_critical_velocity(model, set_of(impacts, 0.03)).curve.scatter.noise;
+    CAPTURE(noise);
+    CHECK(noise > 0.75);
+    CHECK(noise < 1.25);
 }
 
 TEST_CASE("impacts that turn and fall again at high velocity are no outliers") {
