@@ -384,7 +384,8 @@ RestitutionSource read_restitution(const View& node, const std::optional<Publish
             stray->fail("belongs to a file of impacts", "file beside it");
     if (!columns)
         for (const auto* key : {"velocity_uncertainty", "rebound_uncertainty", "restitution_uncertainty",
-                                "velocity_correlation", "tangential_velocity", "impacts"})
+                                "velocity_correlation", "rebound_resolution", "noted_capture",
+                                "tangential_velocity", "impacts"})
             if (const auto stray = node.find(key))
                 stray->fail("belongs to velocities of the case", "velocity");
     const auto plan = node.find("reconstruct");

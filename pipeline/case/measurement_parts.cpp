@@ -208,6 +208,27 @@ MeasurementSet read_measurement_columns(const View& node) {
             read_column(node, "tangential_velocity", Dimension::velocity, set.points.size());
         for (std::size_t i = 0; i < along.size(); ++i) set.points[i].tangential = along[i];
     }
+    if (node.has("rebound_resolution")) {
+        const std::vector<double> seen =
+            read_column(node, "rebound_resolution", Dimension::velocity, set.points.size());
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            at_place(node.at("rebound_resolution").pointer(),
+                     [&] { require_not_negative("rebound resolution", seen[i], Dimension::velocity); });
+            set.points[i].resolution = seen[i];
+        }
+    }
+    if (node.has("noted_capture")) {
+        const std::vector<double> noted =
+            read_column(node, "noted_capture", Dimension::fraction, set.points.size());
+        for (std::size_t i = 0; i < noted.size(); ++i) {
+            Measurement& point = set.points[i];
+            if (!(noted[i] == 0 || (noted[i] == 1 && point.rebound == 0)))
+                node.at("noted_capture")
+                    .fail("value " + std::to_string(i + 1) + " is " + shortest(noted[i]),
+                          "1 for an impact without rebound that was seen to stick, else 0");
+            if (noted[i] == 1) point.outcome = NotedOutcome::capture;
+        }
+    }
     if (node.has("impacts")) {
         const std::vector<double> counts =
             read_column(node, "impacts", Dimension::fraction, set.points.size());

@@ -53,6 +53,8 @@ void noise_fields(auto& io, Is<ListedImpacts> auto& columns) {
     io.unless_empty("velocity_uncertainty", columns.velocity_uncertainty, Dimension::velocity);
     io.unless_empty("rebound_uncertainty", columns.rebound_uncertainty, Dimension::velocity);
     io.unless_empty("velocity_correlation", columns.correlation, Dimension::fraction);
+    io.unless_empty("rebound_resolution", columns.resolution, Dimension::velocity);
+    io.unless_empty("noted_capture", columns.noted_captures, Dimension::fraction);
     io.unless_empty("tangential_velocity", columns.tangential, Dimension::velocity);
     io.unless_empty("impacts", columns.counts, Dimension::fraction);
 }

@@ -131,6 +131,8 @@ struct ListedImpacts {
     std::vector<double> velocity_uncertainty{};  ///< standard; empty: the noise is not known [m/s]
     std::vector<double> rebound_uncertainty{};   ///< standard, of v_r; empty as well [m/s]
     std::vector<double> correlation{};           ///< of these two errors; empty: none [1]
+    std::vector<double> resolution{};            ///< v_r always seen; empty: not known [m/s]
+    std::vector<double> noted_captures{};        ///< 1: seen to stick, 0: by its reading; empty: all so
     std::vector<double> tangential{};            ///< velocities along the wall; empty: not stated [m/s]
     std::vector<double> counts{};                ///< impacts of which a point is the mean; empty: one each
 };

@@ -45,6 +45,8 @@ ListedImpacts columns_of(const MeasurementSet& set) {
         columns.velocity.push_back(point.velocity);
         columns.restitution.push_back(point.restitution());
         columns.counts.push_back(static_cast<double>(point.count));
+        columns.resolution.push_back(point.resolution);
+        columns.noted_captures.push_back(point.outcome == NotedOutcome::capture ? 1.0 : 0.0);
         if (point.tangential) columns.tangential.push_back(*point.tangential);
         if (!point.noise) continue;
         columns.velocity_uncertainty.push_back(std::sqrt(point.noise->incident));
@@ -57,6 +59,8 @@ ListedImpacts columns_of(const MeasurementSet& set) {
     };
     drop_if_all(columns.correlation, 0);
     drop_if_all(columns.counts, 1);
+    drop_if_all(columns.resolution, 0);
+    drop_if_all(columns.noted_captures, 0);
     if (columns.tangential.size() != columns.velocity.size()) columns.tangential.clear();
     return columns;
 }
@@ -73,6 +77,9 @@ MeasurementSet impacts_of(const ListedImpacts& columns) {
             point.noise->covariance =
                 (columns.correlation.empty() ? 0.0 : columns.correlation[i]) * incident * rebound;
         }
+        if (!columns.resolution.empty()) point.resolution = columns.resolution[i];
+        if (!columns.noted_captures.empty() && columns.noted_captures[i] > 0.0)
+            point.outcome = NotedOutcome::capture;
         if (!columns.tangential.empty()) point.tangential = columns.tangential[i];
         if (!columns.counts.empty()) point.count = static_cast<std::size_t>(columns.counts[i]);
         set.points.push_back(point);

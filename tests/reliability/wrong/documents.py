@@ -114,7 +114,7 @@ def cases():
                    cohesion_energy_density="10 MJ/m3", tabor=1.0,
                    restitution={"velocity": VELOCITIES, "rebound_velocity": {"values": rebounds, "unit": "m/s"},
                                 "velocity_uncertainty": [0.02] * 8, "rebound_uncertainty": [0.02] * 8,
-                                "velocity_correlation": [0.1] * 8, "tangential_velocity": [0.5] * 8, "binning": {"impacts_per_bin": 2}}),
+                                "velocity_correlation": [0.1] * 8, "rebound_resolution": [0.03] * 8, "noted_capture": [0] * 8, "tangential_velocity": [0.5] * 8, "binning": {"impacts_per_bin": 2}}),
             phases=[{"name": "mullite", "density": "3.1 g/cm3", "young_modulus": "220 GPa", "poisson_ratio": 0.28}],
             laws=["thornton-ning", "sjkr"], wall={"contact_modulus": "90 GPa"}),
         "adhesion": case(
