@@ -326,6 +326,9 @@ TEST_CASE("the complete case reads back as the same impacts, with their uncertai
     Json& data = document["samples"][1]["restitution"];
     data["velocity_uncertainty"] = std::vector<double>(20, 0.02);
     data["restitution_uncertainty"] = std::vector<double>(20, 0.01);
+    data["rebound_resolution"] = std::vector<double>(20, 0.03);
+    data["noted_capture"] = std::vector<double>(20, 0.0);
+    data["noted_capture"][1] = 1.0;
     test::write_example(sandbox, document);
     const Case first = load_case(sandbox.path("case.json")).data;
     sandbox.write("again.json", case_json(first).dump());
@@ -342,6 +345,10 @@ TEST_CASE("the complete case reads back as the same impacts, with their uncertai
             if (!a.has_noise()) continue;
             CHECK(relative_difference(a.points[i].noise->rebound, b.points[i].noise->rebound) < 1e-13);
             CHECK(std::abs(a.points[i].noise->covariance - b.points[i].noise->covariance) < 1e-17);
+            for (const Measurement& point : {b.points[i], impacts_of(columns_of(a)).points[i]}) {
+                CHECK(point.resolution == 0.03);
+                CHECK((point.outcome == NotedOutcome::capture) == (i == 1));
+            }
         }
     }
 }
