@@ -168,7 +168,7 @@ SIGNED = ("negative", "zero", "tiny")
 SMALL = ("zero", "tiny")
 CASE_RULES = Rules(
     may_be={
-        "a": SIGNED, "b": SIGNED, "c": SIGNED, "poisson_ratio": SIGNED, "velocity_correlation": SIGNED, "tangential_velocity": SIGNED,
+        "a": SIGNED, "b": SIGNED, "c": SIGNED, "poisson_ratio": SIGNED, "velocity_correlation": SIGNED, "tangential_velocity": SIGNED, "rebound_resolution": SMALL, "noted_capture": ("zero",),
         "work_of_adhesion": ("zero",), "particle": ("zero",), "wall": ("zero",), "partner": ("zero",), "interfacial": ("zero",), "cohesion_energy_density": ("zero",),
         "critical_damping": ("zero",), "damping_fit_uncertainty": ("zero",), "coefficient_uncertainty": ("zero",),
         "roughness": SMALL,
