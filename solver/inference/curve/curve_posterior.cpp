@@ -35,11 +35,8 @@ constexpr double form_error = 0.04;
 constexpr double outlier_share = 0.02;
 constexpr double outliers_at_rest = 0.1;  ///< share of outliers that read zero
 
-/// Rebound velocity over v - v_c of the slowest rebounds that are reckoned with where no curve is: at least
-/// the first, and that share of the least one among the rebounds that were certain to be seen. No onset of a
-/// contact law is so convex that it falls below half of that.
+/// Rebound velocity over v - v_c of the slowest rebounds that are reckoned with where no curve is.
 constexpr double slow_restitution = 0.05;
-constexpr double slow_share = 0.5;
 
 /// Degrees of freedom with which noise is known before: its logarithm within 0.2, or within a factor of 3.
 constexpr double stated_freedom = 12.0;
@@ -249,14 +246,6 @@ LikeliestCurve CurvePosterior::at(double log_critical_velocity) const {
 double CurvePosterior::log_outcomes(double log_critical_velocity) const {
     double sum = 0.0;
     const double unit = prior_.noise_known ? 1.0 : prior_.noise;
-    const double critical = std::exp(log_critical_velocity);
-    double seen = 1.0;
-    for (const RecordedImpact& impact : *impacts_)
-        if (impact.recorded == Recorded::rebound &&
-            impact.rebound > std::max(impact.resolution, unit * impact.rebound_u) &&
-            impact.velocity > critical)
-            seen = std::min(seen, impact.rebound / (impact.velocity - critical));
-    const double slope = std::max(slow_restitution, slow_share * seen);
     for (const RecordedImpact& impact : *impacts_) {
         const double width =
             std::hypot(unit * impact.incident_u / impact.velocity, prior_.scatter.value_or(0.01));
@@ -267,7 +256,8 @@ double CurvePosterior::log_outcomes(double log_critical_velocity) const {
         }
         double at_rest = captured;
         if (impact.recorded == Recorded::zero && impact.resolution > 0.0) {
-            const double slow = slope * std::max(0.0, impact.velocity - critical);
+            const double slow =
+                slow_restitution * std::max(0.0, impact.velocity - std::exp(log_critical_velocity));
             at_rest += (1.0 - captured) * std::max(0.0, 1.0 - slow / impact.resolution);
         }
         sum += impact.count * std::log((1.0 - outlier_share) * at_rest + outlier_share * outliers_at_rest);
