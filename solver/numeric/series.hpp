@@ -7,8 +7,6 @@
 #include <cstddef>
 #include <limits>
 
-#include "solver/numeric/polynomial.hpp"
-
 namespace ashimpact {
 
 /// Taylor order at which a step of radius/e^2 is exact to the rounding of Real (Jorba & Zou 2005).
@@ -27,21 +25,59 @@ template <class Real, std::size_t size>
     return sum;
 }
 
-/// Coefficient n of the product of two series known up to n. Series take half their time here: a call would
-/// cost a tenth of that.
+/// What coefficient @p n of a product takes from coefficients between the first and n. Series take most of
+/// the time of an impact: a call would cost a tenth of that.
+template <class Real, std::size_t size>
+[[nodiscard, gnu::always_inline]] inline Real inner_coefficient(const std::array<Real, size>& a,
+                                                                const std::array<Real, size>& b,
+                                                                std::size_t n) {
+    Real even{};  // two chains of additions hide the latency of one
+    Real odd{};
+    std::size_t i = 1;
+    for (; i + 1 < n; i += 2) {
+        even += a[i] * b[n - i];
+        odd += a[i + 1] * b[n - i - 1];
+    }
+    if (i < n) even += a[i] * b[n - i];
+    return even + odd;
+}
+
+/// Coefficient n of the product of two series known up to n. The newest coefficients come last, so that the
+/// rest need not wait for them.
 template <class Real, std::size_t size>
 [[nodiscard, gnu::always_inline]] inline Real product_coefficient(const std::array<Real, size>& a,
                                                                   const std::array<Real, size>& b,
                                                                   std::size_t n) {
-    Real even{};  // two chains of additions hide the latency of one
+    if (n == 0) return a[0] * b[0];
+    return inner_coefficient(a, b, n) + (a[0] * b[n] + a[n] * b[0]);
+}
+
+/// product_coefficient() of a series with itself, in half the time.
+template <class Real, std::size_t size>
+[[nodiscard, gnu::always_inline]] inline Real square_coefficient(const std::array<Real, size>& a,
+                                                                 std::size_t n) {
+    if (n == 0) return a[0] * a[0];
+    Real even{};
     Real odd{};
-    std::size_t i = 0;
-    for (; i + 1 <= n; i += 2) {
-        even += a[i] * b[n - i];
-        odd += a[i + 1] * b[n - i - 1];
+    std::size_t i = 1;
+    for (; 2 * (i + 1) < n; i += 2) {
+        even += a[i] * a[n - i];
+        odd += a[i + 1] * a[n - i - 1];
     }
-    if (i <= n) even += a[i] * b[n - i];
-    return even + odd;
+    if (2 * i < n) even += a[i] * a[n - i];
+    const Real middle = n % 2 == 0 ? a[n / 2] * a[n / 2] : Real(0);
+    return 2 * (even + odd) + middle + 2 * (a[0] * a[n]);
+}
+
+/// Coefficient n of a quotient known up to n - 1.
+template <class Real, std::size_t size>
+[[nodiscard, gnu::always_inline]] inline Real quotient_coefficient(const std::array<Real, size>& numerator,
+                                                                   const std::array<Real, size>& denominator,
+                                                                   const std::array<Real, size>& quotient,
+                                                                   std::size_t n) {
+    if (n == 0) return numerator[0] / denominator[0];
+    const Real before = inner_coefficient(quotient, denominator, n);
+    return (numerator[n] - before - quotient[0] * denominator[n]) / denominator[0];
 }
 
 /// Radius within which the terms fall off geometrically from the leading ones, by the root test on the last
@@ -51,86 +87,44 @@ template <class Real, std::size_t size>
     constexpr std::size_t leading = 3;
     constexpr std::size_t last = 10;
     static_assert(size > leading + last);
-    const auto log2_of = [](Real x) {  // -inf for 0; the logarithm of a Real would take ten times as long
-        int exponent = 0;
-        const auto mantissa = static_cast<double>(std::frexp(std::abs(x), &exponent));
-        return std::log2(mantissa) + exponent;
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    int exponent = 0;
+    const auto mantissa = [&](Real x) { return static_cast<double>(std::frexp(std::abs(x), &exponent)); };
+    // The decisive pair is sought by logarithms to 0.01: those of all would take a tenth of an impact.
+    const auto nearly_log2 = [&](Real x) {
+        const double m = mantissa(x);
+        if (!(m > 0 && m < 1)) return m > 0 ? m : -infinite;
+        return (4 - 4.0 / 3 * m) * m - 8.0 / 3 + exponent;
     };
     std::array<double, leading> first;
-    for (std::size_t m = 0; m < leading; ++m) first[m] = log2_of(c[m]);
-    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t m = 0; m < leading; ++m) first[m] = nearly_log2(c[m]);
+    double smallest = infinite;
+    std::size_t from = 0;
+    std::size_t to = 0;
     for (std::size_t n = size - last; n < size; ++n) {
-        const double tail = log2_of(c[n]);
-        double largest = -std::numeric_limits<double>::infinity();
-        for (std::size_t m = 0; m < leading; ++m)
-            largest = std::max(largest, (first[m] - tail) / static_cast<double>(n - m));
-        if (tail > -std::numeric_limits<double>::infinity()) smallest = std::min(smallest, largest);
-    }
-    return std::exp2(static_cast<Real>(smallest));
-}
-
-/// Series of the powers of a series; entry 0 is unused.
-template <class Real>
-using PowerSeries = std::array<Series<Real>, Polynomial<Real>::capacity>;
-
-/// The powers of a series that polynomials need, each as one product of two lower ones.
-class PowerChain {
-  public:
-    /// Adds the powers whose coefficients in @p p are not 0.
-    template <class Real>
-    void require(const Polynomial<Real>& p) {
-        for (int j = 1; j <= p.degree; ++j)
-            if (p[j] != Real(0)) require_power(j);
-    }
-    /// Computes coefficient @p n of the powers of @p x, from the coefficients before it.
-    template <class Real>
-    void advance(PowerSeries<Real>& powers, const Series<Real>& x, std::size_t n) const {
-        powers[1][n] = x[n];
-        for (std::size_t k = 0; k < length_; ++k) {
-            const auto [power, left, right] = chain_[k];
-            powers[power][n] = product_coefficient(powers[left], powers[right], n);
+        const double tail = nearly_log2(c[n]);
+        if (tail == -infinite) continue;
+        double largest = -infinite;
+        std::size_t of_largest = 0;
+        for (std::size_t m = 0; m < leading; ++m) {
+            const double log_radius = (first[m] - tail) / static_cast<double>(n - m);
+            if (log_radius > largest) {
+                largest = log_radius;
+                of_largest = m;
+            }
+        }
+        if (largest < smallest) {
+            smallest = largest;
+            from = of_largest;
+            to = n;
         }
     }
-
-  private:
-    struct Factors {
-        std::size_t power;
-        std::size_t left;
-        std::size_t right;
+    if (std::isinf(smallest)) return static_cast<Real>(smallest < 0 ? 0 : smallest);
+    const auto log2_of = [&](Real x) {
+        const double m = mantissa(x);
+        return std::log2(m) + exponent;
     };
-    static constexpr std::size_t capacity = Polynomial<double>::capacity;
-
-    void require_power(int wanted) {
-        const auto power = static_cast<std::size_t>(wanted);
-        if (power == 1 || have_[power]) return;
-        have_[1] = true;
-        std::size_t left = 0;
-        for (std::size_t i = 1; i < power && left == 0; ++i)
-            if (have_[i] && have_[power - i]) left = i;
-        if (left == 0) {
-            left = power / 2;
-            require_power(static_cast<int>(left));
-            require_power(static_cast<int>(power - left));
-        }
-        chain_[length_++] = {power, left, power - left};
-        have_[power] = true;
-    }
-
-    std::array<Factors, capacity> chain_{};
-    std::size_t length_ = 0;
-    std::array<bool, capacity> have_{};
-};
-
-/// Coefficient @p n of p(x(h)) from the series of the powers of x that PowerChain::require(p) provides.
-template <class Real, class Coefficient>
-[[nodiscard]] Real composed(const Polynomial<Coefficient>& p, const PowerSeries<Real>& powers,
-                            std::size_t n) {
-    Real sum = n == 0 ? static_cast<Real>(p[0]) : Real(0);
-    for (int j = 1; j <= p.degree; ++j) {
-        const auto coefficient = static_cast<Real>(p[j]);
-        if (coefficient != Real(0)) sum += coefficient * powers[static_cast<std::size_t>(j)][n];
-    }
-    return sum;
+    return std::exp2(static_cast<Real>((log2_of(c[from]) - log2_of(c[to])) / static_cast<double>(to - from)));
 }
 
 }  // namespace ashimpact

@@ -75,19 +75,19 @@ class SeriesOfZone {
         const auto product = [n](const Terms& x, const Terms& y) { return product_coefficient(x, y, n); };
         sine_cosine_[n] = product(sine_, cosine_);
         angle_cosine_[n] = product(angle_, cosine_);
-        outer_squared_[n] = product(outer_, outer_);
+        outer_squared_[n] = square_coefficient(outer_, n);
         wall_[n] = product(sine_, outer_squared_);
         pull_[n] = 2 * lambda_ * wall_[n] + 4 * lambda_ * lambda_ / 3 * outer_[n];
         numerator_[n] = product(angle_, pull_);
         denominator_[n] = 2 * product(quadratic_, outer_) + linear_[n];
-        divide(m_, numerator_, denominator_, n);
+        m_[n] = quotient_coefficient(numerator_, denominator_, m_, n);
         cosine_m_[n] = product(cosine_, m_);
         turn_[n] = product(cosine_, cosine_m_) + product(outer_, sine_);
         gain_[n] =
             2 * (product(radius, cosine_m_) + wall_[n]) + 4 * lambda_ / 3 * (outer_[n] - product(m_, sine_));
         cosine_gain_[n] = product(cosine_, gain_);
-        divide(overlap_by_radius, cosine_gain_, turn_, n);
-        radius_squared_[n] = product(radius, radius);
+        overlap_by_radius[n] = quotient_coefficient(cosine_gain_, turn_, overlap_by_radius, n);
+        radius_squared_[n] = square_coefficient(radius, n);
         spread_[n] = sine_cosine_[n] + angle_[n];
         attraction[n] = lambda_ * product(outer_squared_, spread_);
         force[n] = product(radius_squared_, radius) - attraction[n];
@@ -99,7 +99,7 @@ class SeriesOfZone {
         const auto product = [n](const Terms& x, const Terms& y) { return product_coefficient(x, y, n); };
         const Real factor = Real(1) / static_cast<Real>(n + 1);
         radius_fall_[n] = -rate[n];
-        divide(angle_rate_, radius_fall_, turn_, n);  // d(theta)/da = -1/T
+        angle_rate_[n] = quotient_coefficient(radius_fall_, turn_, angle_rate_, n);  // d(theta)/da = -1/T
         angle_[n + 1] = factor * angle_rate_[n];
         sine_[n + 1] = factor * product(cosine_, angle_rate_);
         cosine_[n + 1] = -factor * product(sine_, angle_rate_);
@@ -114,12 +114,6 @@ class SeriesOfZone {
     Terms attraction{};  ///< a^3 - force
 
   private:
-    static void divide(Terms& quotient, const Terms& numerator, const Terms& denominator, std::size_t n) {
-        Real rest = numerator[n];
-        for (std::size_t k = 0; k < n; ++k) rest -= quotient[k] * denominator[n - k];
-        quotient[n] = rest / denominator[0];
-    }
-
     Real lambda_;
     Terms angle_{}, outer_{}, sine_{}, cosine_{}, quadratic_{}, linear_{};
     Terms radius_fall_{}, angle_rate_{}, swing_{}, sine_cosine_{}, angle_cosine_{}, outer_squared_{}, wall_{},
@@ -220,7 +214,10 @@ template <class Real>
 class TouchingBranch::Terms {
   public:
     Terms(const TouchingBranch& branch, const CohesiveState& state)
-        : branch_(&branch), zone_(branch.zone_, state) {}
+        : branch_(&branch),
+          zone_(branch.zone_, state),
+          damping_(branch.damping_),
+          per_attraction_(branch.per_attraction_) {}
 
     /// Computes coefficient @p n; @p position is known up to n.
     void advance(const Series<Real>& position, std::size_t n) {
@@ -228,13 +225,13 @@ class TouchingBranch::Terms {
             return product_coefficient(a, b, n);
         };
         const bool rooted = branch_->rooted_;
-        radius_[n] = rooted ? product(position, position) : position[n];
+        radius_[n] = rooted ? square_coefficient(position, n) : position[n];
         zone_.advance(radius_, n);
         slope[n] = rooted ? 2 * product(position, zone_.overlap_by_radius) : zone_.overlap_by_radius[n];
         branch_->powers_.advance(powers_, position, n);
-        damping[n] = composed(branch_->damping_, powers_, n);
+        damping[n] = damping_.composed(powers_, n);
         if (branch_->follows_attraction_) {
-            share_[n] = composed(branch_->per_attraction_, powers_, n);
+            share_[n] = per_attraction_.composed(powers_, n);
             damping[n] += product(share_, zone_.attraction);
         }
         stiffness[n] = product(slope, zone_.force);
@@ -255,7 +252,8 @@ class TouchingBranch::Terms {
   private:
     const TouchingBranch* branch_;
     SeriesOfZone<Real> zone_;
-    PowerSeries<Real> powers_{};
+    SparsePolynomial<Real> damping_, per_attraction_;
+    PowerSeries<Real> powers_;
     Series<Real> radius_{};
     Series<Real> rate_{};   ///< of the contact radius
     Series<Real> share_{};  ///< of the attraction in the damping

@@ -63,9 +63,7 @@ template <class Real, class TermsAt>
         for (std::size_t n = 0; n <= order; ++n) {
             terms.advance(x.position, n);
             braking[n] = -(terms.stiffness[n] + acceleration[n]);
-            Real rest = braking[n];
-            for (std::size_t k = 0; k < n; ++k) rest -= x.velocity[k] * terms.drag[n - k];
-            x.velocity[n] = rest / terms.drag[0];
+            x.velocity[n] = quotient_coefficient(braking, terms.drag, x.velocity, n);
             if (n == order) break;
             x.position[n + 1] = x.velocity[n] / static_cast<Real>(n + 1);
             terms.follow(x.position, x.velocity, n);

@@ -17,13 +17,14 @@ namespace {
 template <class Real>
 class PieceTerms {
   public:
-    explicit PieceTerms(const MotionPiece<Real>& piece) : piece_(&piece) {}
+    explicit PieceTerms(const MotionPiece<Real>& piece)
+        : piece_(&piece), slope_(piece.slope), stiffness_(piece.stiffness), drag_(piece.drag) {}
 
     void advance(const Series<Real>& position, std::size_t n) {
         piece_->powers.advance(powers_, position, n);
-        slope[n] = composed(piece_->slope, powers_, n);
-        stiffness[n] = composed(piece_->stiffness, powers_, n);
-        drag[n] = composed(piece_->drag, powers_, n);
+        slope[n] = slope_.composed(powers_, n);
+        stiffness[n] = stiffness_.composed(powers_, n);
+        drag[n] = drag_.composed(powers_, n);
     }
     void follow(const Series<Real>& /*position*/, const Series<Real>& /*velocity*/, std::size_t /*n*/) {}
 
@@ -33,6 +34,7 @@ class PieceTerms {
 
   private:
     const MotionPiece<Real>* piece_;
+    SparsePolynomial<Real> slope_, stiffness_, drag_;
     PowerSeries<Real> powers_;
 };
 
@@ -54,20 +56,23 @@ MotionExpansion<Real> expand_on(const MotionPiece<Real>& piece, const MotionStat
     PowerSeries<Real> powers;  // of q; only those that piece.powers requires are set
     Series<Real> drag_series;
     Series<Real> drag_velocity;
-    const bool damped = piece.drag.degree > 0 || piece.drag[0] != Real(0);
+    const SparsePolynomial<Real> slope(piece.slope);
+    const SparsePolynomial<Real> stiffness(piece.stiffness);
+    const SparsePolynomial<Real> drag(piece.drag);
+    const bool damped = !drag.is_zero();
     for (std::size_t n = 0; n + 1 < x.position.size(); ++n) {
         piece.powers.advance(powers, x.position, n);
         const Real factor = Real(1) / static_cast<Real>(n + 1);
-        Real acceleration = -composed(piece.stiffness, powers, n);
+        Real acceleration = -stiffness.composed(powers, n);
         if (damped) {
-            drag_series[n] = composed(piece.drag, powers, n);
+            drag_series[n] = drag.composed(powers, n);
             drag_velocity[n] = product_coefficient(drag_series, x.velocity, n);
             acceleration -= drag_velocity[n];
             x.dissipation[n + 1] = factor * product_coefficient(drag_velocity, x.velocity, n);
         }
         x.position[n + 1] = factor * x.velocity[n];
         x.velocity[n + 1] = factor * acceleration;
-        x.time[n + 1] = factor * composed(piece.slope, powers, n);
+        x.time[n + 1] = factor * slope.composed(powers, n);
     }
     const Real convergence = std::min(radius(x.position), radius(x.velocity));
     const bool uniform = convergence == std::numeric_limits<Real>::infinity();

@@ -13,6 +13,7 @@
 #include "solver/contact/static_branch.hpp"
 #include "solver/damping/registry.hpp"
 #include "solver/motion/branches/motion_state.hpp"
+#include "solver/numeric/power_chain.hpp"
 #include "solver/numeric/series.hpp"
 
 namespace ashimpact {

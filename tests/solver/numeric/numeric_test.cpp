@@ -235,6 +235,15 @@ TEST_CASE("product coefficients are those of the product") {
     for (std::size_t n = 0; n < a.size(); ++n) {  // exp(2h)
         CHECK(relative_difference(product_coefficient(a, a, n), std::exp2(static_cast<double>(n)) * a[n]) <
               1e-14);
+        CHECK(relative_difference(square_coefficient(a, n), std::exp2(static_cast<double>(n)) * a[n]) <
+              1e-14);
+    }
+    const Series<double> one{1.0};
+    const Series<double> divisor{1.0, -2.0};
+    Series<double> quotient{};  // 1/(1 - 2h)
+    for (std::size_t n = 0; n < a.size(); ++n) {
+        quotient[n] = quotient_coefficient(one, divisor, quotient, n);
+        CHECK(quotient[n] == std::exp2(static_cast<double>(n)));
     }
 }
 
