@@ -242,15 +242,7 @@ std::size_t admissible_count(const Inputs& in, std::size_t count) {
 }
 
 void require_admissible(Law law, Detachment detachment) {
-    constexpr std::size_t ends = all_values<Detachment>.size();
-    static const auto reasons = [] {
-        std::array<std::optional<std::string>, Law::count() * ends> all;
-        for (std::size_t i = 0; i < all.size(); ++i)
-            all[i] = refusal(Law::at(i / ends), static_cast<Detachment>(i % ends));
-        return all;
-    }();
-    const auto& reason = reasons[law.index() * ends + static_cast<std::size_t>(detachment)];
-    if (reason) throw InputError(*reason, admissible_detachments(law));
+    if (const auto& reason = refusal(law, detachment)) throw InputError(*reason, admissible_detachments(law));
 }
 
 std::int64_t solve_in_chunks(const Problems& batch, int threads,

@@ -44,8 +44,7 @@ struct Problems {
 /// The inputs of one pair; they refer to the numbers of @p contact, which must outlive them.
 [[nodiscard]] Inputs inputs_of(Law law, DampingLaw damping_law, const ContactPair& contact);
 
-/// Checks that a law admits a detachment, as refusal() does, from answers computed once per process. @throws
-/// InputError
+/// Checks that a law admits a detachment, as refusal() does. @throws InputError
 void require_admissible(Law law, Detachment detachment);
 
 /// How many problems pass validate() of an Impact in all inputs given, with a restitution that is finite and

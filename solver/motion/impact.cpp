@@ -2,6 +2,7 @@
 #include "solver/motion/impact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -46,9 +47,8 @@ void require_within_closure(const Impact& impact, const Scale& scale, const Impa
                     least_ratio * impact.contact.yield_pressure / ratio));
 }
 
-}  // namespace
-
-std::optional<std::string> refusal(Law law, Detachment detachment) {
+/// refusal() of a law, found by its potentials.
+std::optional<std::string> found_refusal(Law law, Detachment detachment) {
     return law.visit<std::optional<std::string>>(
         [&]<template <class> class L>() -> std::optional<std::string> {
             if constexpr (!has_polynomials<L>) {
@@ -72,8 +72,21 @@ std::optional<std::string> refusal(Law law, Detachment detachment) {
         });
 }
 
+}  // namespace
+
+const std::optional<std::string>& refusal(Law law, Detachment detachment) {
+    constexpr std::size_t ends = all_values<Detachment>.size();
+    static const auto all = [] {
+        std::array<std::optional<std::string>, Law::count() * ends> refusals;
+        for (std::size_t i = 0; i < refusals.size(); ++i)
+            refusals[i] = found_refusal(Law::at(i / ends), static_cast<Detachment>(i % ends));
+        return refusals;
+    }();
+    return all[law.index() * ends + static_cast<std::size_t>(detachment)];
+}
+
 std::optional<std::string> refusal(Law law, const ContactPair& contact, Detachment detachment) {
-    if (auto reason = refusal(law, detachment)) return reason;
+    if (const auto& reason = refusal(law, detachment)) return reason;
     return is_cohesive(law, contact) ? cohesive_refusal(contact, detachment) : std::nullopt;
 }
 

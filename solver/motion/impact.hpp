@@ -59,8 +59,9 @@ struct ImpactResult {
 };
 
 /// Why a detachment is not admissible for a law, in words; none if it is admissible. The static potential at
-/// an admissible detachment is not below that at first touch; else an undamped impact would gain energy.
-[[nodiscard]] std::optional<std::string> refusal(Law law, Detachment detachment);
+/// an admissible detachment is not below that at first touch; else an undamped impact would gain energy. It
+/// is found once per process.
+[[nodiscard]] const std::optional<std::string>& refusal(Law law, Detachment detachment);
 
 /// The same for one contact. Law maugis-dugdale admits load-controlled if the greatest tension lies beyond
 /// the reach of the cohesion, which depends on the transition parameter.
