@@ -119,14 +119,24 @@ class Rereading {
             powers.row(i) = DampingPolynomial::powers(axis.node(i), order_).transpose();
         }
         to_coefficients_ = powers.completeOrthogonalDecomposition().pseudoInverse();
+        fitted_ = velocities(fit.damping.coefficients);
     }
 
     /// Velocities of the places on the curve of some damping; empty where there is none.
     [[nodiscard]] std::vector<double> velocities(const Eigen::VectorXd& coefficients) const {
-        const auto curve = RestitutionCurve::implied_by(model_, {coefficients}, greatest_);
+        const DampingPolynomial damping{coefficients};
+        const double at_capture = damping(0.0);
+        if (!(at_capture > 0.0) || !model_.velocity(0.0, at_capture)) return {};
         std::vector<double> result;
-        if (!curve) return result;
-        for (const double e : restitutions_) result.push_back(curve->point_at(e).velocity);
+        for (std::size_t i = 0; i < restitutions_.size(); ++i) {
+            const double eta = damping(restitutions_[i]);
+            if (!(eta > 0.0)) return {};
+            std::optional<double> guess;  // from the fitted curve, moved as the place before
+            if (!fitted_.empty()) guess = fitted_[i] * (i == 0 ? 1.0 : result[i - 1] / fitted_[i - 1]);
+            const auto velocity = model_.velocity(restitutions_[i], eta, guess);
+            if (!velocity) return {};
+            result.push_back(velocity->value);
+        }
         return result;
     }
     /// eta_c that another contact reads from these places.
@@ -134,7 +144,8 @@ class Rereading {
                                           const std::vector<double>& velocities) const {
         Eigen::VectorXd damping(static_cast<Eigen::Index>(velocities.size()));
         for (std::size_t i = 0; i < velocities.size(); ++i)
-            damping[static_cast<Eigen::Index>(i)] = other.damping(velocities[i], restitutions_[i]).value;
+            damping[static_cast<Eigen::Index>(i)] =
+                other.damping_coefficient(velocities[i], restitutions_[i]);
         return to_coefficients_.row(0).dot(damping);
     }
 
@@ -143,6 +154,7 @@ class Rereading {
     int order_;
     double greatest_;
     std::vector<double> restitutions_;
+    std::vector<double> fitted_{};  ///< velocities on the fitted curve
     Eigen::MatrixXd to_coefficients_;
 };
 

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace ashimpact {
 
@@ -37,9 +38,12 @@ ChebyshevBasis::ChebyshevBasis(const ChebyshevAxis& axis, double position)
     const double t = (position - axis.lower) * stretch - 1.0;
     value[1] = t;
     slope[1] = stretch;
+    double before = 1.0;  // U_0, U_1, ...: the slope of T_k is k U_(k-1)
+    double second = 2.0 * t;
     for (int k = 2; k <= axis.degree; ++k) {
         value[k] = 2.0 * t * value[k - 1] - value[k - 2];
-        slope[k] = 2.0 * stretch * value[k - 1] + 2.0 * t * slope[k - 1] - slope[k - 2];
+        slope[k] = stretch * k * second;
+        before = std::exchange(second, 2.0 * t * second - before);
     }
 }
 
@@ -58,6 +62,12 @@ ChebyshevSurface::ChebyshevSurface(const ChebyshevAxis& x, const ChebyshevAxis& 
                                    const Eigen::MatrixXd& values)
     : x_(x), y_(y), coefficients_(x.analysis() * values * y.analysis().transpose()) {
     assert(values.rows() == x.degree + 1 && values.cols() == y.degree + 1);
+}
+
+double ChebyshevSurface::value(double x, double y) const {
+    ChebyshevBasis::Vector along(x_.degree + 1);
+    along.noalias() = coefficients_ * ChebyshevBasis(y_, y).value;
+    return along.dot(ChebyshevBasis(x_, x).value);
 }
 
 SurfacePoint ChebyshevSurface::operator()(double x, double y) const {

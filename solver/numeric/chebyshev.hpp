@@ -47,6 +47,8 @@ class ChebyshevSurface {
 
     /// Value and slopes at a point of the rectangle; outside it the polynomial is continued.
     [[nodiscard]] SurfacePoint operator()(double x, double y) const;
+    /// The value alone.
+    [[nodiscard]] double value(double x, double y) const;
 
   private:
     ChebyshevAxis x_{0.0, 1.0, 0};

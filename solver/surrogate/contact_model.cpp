@@ -52,23 +52,40 @@ CriticalVelocity critical_of(const Impact& impact) {
 struct FirstBracket {
     double centre;
     double half_width;
+    double slope = 0.0;  ///< of the function at the centre, roughly; 0 where it is not known
 };
 
-/// Zero of a decreasing function of the damping number, by secants from the first bracket, which take four or
-/// five values where the function is smooth, else by Brent's method in a bracket that is widened until the
+/// Where a function vanishes, and its slope there.
+struct Zero {
+    double place;
+    double slope;
+};
+
+/// Zero of a decreasing function of the damping number, by secants from the first bracket, which take three
+/// to five values where the function is smooth, else by Brent's method in a bracket that is widened until the
 /// sign changes.
-double zero_of_decreasing(const std::function<double(double)>& function, const FirstBracket& first) {
+Zero zero_of_decreasing(const std::function<double(double)>& function, const FirstBracket& first) {
     constexpr double tolerance = 1e-10;
     double before = first.centre;
     double miss_before = function(before);
-    double at = first.centre + (first.centre > first.half_width ? -0.1 : 0.1) * first.half_width;
+    double move = (first.centre > first.half_width ? -0.1 : 0.1) * first.half_width;
+    const double newton = -miss_before / first.slope;
+    if (std::abs(newton) <= first.half_width && before + newton >= 0.0) move = newton;
+    if (std::abs(move) <= tolerance) return {before + move, first.slope};
+    double at = before + move;
+    double farther = 0.0;  // the place before the last two
+    double slope = first.slope;
     for (int i = 0; i < 8; ++i) {
         const double miss = function(at);
-        const double step = -miss * (at - before) / (miss - miss_before);
+        slope = (miss - miss_before) / (at - before);
+        const double step = -miss / slope;
         if (!(std::abs(step) <= 4.0 * first.half_width && at + step >= 0.0)) break;
+        // Each error of secants is about the last two times a constant.
+        const double next_step = i == 0 ? step : step * step / (at + step - farther);
+        farther = before;
         before = std::exchange(at, at + step);
         miss_before = miss;
-        if (std::abs(step) <= tolerance) return at;
+        if (std::abs(step) <= tolerance || std::abs(next_step) <= 0.1 * tolerance) return {at, slope};
     }
     double lower = std::max(0.0, first.centre - first.half_width);
     double upper = first.centre + first.half_width;
@@ -81,7 +98,7 @@ double zero_of_decreasing(const std::function<double(double)>& function, const F
         lower = upper;
         upper += 4.0 * width;
     }
-    return gsl::brent(function, lower, upper, {.relative = 0.0, .absolute = tolerance}).root;
+    return {gsl::brent(function, lower, upper, {.relative = 0.0, .absolute = tolerance}).root, slope};
 }
 
 double solved_restitution(const RestitutionMap& map, double damping_number, double x) {
@@ -89,8 +106,8 @@ double solved_restitution(const RestitutionMap& map, double damping_number, doub
 }
 
 /// Damping number that gives a restitution; for restitution 0 the smallest that captures [1].
-double solved_damping_number(const RestitutionMap& map, double restitution, double x,
-                             const FirstBracket& first) {
+Zero solved_damping_number(const RestitutionMap& map, double restitution, double x,
+                           const FirstBracket& first) {
     // Near capture the damping number is about linear in the cube root of the restitution.
     if (restitution > 0.0)
         return zero_of_decreasing(
@@ -238,6 +255,7 @@ void RestitutionMap::tabulate_damping() {
                                                        .matrix();
     // From fast to slow impacts. Between e = 0 and the first root in the batch the numbers are about linear
     // in the square of the root; how far they are not is guessed from the faster impact.
+    std::vector<double> slopes(static_cast<std::size_t>(weak), 0.0);  // of the faster impact's searches
     for (int j = along.degree; j >= 0; --j) {
         const bool first = j == along.degree;
         for (int i = 0; i < weak; ++i) {
@@ -249,11 +267,16 @@ void RestitutionMap::tabulate_damping() {
             const double guess = chord(j) + (first ? 0.0 : numbers(i, j + 1) - chord(j + 1));
             const double width = i == 0 ? 0.1 : std::max(2e-4, 0.9 * (numbers(0, j) - guess));
             const double e = cube(root.node(i)) * greatest_restitution(along.node(j));
-            numbers(i, j) = solved_damping_number(*this, e, along.node(j),
-                                                  {.centre = std::max(0.0, guess), .half_width = width});
+            double& slope = slopes[static_cast<std::size_t>(i)];
+            const Zero zero =
+                solved_damping_number(*this, e, along.node(j),
+                                      {.centre = std::max(0.0, guess), .half_width = width, .slope = slope});
+            numbers(i, j) = zero.place;
+            slope = zero.slope;
         }
     }
     damping_ = ChebyshevSurface(root, along, numbers);
+    capture_ = ChebyshevSurface({0.0, 0.0, 0}, along, numbers.topRows(1));
 }
 
 void RestitutionMap::tabulate_times() {
@@ -261,7 +284,7 @@ void RestitutionMap::tabulate_times() {
     const ChebyshevAxis along = axis_of_x();
     const NodePlaces places(root, along, 0, root.degree + 1);
     const Eigen::ArrayXd numbers = places.root.binaryExpr(
-        places.x, [&](double each, double x) { return std::max(0.0, damping_(each, x).value); });
+        places.x, [&](double each, double x) { return std::max(0.0, damping_.value(each, x)); });
     time_ = ChebyshevSurface(
         root, along,
         batch_contact_times(*this, numbers, places.x).reshaped(root.degree + 1, along.degree + 1).matrix());
@@ -281,23 +304,40 @@ void RestitutionMap::check() {
     }
 }
 
+/// Derivative along x at fixed restitution of what is tabulated over the root.
+double RestitutionMap::along_x(const SurfacePoint& at, double root, double x) const {
+    const double greatest = greatest_restitution(x);
+    if (!(greatest < 1.0)) return at.by_y;
+    return at.by_y - at.by_x * root / 3.0 * (1.0 - greatest * greatest) / (greatest * greatest);
+}
+
 DampingNumber RestitutionMap::damping_number(double restitution, double x) const {
     const double root = root_of_share(restitution, x);
     const SurfacePoint at = damping_(root, x);
     // d(root)/de = 1/(3 root^2 e_greatest) diverges at e = 0: below root = 0.01 the slope there replaces it.
     const double safe = std::max(root, 1e-2);
     const double slope = root < safe ? damping_(safe, x).by_x : at.by_x;
-    const double greatest = greatest_restitution(x);
-    const double by_restitution = slope / (3.0 * safe * safe * greatest);
-    double by_x = at.by_y;
-    if (greatest < 1.0) by_x -= at.by_x * root / 3.0 * (1.0 - greatest * greatest) / (greatest * greatest);
-    return {at.value, by_restitution, by_x};
+    return {at.value, slope / (3.0 * safe * safe * greatest_restitution(x)), along_x(at, root, x)};
+}
+
+NumberAlongX RestitutionMap::number_along_x(double restitution, double x) const {
+    if (restitution == 0.0) {
+        const SurfacePoint at = capture_(0.0, x);
+        return {at.value, at.by_y};
+    }
+    const double root = root_of_share(restitution, x);
+    const SurfacePoint at = damping_(root, x);
+    return {at.value, along_x(at, root, x)};
+}
+
+double RestitutionMap::number(double restitution, double x) const {
+    return restitution == 0.0 ? capture_.value(0.0, x) : damping_.value(root_of_share(restitution, x), x);
 }
 
 double RestitutionMap::contact_time(double restitution, double x) const {
     const double root = root_of_share(restitution, x);
-    if (root >= least_timed) return time_(root, x).value;
-    const Impact impact = impact_at(*this, damping_(root, x).value, unit_velocity(x));
+    if (root >= least_timed) return time_.value(root, x);
+    const Impact impact = impact_at(*this, damping_.value(root, x), unit_velocity(x));
     const auto motion = scaled_motion<double>(impact, Scale::of(unit_pair, impact.velocity));
     return follow<double>(motion, 1.0).end.time;
 }
@@ -327,6 +367,10 @@ DampingAt ContactModel::damping(double velocity, double restitution) const {
             .by_velocity = unit / velocity * (0.2 * number.value + number.by_x)};
 }
 
+double ContactModel::damping_coefficient(double velocity, double restitution) const {
+    return damping_unit_ * std::pow(velocity, 0.2) * map_->number(restitution, x_of(velocity));
+}
+
 std::optional<VelocityAt> ContactModel::velocity(double restitution, double damping,
                                                  std::optional<double> guess) const {
     // ln eta(v, e) rises with ln v: Newton's method, kept within a bracket that only shrinks.
@@ -340,7 +384,7 @@ std::optional<VelocityAt> ContactModel::velocity(double restitution, double damp
     double x = std::isfinite(lower) ? 0.5 * (lower + upper) : 0.0;
     if (guess) x = std::clamp(x_of(*guess), lower, upper);
     for (int i = 0; i < most_iterations; ++i) {
-        const DampingNumber number = map_->damping_number(restitution, x);
+        const NumberAlongX number = map_->number_along_x(restitution, x);
         const bool positive = number.value > 0.0;
         const double miss = positive ? 0.2 * x + std::log(number.value) - wanted : -1.0;
         const double slope = 0.2 + number.by_x / number.value;
@@ -365,7 +409,7 @@ std::optional<double> ContactModel::critical_velocity_anywhere(double damping) c
 }
 
 double ContactModel::restitution(double velocity, double damping) const {
-    if (damping >= this->damping(velocity, 0.0).value) return 0.0;
+    if (damping >= damping_coefficient(velocity, 0.0)) return 0.0;
     return rebound_restitution(velocity, damping,
                                {.guess = 0.5 * greatest_restitution(velocity), .tolerance = 1e-14});
 }

@@ -101,10 +101,10 @@ void add_velocities(std::vector<std::pair<double, double>>& values, const Densit
 /// The least damping that captures; none is needed up to the undamped v_c of the law [kg/s].
 double capture_damping(const ContactModel& model, double velocity) {
     const double first = model.range().lower;
-    if (velocity >= first) return model.damping(velocity, 0.0).value;
+    if (velocity >= first) return model.damping_coefficient(velocity, 0.0);
     // The energy that damping has to take goes with the square of the undamped restitution.
     const double share = model.greatest_restitution(velocity) / model.greatest_restitution(first);
-    return model.damping(first, 0.0).value * share * share;
+    return model.damping_coefficient(first, 0.0) * share * share;
 }
 
 /// The damping along a curve, begun at its v_c. @param fastest impact [m/s]
@@ -120,7 +120,7 @@ EstimatedDamping damping_along(const ContactModel& model, const OnsetCurve& curv
         if (i > 0 && v < model.range().lower) continue;
         const double e = std::min(curve.restitution(x), 0.999 * model.greatest_restitution(v));
         damping.velocity.push_back(v);
-        damping.damping.push_back(i == 0 ? capture_damping(model, v) : model.damping(v, e).value);
+        damping.damping.push_back(i == 0 ? capture_damping(model, v) : model.damping_coefficient(v, e));
     }
     return damping;
 }
