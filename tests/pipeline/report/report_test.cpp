@@ -226,14 +226,14 @@ TEST_CASE("a run without figures takes those of the run before away, and no figu
     sandbox.write("results/figures/energy.pdf", "its PDF");
     sandbox.write("results/figures/damping.svg", "<svg>mine</svg>");
     sandbox.write("results/figures/damping.pdf", "mine");
-    const auto again = ashimpact_program(sandbox, "run -o results");
+    const auto again = ashimpact_program(sandbox, "run -o results --no-report");
     CHECK(again.status == 0);
     CHECK(again.err == test::containing("results/figures: 2 figures of an earlier run removed"));
     CHECK_FALSE(sandbox.has("results/figures/energy.svg"));
     CHECK_FALSE(sandbox.has("results/figures/energy.pdf"));
     CHECK(sandbox.has("results/figures/damping.svg"));
     CHECK(sandbox.has("results/figures/damping.pdf"));
-    CHECK(ashimpact_program(sandbox, "run -o results").err != test::containing("figures"));
+    CHECK(ashimpact_program(sandbox, "run -o results --only comparison").err != test::containing("figures"));
 }
 
 TEST_CASE("--no-report removes the report of the run before, a part of a run makes it again") {
@@ -249,7 +249,7 @@ TEST_CASE("--no-report removes the report of the run before, a part of a run mak
     CHECK(test::lines_of(part.out).back() == "Report: results/report.html");
     CHECK(sandbox.has("results/report.html"));
     sandbox.write("results/report.html", "<p>mine</p>");
-    test::succeeded(sandbox, "run -o results --no-report");
+    test::succeeded(sandbox, "run -o results --only comparison --no-report");
     CHECK(sandbox.read("results/report.html") == "<p>mine</p>");
 }
 
