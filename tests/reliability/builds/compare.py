@@ -6,6 +6,7 @@
 
 Without a second one that exists it ends with 77, a test that was left out; in CI that is a failure.
 Shares of a variance ("influences") are parts of 1, and differences of nearly equal numbers: they are compared to 1e-12 of 1.
+So are the Monte Carlo errors of an interval's ends, whose terms are velocities: they are compared to 1e-12 of the median.
 Points of the drawn curves are where a search ends, which stops at 1e-5 of restitution: they are compared to 1e-9.
 """
 
@@ -34,7 +35,7 @@ def differences(one, other, place, scale, found):
         if isinstance(one, dict) and isinstance(other, dict) and one.keys() == other.keys():
             for key in one:
                 if key not in COUNTED:
-                    differences(one[key], other[key], f"{place}/{key}", 1.0 if "/influences/" in place else 0.0, found)
+                    differences(one[key], other[key], f"{place}/{key}", scale_of(key, one, place, scale), found)
         elif isinstance(one, list) and isinstance(other, list) and len(one) == len(other):
             numbers = [abs(each) for each in one if isinstance(each, (int, float))]
             for index, (left, right) in enumerate(zip(one, other)):
@@ -44,6 +45,14 @@ def differences(one, other, place, scale, found):
         return
     size = max(abs(one), abs(other), scale)
     found.append((abs(one - other) / size if size else 0.0, place))
+
+
+def scale_of(key, entries, place, scale):
+    if "/influences/" in place:
+        return 1.0
+    if key in ("lower_error", "upper_error"):
+        return abs(entries["median"]["value"])
+    return scale if place.endswith("_error") else 0.0
 
 
 def main():
