@@ -232,7 +232,7 @@ Path member_of(Path path, const std::string& key) {
 /// The keys of the object at @p path, behind "allOf" too.
 std::vector<std::string> keys_allowed(const Json& schema, const Path& path) {
     const Json* part = schema_part(schema, path);
-    if (part != nullptr && !part->contains("properties") && part->contains("allOf")) {
+    while (part != nullptr && !part->contains("properties") && part->contains("allOf")) {
         const auto reference = (*part)["allOf"][0].value("$ref", "#");
         part = &schema.at(Json::json_pointer(reference.substr(1)));
     }

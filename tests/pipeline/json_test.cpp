@@ -138,6 +138,16 @@ TEST_CASE("a radius in a case and a diameter in a sweep are told by pointer, wit
     CHECK(message(R"({"name": "x", "samples": [{"name": "a", "diameter": 1, "composition": {}}]})").empty());
 }
 
+TEST_CASE("an unknown key of a quantity is refused with the known ones, by an older name too") {
+    for (const char* name : {"added_fraction", "weight_fraction"}) {
+        const std::string text = R"({"name": "x", "samples": [{"name": "a", "diameter": 1, "composition": {
+            "internal_standard": {"phase": "b", ")" +
+                                 std::string(name) + R"(": {"valeu": 0.1}}}}]})";
+        CHECK(test::input_error_of([&] { validate_document(parse_json(text), "case"); }) ==
+              test::containing("/valeu: unknown key, did you mean \"value\"?; allowed: value, unit"));
+    }
+}
+
 TEST_CASE("an unknown schema is refused with the names there are") {
     CHECK(test::input_error_of([] { return schema_named("cases"); }) ==
           test::containing("allowed: 0-case, "));
