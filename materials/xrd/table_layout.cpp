@@ -410,6 +410,31 @@ bool are_alike(std::string_view name, std::string_view other) {
     return !a.empty() && !b.empty() && (a.starts_with(b) || b.starts_with(a));
 }
 
+/// "FA1 (2s)" that does not follow "FA1" holds the amounts of FA1, with their uncertainties in the cells.
+void find_amounts_with_uncertainties(Table& table) {
+    std::string before;
+    for (Heading& heading : table.headings) {
+        if (heading.role == Role::uncertainty && !heading.text.empty() && heading.text != before &&
+            !is_uncertainty_word(heading.text))
+            heading.role = Role::other;
+        if (heading.role == Role::other) before = heading.text;
+    }
+}
+
+/// Refuses "Phase [vol%]" above names, unless the amounts state the same: it may be that of the amounts.
+void require_units_at_amounts(const Table& table) {
+    const auto label = table.column(table.has(Role::phase) ? Role::phase : Role::sample);
+    if (!label) return;
+    const Heading& heading = table.headings[*label];
+    const bool of_volume = heading.states == HeadingUnit::volume;
+    if (!of_volume && (heading.states != HeadingUnit::other || heading.scale == Scale::not_stated)) return;
+    for (const Heading& each : table.headings)
+        if (&each != &heading && each.states == heading.states) return;
+    refuse_line(table.heading_line,
+                "the heading " + in_quotes(heading.written) + " of the names states a unit of amounts",
+                "the unit in the headings of the amounts: " + in_quotes("FA1 [vol%]"));
+}
+
 /// Finds the columns of uncertainties beside those of phases or samples: "esd", "Quartz esd", "u(FA1)" are of
 /// the column before. Errors: InputError for one that names no column, or another than the one before it.
 void find_uncertainties(Table& table) {
@@ -555,7 +580,9 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     }
     table.headings = headings_of(headings);
     const bool is_wide = table.has(Role::phase) != table.has(Role::sample) && !names_amounts(table.headings);
+    if (is_wide) find_amounts_with_uncertainties(table);
     if (is_wide) find_uncertainties(table);
+    require_units_at_amounts(table);
     if (table.has(Role::phase) && !table.has(Role::sample)) mark_sums(table);
     prefer_fractions(table);
     check_units_of_uncertainties(table);

@@ -267,6 +267,36 @@ TEST_CASE("tables with one column a phase or one column a sample") {
     CHECK(contains(samples.warnings[0].text, "by their size they are fractions"));
 }
 
+TEST_CASE("a coverage behind the name of a sample or phase divides uncertainties, never amounts") {
+    const auto first = [](const std::string& text) { return read_xrd(text, "t.csv").samples.front(); };
+    for (const char* heading : {"FA1 (\u00b1 2\u03c3)", "FA1 (k=2)", "FA1 [wt%] \u00b1 2\u03c3"}) {
+        CAPTURE(heading);
+        for (const char* uncertainty : {" \u00b1 0.6", ""}) {
+            const XrdSample sample = first("Phase;" + std::string(heading) + ";FA2 (k=2)\nQuartz;60" +
+                                           uncertainty + ";10\nMullite;40" + uncertainty + ";90\n");
+            CHECK(digest(sample) == "Quartz 6000, Mullite 4000");
+            const auto& u = sample.analysis.phases[0].standard_uncertainty;
+            CHECK(u.has_value() == (*uncertainty != '\0'));
+            if (u) CHECK(*u == doctest::Approx(0.003));
+        }
+    }
+    CHECK(digest(first("Sample;Quartz (2s);Mullite (2s)\nFA1;60;40\n")) == "Quartz 6000, Mullite 4000");
+    const XrdSample beside = first("Phase;FA1 [wt%];FA1 (2s)\nQuartz;60;1\nMullite;40;1\n");
+    CHECK(*beside.analysis.phases[0].standard_uncertainty == doctest::Approx(0.005));
+}
+
+TEST_CASE("a unit of amounts in the heading of the names is refused, unless the amounts state it") {
+    const auto error = [](const std::string& text) {
+        return input_error_of([&] { static_cast<void>(read_xrd(text, "t.csv")); });
+    };
+    for (const char* corner : {"Phase [Vol.-%]", "Phase / Vol.-%", "Mineral (vol%)", "Phase [mol%]"})
+        CHECK(contains(error(std::string(corner) + ";FA1;FA2\nQuartz;60;10\nMullite;40;90\n"),
+                       "of the names states a unit of amounts"));
+    CHECK(error("Phase (Name);FA1 [wt%]\nQuartz;60\nMullite;40\n").empty());
+    CHECK(error("Phase [wt%];FA1;FA2\nQuartz;60;10\nMullite;40;90\n").empty());
+    CHECK(error("Phase [vol%];FA1 [vol%]\nQuartz;60\nMullite;40\n").empty());
+}
+
 TEST_CASE("headings of fractions are read as what they state, and what is no fraction is refused") {
     const auto of = [](const std::string& heading, const std::string& amounts = "60;40") {
         const auto half = amounts.find(';');
