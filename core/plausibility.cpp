@@ -23,6 +23,8 @@ constexpr std::array ranges{
     PlausibleRange{
         Dimension::length, 1e-11, 1e-6, "0.01 nm to 1 um", {"nm", "um", "pm"}, "roughness cohesion_range"},
     PlausibleRange{Dimension::length, 10e-9, 1e-3, "10 nm to 1 mm", {"um", "nm", "mm"}, "pixel_size"},
+    PlausibleRange{Dimension::length, 1e-10, 1e-3, "0.1 nm to 1 mm", {"um", "nm", "mm"}, "contact_radius"},
+    PlausibleRange{Dimension::force, 1e-15, 100, "1 fN to 100 N", {"mN", "uN", "nN"}, "force"},
     PlausibleRange{Dimension::mass, 1e-23, 2e-3, "1e-23 kg to 2 g", {"ug", "ng", "pg"}, "mass"},
     PlausibleRange{Dimension::pressure,
                    10e6,
@@ -57,7 +59,7 @@ constexpr std::array ranges{
                    2000,
                    "1e-6 to 2,000 m/s",
                    {"mm/s", "um/s", "m/s"},
-                   "velocity measured_critical_velocity"},
+                   "velocity measured_critical_velocity at to_velocity"},
     PlausibleRange{Dimension::temperature,
                    200,
                    2500,

@@ -139,8 +139,9 @@ struct DepositSource {
 DepositSource source_of_run(const CommandOptions& options, const TubeConditions& tube,
                             const ParticleSizes& sizes) {
     refuse_contact_options(options);
-    if (options.has("--law"))
-        throw InputError("the run has it", "a run, or the options of an impact").at("--law");
+    for (const auto* name : {"--law", "--at"})
+        if (options.has(name))
+            throw InputError("the run has it", "a run, or the options of an impact").at(name);
     const std::filesystem::path folder(options["run"]);
     const std::vector<std::string_view> files{case_artifact, contact_artifact, restitution_artifact,
                                               comparison_artifact};

@@ -192,6 +192,7 @@ TEST_CASE("of a run v_c by size counts, and beyond the measured sizes the headli
     check_refused(sandbox, "deposit" + superheater + ash + " --assumption hunt-crossley",
                   "do not admit hunt-crossley");
     check_refused(sandbox, "deposit" + superheater + ash + " --density 2000", "--density: the run has it");
+    check_refused(sandbox, "deposit" + superheater + ash + " --at '2 m/s'", "--at: the run has it");
 }
 
 TEST_CASE("what a sieve table has beside sizes and shares is said") {

@@ -61,6 +61,11 @@ TEST_CASE("a bare number far from what ash has is refused at every door, with th
            "--to-diameter: 120 has no unit"},
           {std::string("damping --law jkr --diameter '88 um' --impacts fast.csv") + usual_contact,
            "fast.csv: line 2: 2e+07 has no unit and is 2e+07 m/s, did you mean"},
+          {"impact --law jkr --velocity '2 m/s' --damping-restitution 0.5 --at 2e8 --diameter '88 um'" +
+               std::string(usual_contact),
+           "--at: 2e+08 has no unit and is 2e+08 m/s"},
+          {"contact --contact-radius 1 --diameter '88 um'" + std::string(usual_contact),
+           "--contact-radius: 1 has no unit and is 1 m, did you mean 1 um?"},
           {"modulus soft.csv --phases phases.json", "phases.json: /0/young_modulus: 70 has no unit"},
           {"sweep sweep.json -o out.json",
            "sweep.json: /impact/radius: 44 has no unit and is 44 m, did you mean 44 um?"}})
