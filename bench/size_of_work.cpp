@@ -16,11 +16,11 @@ namespace ashimpact::bench {
 
 namespace {
 
-const std::filesystem::path folder = ASHIMPACT_BENCH_WORK "/sizes";
+const std::filesystem::path work_of_sizes = ASHIMPACT_BENCH_WORK "/sizes";
 
 std::string written(const std::string& name, const std::string& text) {
-    std::ofstream(folder / name) << text;
-    return (folder / name).string();
+    std::ofstream(work_of_sizes / name) << text;
+    return (work_of_sizes / name).string();
 }
 
 /// Impacts of a sharp threshold at 1 m/s with some scatter, a tenth of them captured.
@@ -76,8 +76,8 @@ double seconds_of(const Work& work, int size) {
 }  // namespace
 
 void print_sizes_of_work() {
-    std::filesystem::create_directories(folder);
-    const std::string results = (folder / "results").string();
+    std::filesystem::create_directories(work_of_sizes);
+    const std::string results = (work_of_sizes / "results").string();
     const std::vector<std::string> contact{"--diameter",        "90 um",  "--density",          "2300 kg/m3",
                                            "--contact-modulus", "80 GPa", "--work-of-adhesion", "0.3 J/m2"};
     const Work works[]{

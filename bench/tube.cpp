@@ -13,7 +13,7 @@ namespace {
 
 constexpr double density = 2300;    ///< [kg/m3]
 constexpr double sticks_below = 2;  ///< critical velocity of every size [m/s]
-constexpr std::size_t one_by_one = 1'000'000;
+constexpr std::size_t drawn_particles = 1'000'000;
 
 /// Draws particles of a distribution and lets each arrive, by the curves of its class. @return those that
 /// stay
@@ -24,7 +24,7 @@ std::size_t stay_of(const CrossedTube& tube, const std::vector<ClassImpaction>& 
     std::uniform_real_distribution<double> offset;
     std::mt19937_64 random(1);
     std::size_t stay = 0;
-    for (std::size_t i = 0; i < one_by_one; ++i) {
+    for (std::size_t i = 0; i < drawn_particles; ++i) {
         const TubeImpaction& impaction = classes[size(random)].impaction;
         const double at = offset(random);
         if (impaction.any() && at < impaction.efficiency() &&
@@ -43,19 +43,19 @@ void print_tube(const Options& options) {
     for (const SizeClass& size : sizes) particles.push_back(tube.particle(size.diameter(), density));
     const auto classes = impactions_on(tube, sizes, std::vector<double>(sizes.size(), density));
     std::size_t stay = 0;
-    const auto rates =
-        rates_of({{"sizes", static_cast<double>(sizes.size()),
-                   [&] {
-                       for (const TubeParticle& each : particles) TubeImpaction{each};
-                   }},
-                  {"particles", static_cast<double>(one_by_one), [&] { stay = stay_of(tube, classes); }}},
-                 options);
+    const auto rates = rates_of(
+        {{"sizes", static_cast<double>(sizes.size()),
+          [&] {
+              for (const TubeParticle& each : particles) TubeImpaction{each};
+          }},
+         {"particles", static_cast<double>(drawn_particles), [&] { stay = stay_of(tube, classes); }}},
+        options);
     fmt::print(
         "\na tube across a flow of ash: {:.0f} sizes/s (critical offset and curves), {:.2g} particles/s one "
         "by one, "
         "1e6 with 80 sizes in {:.2f} s; {} stay\n",
-        rates.at("sizes"), rates.at("particles"), 80 / rates.at("sizes") + one_by_one / rates.at("particles"),
-        stay);
+        rates.at("sizes"), rates.at("particles"),
+        80 / rates.at("sizes") + drawn_particles / rates.at("particles"), stay);
 }
 
 }  // namespace ashimpact::bench
