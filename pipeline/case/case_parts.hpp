@@ -94,8 +94,9 @@ void require_scale_uncertainty(double uncertainty);
 
 /// Reads impacts in columns: velocity, restitution or rebound_velocity and, where they are known,
 /// velocity_uncertainty, rebound_uncertainty (standard, of v_in and v_r), velocity_correlation (of these two
-/// errors), rebound_resolution (v_r that is always seen), noted_capture (1: seen to stick) and impacts (of which a point is the mean). Restitution 0 is a capture. restitution_uncertainty
-/// may stand in place of rebound_uncertainty; the errors of v_in and e_n are then taken as independent.
+/// errors), rebound_resolution (v_r that is always seen), noted_capture (1: seen to stick) and impacts (of
+/// which a point is the mean). Restitution 0 is a capture. restitution_uncertainty may stand in place of
+/// rebound_uncertainty; the errors of v_in and e_n are then taken as independent.
 /// @throws InputError with the JSON pointer for columns that contradict each other or invalid impacts
 [[nodiscard]] MeasurementSet read_measurement_columns(const View& node);
 
