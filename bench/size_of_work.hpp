@@ -4,7 +4,7 @@
 namespace ashimpact::bench {
 
 /// Prints how processor time of the program grows with the size of its work: `run` with samples and with
-/// impacts, `damping` with impacts, `sweep` with samples; and the exponent of the last doubling.
+/// impacts, `damping` with impacts, `sweep` with samples; and the exponent between the last two sizes.
 void print_sizes_of_work();
 
 }  // namespace ashimpact::bench

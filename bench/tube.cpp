@@ -52,10 +52,10 @@ void print_tube(const Options& options) {
         options);
     fmt::print(
         "\na tube across a flow of ash: {:.0f} sizes/s (critical offset and curves), {:.2g} particles/s one "
-        "by one, "
-        "1e6 with 80 sizes in {:.2f} s; {} stay\n",
-        rates.at("sizes"), rates.at("particles"),
-        80 / rates.at("sizes") + drawn_particles / rates.at("particles"), stay);
+        "by one, {} with {} sizes in {:.2f} s; {} stay\n",
+        rates.at("sizes"), rates.at("particles"), drawn_particles, sizes.size(),
+        static_cast<double>(sizes.size()) / rates.at("sizes") + drawn_particles / rates.at("particles"),
+        stay);
 }
 
 }  // namespace ashimpact::bench

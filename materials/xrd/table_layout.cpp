@@ -410,7 +410,7 @@ bool are_alike(std::string_view name, std::string_view other) {
     return !a.empty() && !b.empty() && (a.starts_with(b) || b.starts_with(a));
 }
 
-/// "FA1 (2s)" that does not follow "FA1" holds the amounts of FA1, with their uncertainties in the cells.
+/// A column "FA1 (2s)" without a column "FA1" before it holds amounts, with their uncertainties in the cells.
 void find_amounts_with_uncertainties(Table& table) {
     std::string before;
     for (Heading& heading : table.headings) {
@@ -421,7 +421,8 @@ void find_amounts_with_uncertainties(Table& table) {
     }
 }
 
-/// Refuses "Phase [vol%]" above names, unless the amounts state the same: it may be that of the amounts.
+/// Refuses a unit of amounts in the heading of the names, "Phase [vol%]", unless a heading of amounts states
+/// it as well. @throws InputError
 void require_units_at_amounts(const Table& table) {
     const auto label = table.column(table.has(Role::phase) ? Role::phase : Role::sample);
     if (!label) return;
@@ -580,8 +581,10 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     }
     table.headings = headings_of(headings);
     const bool is_wide = table.has(Role::phase) != table.has(Role::sample) && !names_amounts(table.headings);
-    if (is_wide) find_amounts_with_uncertainties(table);
-    if (is_wide) find_uncertainties(table);
+    if (is_wide) {
+        find_amounts_with_uncertainties(table);
+        find_uncertainties(table);
+    }
     require_units_at_amounts(table);
     if (table.has(Role::phase) && !table.has(Role::sample)) mark_sums(table);
     prefer_fractions(table);

@@ -65,19 +65,19 @@ compare("conda-forge", {each.split()[0] for each in requirements if "${{" not in
 assert all(is_option(name) for name in re.findall(r"-D(\w+)=", conda["build"]["script"][0]))
 assert (root / conda["about"]["license_file"]).is_file()
 
-# spack: its words, as far as the recipe uses them, note what they are told.
-told = types.SimpleNamespace(depends=set(), versions=[])
-words = types.ModuleType("spack.package")
-words.CMakePackage = object
-for word in ("license", "variant", "generator"):
-    setattr(words, word, lambda *_, **__: None)
-words.version = lambda number, **_: told.versions.append(number)
-words.depends_on = lambda spec, **_: told.depends.add(spec.split("@")[0])
-sys.modules.update({"spack": types.ModuleType("spack"), "spack.package": words})
+# A stand-in for spack's module, which records the versions and dependencies of the recipe.
+recorded = types.SimpleNamespace(depends=set(), versions=[])
+spack = types.ModuleType("spack.package")
+spack.CMakePackage = object
+for directive in ("license", "variant", "generator"):
+    setattr(spack, directive, lambda *_, **__: None)
+spack.version = lambda number, **_: recorded.versions.append(number)
+spack.depends_on = lambda spec, **_: recorded.depends.add(spec.split("@")[0])
+sys.modules.update({"spack": types.ModuleType("spack"), "spack.package": spack})
 names: dict = {}
 exec(compile((recipes / "spack/package.py").read_text(), "package.py", "exec"), names)
-assert told.versions == [version] and names["Ashimpact"].url.endswith(f"/ashimpact-{version}.tar.gz")
-compare("spack", told.depends, 1)
+assert recorded.versions == [version] and names["Ashimpact"].url.endswith(f"/ashimpact-{version}.tar.gz")
+compare("spack", recorded.depends, 1)
 recipe = names["Ashimpact"]()
 recipe.define = recipe.define_from_variant = lambda name, _: name
 assert all(is_option(name) for name in recipe.cmake_args())

@@ -190,7 +190,7 @@ LikeliestCurve CurvePosterior::fitted(double log_critical_velocity, double thres
         log_density = 0.5 * gradient.dot(off) -
                       freedom * (std::log(noise / expected_noise) + 0.5 * square(expected_noise / noise));
         double count = 0.0;
-        double told = 0.0;  // of the noise, in impacts
+        double noise_weight = 0.0;  // number of impacts, each by the share of noise in its variance
         double squares = 0.0;
         for (const RecordedImpact& impact : *impacts_) {
             const RecordFit fit = fit_of(curve, scatter, impact, addition);
@@ -200,7 +200,7 @@ LikeliestCurve CurvePosterior::fitted(double log_critical_velocity, double thres
             gradient += weight * fit.residual * fit.slope;
             precision.selfadjointView<Eigen::Lower>().rankUpdate(fit.slope, weight);
             count += impact.count * fit.regular;
-            told += impact.count * fit.regular * fit.by_noise;
+            noise_weight += impact.count * fit.regular * fit.by_noise;
             squares += weight * fit.by_noise * square(fit.residual);
         }
         const Eigen::LLT<Matrix> factor(precision.selfadjointView<Eigen::Lower>());
@@ -211,14 +211,14 @@ LikeliestCurve CurvePosterior::fitted(double log_critical_velocity, double thres
         for (const double y : {0.03, 0.3, 1.0, 2.0})
             longest = std::max(longest, std::abs(OnsetCurve::terms(y).dot(step)));
         coefficients += std::min(1.0, 1.5 / longest) * step;
-        // The noise is the likeliest: an impact tells of it by the share that noise has in its variance. The
-        // curve takes some freedom from the residuals.
+        // Maximum likelihood of the noise: each impact counts by the share of noise in its variance, and the
+        // degrees of freedom of the curve are subtracted.
         const Matrix inverse = factor.solve(Matrix::Identity());
         const double taken =
             OnsetCurve::size - inverse.diagonal().cwiseQuotient(prior.deviation.cwiseAbs2()).sum();
         if (addition < 0.015)
             noise = std::sqrt((square(noise) * squares + freedom * square(expected_noise)) /
-                              (std::max(told * (1.0 - taken / std::max(count, 1.0)), 0.0) + freedom));
+                              (std::max(noise_weight * (1.0 - taken / std::max(count, 1.0)), 0.0) + freedom));
     }
     return {OnsetCurve(log_critical_velocity, coefficients), {noise, threshold}, log_density};
 }

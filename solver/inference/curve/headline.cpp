@@ -190,7 +190,7 @@ std::optional<Finding> particles_note(const Scatter& scatter) {
     return Finding{"particles-differ", Severity::doubt,
                    "v_c differs between particles by about " +
                        shortest(std::round(100.0 * scatter.threshold)) +
-                       " %: the interval is that of the middle one, and of none if there are two kinds"};
+                       " %: the interval holds for the median particle; if there are two kinds, for neither"};
 }
 
 /// Note on impacts that bound v_c from above alone.
@@ -225,7 +225,7 @@ std::optional<Finding> onset_note(const std::vector<RecordedImpact>& impacts, do
                        "no impact between " + shortest(capture) + " m/s, captured, and " +
                            shortest(slowest->velocity) +
                            " m/s: where v_c lies between them rests on the form of the curve"};
-    // A sharp onset looks the same.
+    // A sharp onset leaves the same gap.
     if (zero && least->rebound > resolved * unit * std::max(least->incident_u, least->rebound_u))
         return Finding{"no-slow-rebounds", Severity::doubt,
                        "no rebound slower than " + shortest(least->rebound) +

@@ -115,7 +115,7 @@ class TableCells {
             const double stated = read(row, *uncertainty).value / uncertainty->coverage;
             if (!uncertainty->is_relative)
                 entry.standard_uncertainty = stated;
-            else if (entry.value != 0.0)  // a share of the 0 of a capture says nothing
+            else if (entry.value != 0.0)  // a capture has no uncertainty relative to its 0
                 entry.standard_uncertainty = stated * entry.value;
         }
         if (entry.standard_uncertainty && !(*entry.standard_uncertainty > 0.0))
