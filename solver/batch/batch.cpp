@@ -214,7 +214,7 @@ using Answer = std::optional<CriticalVelocity>;
 /// Reads problems from the table of their law; undecided where it has none.
 void look_up(const Problems& problems, PieceState* state, double* value) {
     const auto& [law, detachment, damping_law, count, inputs] = problems;
-    if (!law.is_adhesive() || detachment == Detachment::zero_force || !batch::has_kernels(law, damping_law)) {
+    if (!law.is_adhesive() || detachment == Detachment::zero_force || !has_tables(law, damping_law)) {
         std::fill_n(state, count, PieceState::undecided);
         return;
     }
@@ -250,7 +250,7 @@ Answer closed_form(const CriticalVelocityProblem& problem) {
 }  // namespace
 
 bool has_tables(Law law, DampingLaw damping_law) {
-    return batch::has_kernels(law, damping_law);
+    return law.self_similar() && batch::has_kernels(law, damping_law);
 }
 
 std::vector<ParameterColumn> single_columns(const ParameterValues<double>& values) {

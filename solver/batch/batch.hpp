@@ -60,7 +60,7 @@ struct BatchOutputs {
 };
 
 /// Solves many impacts, several in each instruction, to |d(e^2)| <= 1e-12 (1 + |U_min|/(m v^2/2)) of
-/// solve_impact().
+/// solve_impact(); with a cohesive zone to 1e-9 of that.
 ///
 /// No bit of a result depends on the other impacts, on their number or order, or on the number of threads.
 /// Instruction sets differ within the bound above.

@@ -51,18 +51,18 @@ double transition_parameter(const ContactPair& contact, double stress) {
            std::cbrt(contact.effective_radius / (pi * contact.work_of_adhesion * modulus * modulus));
 }
 
-double transition_parameter(const ContactPair& contact) {
+double stated_transition_parameter(const ContactPair& contact) {
     const ParameterValues<double>& given = contact.parameters;
-    double lambda = 0.0;
-    if (given.has(stated_tabor)) {
-        lambda = transition_per_tabor() * given[stated_tabor];
-    } else {
-        const double stress = given.has(cohesive_stress)
-                                  ? given[cohesive_stress]
-                                  : cohesive_stress_of_range(contact.work_of_adhesion, given[cohesion_range]);
-        lambda = transition_parameter(contact, stress);
-    }
-    if (lambda >= 1e-4 && lambda <= 1e6) return lambda;
+    if (given.has(stated_tabor)) return transition_per_tabor() * given[stated_tabor];
+    const double stress = given.has(cohesive_stress)
+                              ? given[cohesive_stress]
+                              : cohesive_stress_of_range(contact.work_of_adhesion, given[cohesion_range]);
+    return transition_parameter(contact, stress);
+}
+
+double transition_parameter(const ContactPair& contact) {
+    const double lambda = stated_transition_parameter(contact);
+    if (is_computed_transition(lambda)) return lambda;
     throw InputError("the transition parameter of law maugis-dugdale is " + shortest(lambda),
                      "1e-4 to 1e6; law dmt below, law jkr above");
 }

@@ -32,6 +32,12 @@ struct MaugisUnits {
 /// Returns the transition parameter of a pair that carries one parameter of law maugis-dugdale [1].
 /// Requires w > 0. @throws InputError outside 1e-4 to 1e6, the range that the law computes
 [[nodiscard]] double transition_parameter(const ContactPair& contact);
+/// As above, whatever its value.
+[[nodiscard]] double stated_transition_parameter(const ContactPair& contact);
+/// Whether law maugis-dugdale computes a transition parameter.
+[[nodiscard]] constexpr bool is_computed_transition(double lambda) {
+    return lambda >= 1e-4 && lambda <= 1e6;
+}
 
 /// lambda/mu for the Tabor parameter mu = (R w^2/(E*^2 z0^3))^(1/3): (32/(9 sqrt 3)) (9/(16 pi))^(1/3)
 /// = 1.1570.

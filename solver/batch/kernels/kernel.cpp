@@ -10,6 +10,7 @@
 #include "core/quantities/checks.hpp"
 #include "solver/batch/kernels/laws.hpp"
 #include "solver/batch/tables/law_tables.hpp"
+#include "solver/contact/mechanics.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/damping/damping.hpp"
 
@@ -60,6 +61,31 @@ bool has_kernels(Law law, DampingLaw damping_law) {
     return has_one_number(damping_law) && law.visit<bool>([]<template <class> class L>() {
         return BatchLaws::index_of<L>() < BatchLaws::size;
     });
+}
+
+void find_transition_parameters(const Inputs& in, std::size_t count, double* out) {
+    const auto same_as_before = [&](std::size_t i) {
+        const auto same = [i](const Input& column) {
+            return column.size == 1 || column.values[i] == column.values[i - 1];
+        };
+        return same(in.effective_radius) && same(in.contact_modulus) && same(in.work_of_adhesion) &&
+               std::all_of(in.parameters.begin(), in.parameters.begin() + in.parameter_count,
+                           [&](const ParameterInput& parameter) { return same(parameter.values); });
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i > 0 && same_as_before(i)) {
+            out[i] = out[i - 1];
+            continue;
+        }
+        ContactPair pair{.mass = in.mass.at(i),
+                         .effective_radius = in.effective_radius.at(i),
+                         .contact_modulus = in.contact_modulus.at(i),
+                         .work_of_adhesion = in.work_of_adhesion.at(i)};
+        for (std::size_t k = 0; k < in.parameter_count; ++k)
+            pair.parameters.set(in.parameters[k].parameter->name, in.parameters[k].values.at(i));
+        const double lambda = pair.work_of_adhesion > 0.0 ? stated_transition_parameter(pair) : 0.0;
+        out[i] = is_computed_transition(lambda) ? lambda : std::numeric_limits<double>::quiet_NaN();
+    }
 }
 
 namespace {

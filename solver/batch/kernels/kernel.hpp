@@ -103,6 +103,10 @@ template <template <class> class L>
 /// The kernels of a law; without any, every problem is left to the scalar solver.
 [[nodiscard]] Kernels kernels_of(Law law, DampingLaw damping_law);
 
+/// Transition parameters of cohesive zones [1], NaN for problems that have none or one beyond the law's
+/// range.
+void find_transition_parameters(const Inputs& inputs, std::size_t count, double* out);
+
 /// Whether there are kernels: the contact law is in the list of solver/CMakeLists.txt, and the damping law
 /// has one number.
 [[nodiscard]] bool has_kernels(Law law, DampingLaw damping_law);

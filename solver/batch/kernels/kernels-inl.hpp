@@ -10,8 +10,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <span>
+#include <type_traits>
+#include <vector>
 
 #include <hwy/contrib/math/math-inl.h>
 
@@ -20,6 +23,8 @@
 #include "solver/batch/lanes/number_task.hpp"
 #include "solver/batch/lanes/orbit-inl.hpp"
 #include "solver/batch/tables/lookup-inl.hpp"
+#include "solver/batch/tables/zone_curve.hpp"
+#include "solver/contact/jkr.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/motion/scale.hpp"
 
@@ -47,6 +52,40 @@ namespace ashimpact::HWY_NAMESPACE {
     return pair;
 }
 
+/// Adhesion numbers at which a cohesive zone is followed: beyond them adhesion or inertia is lost beside the
+/// other, or the turn lies beyond the curve's pieces.
+inline constexpr double least_zone_adhesion = 1e-5;
+inline constexpr double most_zone_adhesion = 1e2;
+
+/// The curves of the impacts of a task.
+class ZoneCurves {
+  public:
+    void fill(const batch::Inputs& in, std::size_t count, DampingLaw damping_law, Detachment detachment) {
+        lambda_.resize(count);
+        curve_.assign(count, nullptr);
+        batch::find_transition_parameters(in, count, lambda_.data());
+        for (std::size_t i = 0; i < count; ++i) {
+            if (std::isnan(lambda_[i])) continue;
+            if (i > 0 && lambda_[i] == lambda_[i - 1]) {
+                curve_[i] = curve_[i - 1];
+                continue;
+            }
+            batch::ZoneCurve& curve = all_.emplace_back(lambda_[i], damping_law, detachment);
+            if (!curve.admissible()) continue;
+            curve_[i] = &curve;
+            if (i + many < count && lambda_[i + many] == lambda_[i]) curve.keep_pieces();
+        }
+    }
+    [[nodiscard]] const batch::ZoneCurve* const* curves() const { return curve_.data(); }
+
+  private:
+    static constexpr std::size_t many = 8;  ///< impacts of one curve for which it keeps its pieces
+
+    std::vector<double> lambda_;
+    std::deque<batch::ZoneCurve> all_;
+    std::vector<const batch::ZoneCurve*> curve_;
+};
+
 /// The impacts of a task, scaled.
 struct ScaledTask {
     static constexpr std::size_t capacity = batch::most_impacts + lane_count;
@@ -54,16 +93,39 @@ struct ScaledTask {
     HWY_ALIGN double damping[capacity];
     HWY_ALIGN double length[capacity];  ///< [m]
     HWY_ALIGN double time[capacity];    ///< [s]
+    ZoneCurves zones;                   ///< of a law with a cohesive zone
+
+    [[nodiscard]] batch::NumberColumns numbers(DampingLaw damping_law) const {
+        return {adhesion, damping, damping_law, zones.curves()};
+    }
 };
 
+/// The adhesion number of a form's law.
 template <class F>
-HWY_FLATTEN inline void scale_task(const batch::Inputs& in, std::size_t count, ScaledTask& out) {
+[[nodiscard]] HWY_INLINE LaneNumber adhesion_number_of(const BasicContactPair<LaneNumber>& pair,
+                                                       const LaneNumber& length) {
+    if constexpr (std::is_same_v<F, ZoneForm>)
+        return Jkr<LaneNumber>::adhesion_number(pair, length);
+    else
+        return F::template ContactLaw<LaneNumber>::adhesion_number(pair, length);
+}
+/// The coefficient of a damping law whose number is 1.
+template <class F>
+[[nodiscard]] HWY_INLINE LaneNumber damping_unit_of(const BasicScale<LaneNumber>& scale, DampingLaw law) {
+    if constexpr (std::is_same_v<F, ZoneForm>)
+        return scale.damping_unit(law);
+    else
+        return F::Damping::units(scale)[0];
+}
+
+template <class F>
+HWY_FLATTEN inline void scale_task(const batch::Inputs& in, std::size_t count, DampingLaw damping_law,
+                                   ScaledTask& out) {
     for (std::size_t i = 0; i < count; i += lane_count) {
         const BasicContactPair<LaneNumber> pair = read_pair(in, i, count);
         const auto scale = BasicScale<LaneNumber>::of(pair, LaneNumber(read(in.velocity, i, count)));
-        const LaneNumber adhesion = F::template ContactLaw<LaneNumber>::adhesion_number(pair, scale.length);
-        adhesion.lanes().store(out.adhesion + i);
-        (read(in.damping, i, count) / F::Damping::units(scale)[0].lanes()).store(out.damping + i);
+        adhesion_number_of<F>(pair, scale.length).lanes().store(out.adhesion + i);
+        (read(in.damping, i, count) / damping_unit_of<F>(scale, damping_law).lanes()).store(out.damping + i);
         scale.length.lanes().store(out.length + i);
         scale.time().lanes().store(out.time + i);
     }
@@ -111,15 +173,16 @@ inline void place_all(const double* numbers, std::size_t count, double* places) 
 
 /// Reads the results of a task from its table. @return impacts that have to be integrated
 template <bool with_time>
-HWY_NOINLINE PlaceList look_up(const batch::ImpactTask& task, const ScaledTask& scaled) {
+HWY_NOINLINE PlaceList look_up(const batch::ImpactTask& task, const ScaledTask& scaled,
+                               const PlaceList& all) {
     HWY_ALIGN double x[ScaledTask::capacity];
     HWY_ALIGN double y[ScaledTask::capacity];
     place_all(scaled.adhesion, task.count, x);
     place_all(scaled.damping, task.count, y);
     const batch::RestitutionPiece* pieces[batch::most_impacts];
-    for (std::size_t i = 0; i < task.count; ++i) pieces[i] = task.table->at(x[i], y[i]);
+    for (const std::size_t i : all.places()) pieces[i] = task.table->at(x[i], y[i]);
     PlaceList open;
-    for (std::size_t i = 0; i < task.count; ++i) {
+    for (const std::size_t i : all.places()) {
         const TableEntry impact = entry_at<with_time>(pieces[i], x[i], y[i]);
         if (impact.end == batch::LaneEnd::undecided) open.add(i);
         task.end[i] = impact.end;
@@ -136,17 +199,34 @@ template <class F, class Write>
 HWY_INLINE void follow_all(const batch::NumberColumns& numbers, std::span<const std::uint16_t> impacts,
                            Detachment detachment, Goal goal, const Write& write) {
     const batch::Order order(numbers, impacts);
+    const ZoneDamping law(numbers.damping_law);
     for (std::size_t first = 0; first < impacts.size(); first += block_size) {
         const std::size_t used = std::min(impacts.size() - first, block_size);
         Block block;
+        block.law = &law;
         for (std::size_t lane = 0; lane < block_size; ++lane) {
             const std::size_t i = order[first + (lane < used ? lane : used - 1)];
             block.adhesion[lane] = numbers.adhesion[i];
             block.damping[lane] = numbers.damping[i];
+            if constexpr (std::is_same_v<F, ZoneForm>) block.curve[lane] = numbers.curve[i];
         }
         follow<F>(block, detachment, goal);
         for (std::size_t lane = 0; lane < used; ++lane) write(order[first + lane], block, lane);
     }
+}
+
+/// Scales the problems of a task. @return those that the kernels solve
+template <class F, class Task>
+[[nodiscard]] PlaceList scaled_places(const Task& task, ScaledTask& scaled) {
+    scale_task<F>(task.inputs, task.count, task.damping_law, scaled);
+    if constexpr (!std::is_same_v<F, ZoneForm>) return PlaceList::all(task.count);
+    scaled.zones.fill(task.inputs, task.count, task.damping_law, task.detachment);
+    PlaceList places;
+    for (std::size_t i = 0; i < task.count; ++i)
+        if (scaled.zones.curves()[i] != nullptr && scaled.adhesion[i] > least_zone_adhesion &&
+            scaled.adhesion[i] < most_zone_adhesion)
+            places.add(i);
+    return places;
 }
 
 /// Solves the impacts of a task: scales them, reads results from the table if there is one, and integrates
@@ -154,8 +234,8 @@ HWY_INLINE void follow_all(const batch::NumberColumns& numbers, std::span<const 
 template <class F>
 HWY_NOINLINE void solve_task(const batch::ImpactTask& task) {
     ScaledTask scaled;
-    scale_task<F>(task.inputs, task.count, scaled);
-    const batch::NumberColumns numbers{scaled.adhesion, scaled.damping};
+    const PlaceList all = scaled_places<F>(task, scaled);
+    const batch::NumberColumns numbers = scaled.numbers(task.damping_law);
     const auto follow_to = [&](Goal goal, std::span<const std::uint16_t> impacts) HWY_ATTR {
         follow_all<F>(numbers, impacts, task.detachment, goal,
                       [&](std::size_t i, const Block& block, std::size_t lane) HWY_ATTR {
@@ -163,13 +243,17 @@ HWY_NOINLINE void solve_task(const batch::ImpactTask& task) {
                           if (goal != Goal::end) write_turn(task, scaled, i, block, lane);
                       });
     };
-    const PlaceList all = PlaceList::all(task.count);
+    if constexpr (std::is_same_v<F, ZoneForm>) {  // what the kernels do not follow
+        std::fill_n(task.end, task.count, batch::LaneEnd::undecided);
+        if (task.turning_point)
+            std::fill_n(task.maximum_overlap, task.count, std::numeric_limits<double>::quiet_NaN());
+    }
     if (task.table == nullptr) {
         follow_to(task.turning_point ? Goal::end_and_turn : Goal::end, all.places());
         return;
     }
     const PlaceList open =
-        task.with_contact_time ? look_up<true>(task, scaled) : look_up<false>(task, scaled);
+        task.with_contact_time ? look_up<true>(task, scaled, all) : look_up<false>(task, scaled, all);
     follow_to(Goal::end, open.places());
     if (task.turning_point) follow_to(Goal::turn, all.places());
 }
@@ -178,7 +262,17 @@ HWY_NOINLINE void solve_task(const batch::ImpactTask& task) {
 template <class F>
 HWY_NOINLINE void solve_numbers(const batch::NumberTask& task) {
     const PlaceList all = PlaceList::all(task.count);
-    follow_all<F>({task.adhesion, task.damping}, all.places(), task.detachment, Goal::end,
+    batch::ZoneCurve own;  // of this thread
+    if (task.curve != nullptr) {
+        own = *task.curve;
+        own.keep_pieces();
+    }
+    const std::vector<const batch::ZoneCurve*> curves(task.curve != nullptr ? task.count : 0, &own);
+    std::vector<double> adhesion(task.adhesion, task.adhesion + task.count);
+    if constexpr (std::is_same_v<F, ZoneForm>)
+        for (double& number : adhesion) number = std::clamp(number, least_zone_adhesion, most_zone_adhesion);
+    follow_all<F>({adhesion.data(), task.damping, task.damping_law, curves.data()}, all.places(),
+                  task.detachment, Goal::end,
                   [&](std::size_t i, const Block& block, std::size_t lane) HWY_ATTR {
                       task.end[i] = block.end(lane);
                       task.speed[i] = block.speed[lane];
@@ -193,13 +287,23 @@ inline constexpr int most_trials = 16;  ///< impacts after which a search is lef
 template <class F>
 HWY_INLINE void undamped_restitutions(const ScaledTask& scaled, Detachment detachment, std::size_t count,
                                       double* out) {
-    for (std::size_t i = 0; i < count; i += lane_count) {
-        const Equation<F> equation(Lanes::load(scaled.adhesion + i), Lanes(0.0));
-        const Places places = places_of(equation, detachment);
-        const Lanes cost = places.end_potential - equation.potential(places.touch);
-        HWY_ALIGN double values[lane_count];
-        sqrt(max(subtract_product(Lanes(1.0), Lanes(2.0), cost), 0.0)).store(values);
-        for (std::size_t k = 0; k < lane_count && i + k < count; ++k) out[i + k] = values[k];
+    if constexpr (std::is_same_v<F, ZoneForm>) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const batch::ZoneCurve* const curve = scaled.zones.curves()[i];
+            const double unit = std::pow(0.375 * scaled.adhesion[i] * scaled.adhesion[i], 5.0 / 3.0);
+            const double cost =
+                curve != nullptr ? unit * (curve->end().potential - curve->begin().potential) : 1.0;
+            out[i] = std::sqrt(std::max(1.0 - 2.0 * cost, 0.0));
+        }
+    } else {
+        for (std::size_t i = 0; i < count; i += lane_count) {
+            const Equation<F> equation(Lanes::load(scaled.adhesion + i), Lanes(0.0));
+            const Places places = places_of(equation, detachment);
+            const Lanes cost = places.end_potential - equation.potential(places.touch);
+            HWY_ALIGN double values[lane_count];
+            sqrt(max(subtract_product(Lanes(1.0), Lanes(2.0), cost), 0.0)).store(values);
+            for (std::size_t k = 0; k < lane_count && i + k < count; ++k) out[i + k] = values[k];
+        }
     }
 }
 
@@ -237,14 +341,17 @@ template <class F>
 HWY_INLINE void search_all(const batch::InversionTask& task, const ScaledTask& scaled, const double* start,
                            const PlaceList& open) {
     const std::span<const std::uint16_t> places = open.places();
-    const batch::Order order({scaled.adhesion, start}, places);
+    const batch::Order order({scaled.adhesion, start, task.damping_law}, places);
+    const ZoneDamping law(task.damping_law);
     for (std::size_t first = 0; first < places.size(); first += block_size) {
         const std::size_t used = std::min(places.size() - first, block_size);
         Block block;
+        block.law = &law;
         std::array<batch::DampingSearch, block_size> searches;
         for (std::size_t lane = 0; lane < block_size; ++lane) {
             const std::size_t i = order[first + (lane < used ? lane : used - 1)];
             block.adhesion[lane] = scaled.adhesion[i];
+            if constexpr (std::is_same_v<F, ZoneForm>) block.curve[lane] = scaled.zones.curves()[i];
             searches[lane] =
                 batch::DampingSearch(task.damping_law, task.inputs.restitution.at(i), task.undamped[i]);
         }
@@ -259,13 +366,14 @@ HWY_INLINE void search_all(const batch::InversionTask& task, const ScaledTask& s
 template <class F>
 HWY_NOINLINE void invert_task(const batch::InversionTask& task) {
     ScaledTask scaled;
-    scale_task<F>(task.inputs, task.count, scaled);
+    const PlaceList all = scaled_places<F>(task, scaled);
     undamped_restitutions<F>(scaled, task.detachment, task.count, task.undamped);
     HWY_ALIGN double x[ScaledTask::capacity];
     place_all(scaled.adhesion, task.count, x);
     double start[batch::most_impacts];  // first damping number of each search
     PlaceList open;
-    for (std::size_t i = 0; i < task.count; ++i) {
+    std::fill_n(task.found, task.count, std::uint8_t{0});
+    for (const std::size_t i : all.places()) {
         batch::DampingSearch own(task.damping_law, task.inputs.restitution.at(i), task.undamped[i]);
         start[i] = own.number();
         if (task.table == nullptr || !search(*task.table, x[i], own)) open.add(i);
@@ -289,11 +397,10 @@ struct CriticalBlock {
 template <class F>
 HWY_FLATTEN inline void scale_block(const batch::CriticalTask& task, std::size_t first, std::size_t count,
                                     CriticalBlock& block) {
-    using Law = typename F::template ContactLaw<LaneNumber>;
     const Lanes power(task.table->length_power());
     for (std::size_t i = 0; i < count; i += lane_count) {
         const BasicContactPair<LaneNumber> pair = read_pair(task.inputs, first + i, task.count);
-        const Lanes at_one = Law::adhesion_number(pair, LaneNumber(1.0)).lanes();
+        const Lanes at_one = adhesion_number_of<F>(pair, LaneNumber(1.0)).lanes();
         const Mask adhesive = at_one > Lanes(0.0);
         const Lanes log_length = power * Lanes(hn::Log(Tag(), select(adhesive, at_one, 1.0).v));
         const Lanes length(hn::Exp(Tag(), log_length.v));
@@ -305,8 +412,8 @@ HWY_FLATTEN inline void scale_block(const batch::CriticalTask& task, std::size_t
             .velocity = LaneNumber(velocity),
             .length = LaneNumber(length),
             .radius_length = LaneNumber(sqrt(pair.effective_radius.lanes() * length))};
-        const Lanes number =
-            read(task.inputs.damping, first + i, task.count) / F::Damping::units(scale)[0].lanes();
+        const Lanes number = read(task.inputs.damping, first + i, task.count) /
+                             damping_unit_of<F>(scale, task.damping_law).lanes();
         velocity.store(block.unit + i);
         select(adhesive, number, 0.0).store(block.number + i);
     }

@@ -310,7 +310,8 @@ HWY_INLINE LaneState select(Mask mask, const LaneState& yes, const LaneState& no
             select(mask, yes.time, no.time)};
 }
 
-/// The equation of motion of Form, for the adhesion and damping numbers of the lanes.
+/// The equation of motion of Form, for the adhesion and damping numbers of the lanes. ZoneForm has its own;
+/// what follows the motion of either uses the members that both have.
 template <class F>
 struct Equation {
     using Stiffness = Monic<F::stiffness, true>;
@@ -335,6 +336,31 @@ struct Equation {
           slope(adhesion_number),
           slope_constant(coefficient_of<F::slope, 0>(adhesion_number, 1.0)) {}
 
+    /// What kicked(), impulse_at() and slope_at() need of a state: they are evaluated together. Each is a
+    /// monic polynomial, over its unit.
+    using At = Powers<powers>;
+    [[nodiscard]] HWY_INLINE At at(Lanes q) const { return At(q); }
+    /// c - h
+    [[nodiscard]] HWY_INLINE Lanes kicked(Lanes c, const At& x) const {
+        return stiffness.subtracted_from(c, x);
+    }
+    [[nodiscard]] HWY_INLINE Lanes impulse_at(const At& x) const { return impulse(x); }
+    [[nodiscard]] HWY_INLINE Lanes slope_at(const At& x) const { return slope(x); }
+    [[nodiscard]] HWY_INLINE static Lanes kick_unit() { return Stiffness::Pattern::leading; }
+    [[nodiscard]] HWY_INLINE static Lanes impulse_unit() { return Impulse::Pattern::leading; }
+    [[nodiscard]] HWY_INLINE static Lanes slope_unit() { return Slope::Pattern::leading; }
+    /// Of the estimates of a step's error.
+    [[nodiscard]] HWY_INLINE static Lanes error_weight() { return F::Damping::error_weight; }
+    /// Makes the equation ready for steps from a state.
+    HWY_INLINE void prepare(Lanes /*q*/, Mask /*lanes*/, Mask /*inward*/) {}
+    /// The longest step from a state over which the equation is known.
+    [[nodiscard]] HWY_INLINE static Lanes longest_step(Lanes /*q*/, Lanes /*v*/, Lanes /*acceleration*/,
+                                                       Lanes step) {
+        return step;
+    }
+    /// Whether a state is within what the equation knows of.
+    [[nodiscard]] HWY_INLINE static Mask knows(Lanes /*q*/) { return every(); }
+
     /// beta g(q)
     [[nodiscard]] HWY_INLINE Lanes damping_impulse(Lanes q) const {
         return damping * value_of<F::impulse>(adhesion, q);
@@ -346,6 +372,8 @@ struct Equation {
     [[nodiscard]] HWY_INLINE Lanes potential(Lanes q) const { return value_of<F::potential>(adhesion, q); }
     [[nodiscard]] HWY_INLINE Lanes overlap(Lanes q) const { return value_of<F::overlap>(adhesion, q); }
     [[nodiscard]] HWY_INLINE Lanes force(Lanes q) const { return value_of<F::force>(adhesion, q); }
+    /// delta'(q)
+    [[nodiscard]] HWY_INLINE Lanes slope_of(Lanes q) const { return value_of<F::slope>(adhesion, q); }
     /// eta(q)
     [[nodiscard]] HWY_INLINE Lanes damping_at(Lanes q) const {
         return damping * value_of<F::damping_of_state>(adhesion, q);

@@ -19,13 +19,21 @@ namespace ashimpact::HWY_NAMESPACE {
 /// Values of q at which a contact law begins, rests and ends, for the adhesion numbers of the lanes, and the
 /// depth of its potential well.
 struct Places {
+    Places() = default;
+
     Lanes touch;
     Lanes equilibrium;
     Lanes end;  ///< of contact, except in lanes of by_force
     Lanes end_potential;
-    Lanes speed_squared;  ///< v^2 in the bottom of the well, undamped: 1 + 2 (U_touch - U_min)
-    Mask by_force;        ///< the contact ends where the total force vanishes
-    Mask too_slow;        ///< no return is fast enough at equilibrium to reach the end of contact
+    Lanes speed_squared;      ///< v^2 in the bottom of the well, undamped: 1 + 2 (U_touch - U_min)
+    Lanes touch_speed = 1.0;  ///< v at touch
+    Lanes touch_time = 0.0;   ///< since the impact began
+    Lanes end_overlap = 0.0;  ///< with a cohesive zone
+    Lanes parting = 0.0;      ///< potential at end; that of end_potential lies across a gap
+    /// Share of the energy in the well below which the kernels cannot separate capture from rebound.
+    double energy_doubt = 1e-9;
+    Mask by_force;  ///< the contact ends where the total force vanishes
+    Mask too_slow;  ///< no return is fast enough at equilibrium to reach the end of contact
 };
 
 /// Whether the damping of a form falls to touch with the repulsion, or faster; see
@@ -64,8 +72,31 @@ template <class F>
     return p;
 }
 
-/// Share of the energy in the well below which double precision cannot separate capture from rebound.
-inline constexpr double energy_doubt = 1e-9;
+/// The static law in equilibrium.
+struct Rest {
+    Lanes overlap;
+    Lanes damping;      ///< eta
+    Lanes slope;        ///< d(delta)/dq
+    Lanes force_slope;  ///< dF/dq
+};
+template <class F>
+[[nodiscard]] HWY_INLINE Rest rest_of(const Equation<F>& equation, const Places& places) {
+    const Lanes q = places.equilibrium;
+    return {equation.overlap(q), equation.damping_at(q), equation.slope_of(q),
+            value_of<F::force_slope>(equation.adhesion, q)};
+}
+template <class F>
+[[nodiscard]] HWY_INLINE Lanes overlap_at_end(const Equation<F>& equation, const Places& places) {
+    return equation.overlap(places.end);
+}
+/// Some damping laws capture every impact that touches at q = 0, from a limit of the damping number on.
+template <class F>
+[[nodiscard]] HWY_INLINE Mask overdamped(const Equation<F>& equation, const Places& places) {
+    constexpr double limit = F::Damping::overdamped_squared;
+    if constexpr (limit == std::numeric_limits<double>::infinity()) return none();
+    return both(places.touch <= Lanes(0.0), equation.damping * equation.damping >= Lanes(limit));
+}
+
 /// v^2 in the well from which on rounding in the well is seen in the energy of a rebound.
 inline constexpr double deepest_well = 1e5;
 
@@ -90,7 +121,8 @@ class LaneCapture {
         const Lanes left = energy_left(q, v);
         const Mask caught = both(both(leaving, q > places_.end), left < Lanes(0.0));
         LaneVerdict verdict{either(caught, both(leaving, places_.too_slow)),
-                            both(caught, left > places_.speed_squared * Lanes(-energy_doubt)), none()};
+                            both(caught, left > places_.speed_squared * Lanes(-places_.energy_doubt)),
+                            none()};
         if (look_for_creeping) {
             verdict.never_turn = both(both(active, approaching), creeping_up(q, v));
             verdict.captured = either(verdict.captured, both(without(active, approaching), creeping(q, v)));
@@ -106,29 +138,22 @@ class LaneCapture {
     }
     /// After the turn: so damped that it creeps back without ever reaching the end of contact.
     [[nodiscard]] HWY_INLINE Mask creeping(Lanes q, Lanes v) const {
-        const Lanes way = equation_.overlap(q) - equation_.overlap(places_.end);
-        const Lanes least = equation_.damping_at(places_.equilibrium);
+        const Lanes way = equation_.overlap(q) - overlap_at_end(equation_, places_);
+        const Lanes least = rest_of(equation_, places_).damping;
         const Mask slow = v >= least * way * Lanes(-0.5);
         const Mask soft = Lanes(4.0) * equation_.force(q) < least * least * way;
-        return without(either(both(q >= places_.equilibrium, both(slow, soft)), overdamped()),
-                       places_.by_force);
+        return without(
+            either(both(q >= places_.equilibrium, both(slow, soft)), overdamped(equation_, places_)),
+            places_.by_force);
     }
     /// Before the turn: so damped that it creeps up to equilibrium and never turns.
     [[nodiscard]] HWY_INLINE Mask creeping_up(Lanes q, Lanes v) const {
-        const Lanes at = places_.equilibrium;
+        const Rest rest = rest_of(equation_, places_);
         const Lanes damping = equation_.damping_at(q);
-        const Lanes way = equation_.overlap(at) - equation_.overlap(q);
+        const Lanes way = rest.overlap - equation_.overlap(q);
         // eta^2 >= 4 dF/d(delta) at equilibrium, without the division
-        const Lanes stiffness = Lanes(4.0) * value_of<F::force_slope>(equation_.adhesion, at);
-        const Mask damped = damping * damping * value_of<F::slope>(equation_.adhesion, at) >= stiffness;
-        return both(q < at, both(damped, v <= damping * way * Lanes(0.5)));
-    }
-
-    /// Some damping laws capture every impact that touches at q = 0, from a limit of the damping number on.
-    [[nodiscard]] HWY_INLINE Mask overdamped() const {
-        constexpr double limit = F::Damping::overdamped_squared;
-        if constexpr (limit == std::numeric_limits<double>::infinity()) return none();
-        return both(places_.touch <= Lanes(0.0), equation_.damping * equation_.damping >= Lanes(limit));
+        const Mask damped = damping * damping * rest.slope >= Lanes(4.0) * rest.force_slope;
+        return both(q < places_.equilibrium, both(damped, v <= damping * way * Lanes(0.5)));
     }
 
     const Equation<F>& equation_;
@@ -316,7 +341,7 @@ template <class F>
     for (int i = 1; i < newton_steps; ++i) h = h - x.velocity_at(h) / x.acceleration_at(h);
     LaneTurn turn;
     turn.time = select(turned, x.time_at(h), Lanes(hn::NaN(Tag())));
-    turn.overlap = equation.overlap(select(turned, x.position_at(h), places.equilibrium));
+    turn.overlap = select(turned, equation.overlap(x.position_at(h)), rest_of(equation, places).overlap);
     return turn;
 }
 
@@ -333,6 +358,13 @@ template <class F>
         h = h - move;
     }
     return {-x.velocity_at(h), x.time_at(h), abs(move) < Lanes(1e-8)};
+}
+
+/// The arrival outside of contact, from that at its end.
+template <class F>
+[[nodiscard]] HWY_INLINE LaneArrival separated(const Equation<F>& /*equation*/, const Places& /*places*/,
+                                               const LaneArrival& arrival) {
+    return arrival;
 }
 
 /// What was found of the impacts of the lanes.
@@ -364,7 +396,7 @@ struct LaneFindings {
 
     /// Lanes that have certainly ended, with a reliable speed.
     [[nodiscard]] HWY_INLINE Mask surely_ended(const LaneArrival& arrival, const Places& places) const {
-        const Mask fast = arrival.speed * arrival.speed > places.speed_squared * Lanes(energy_doubt);
+        const Mask fast = arrival.speed * arrival.speed > places.speed_squared * Lanes(places.energy_doubt);
         return both(both(ended, arrival.found), both(fast, places.speed_squared < Lanes(deepest_well)));
     }
     /// Lanes whose turning point at @p time, or its absence, is certain. In doubt are those that turn while
@@ -373,7 +405,7 @@ struct LaneFindings {
     template <class F>
     [[nodiscard]] HWY_INLINE Mask surely_turned(Lanes time, const Equation<F>& equation,
                                                 const Places& places) const {
-        const Lanes slope = value_of<F::slope>(equation.adhesion, turn.position);
+        const Lanes slope = equation.slope_of(turn.position);
         const Lanes pull = rates_of(equation, turn.position, Lanes(0.0)).acceleration / slope * time;
         const Mask doubt = pull * pull < places.speed_squared * Lanes(1e-8);
         return either(without(turned, doubt), never_turns);

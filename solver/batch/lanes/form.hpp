@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <numeric>
 
+#include "solver/batch/lanes/zone_form.hpp"
 #include "solver/damping/registry.hpp"
 #include "solver/numeric/number.hpp"
 #include "solver/numeric/polynomial.hpp"
@@ -143,9 +144,12 @@ struct Form {
 /// Calls @p call with the Form of a contact law and a damping law of one term.
 template <template <class> class L, class Call>
 void with_form(DampingLaw damping_law, const Call& call) {
-    RegisteredDampings::visit<void>(damping_law, [&]<class Damping>() {
-        if constexpr (terms_of<Damping> == 1) call(Form<L, Damping>());
-    });
+    if constexpr (requires { L<double>::has_cohesive_zone; })
+        call(ZoneForm());
+    else
+        RegisteredDampings::visit<void>(damping_law, [&]<class Damping>() {
+            if constexpr (terms_of<Damping> == 1) call(Form<L, Damping>());
+        });
 }
 
 }  // namespace ashimpact

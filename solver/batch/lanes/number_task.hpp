@@ -26,6 +26,8 @@ enum class LaneEnd : std::uint8_t {
 /// Greatest number of problems in a task.
 inline constexpr std::size_t most_impacts = 2048;
 
+class ZoneCurve;
+
 /// A chunk of scaled impacts for one thread, given by adhesion and damping number; results are scaled.
 struct NumberTask {
     DampingLaw damping_law;
@@ -33,6 +35,7 @@ struct NumberTask {
     std::size_t count;
     const double* adhesion;
     const double* damping;
+    const ZoneCurve* curve;  ///< of a law with a cohesive zone
     LaneEnd* end;
     double* speed;  ///< at the end of contact, where it is a rebound
     double* time;   ///< of contact, where it is a rebound
@@ -45,6 +48,8 @@ using NumberKernel = void (*)(const NumberTask&);
 struct NumberColumns {
     const double* adhesion;
     const double* damping;
+    DampingLaw damping_law;
+    const ZoneCurve* const* curve = nullptr;  ///< of a law with a cohesive zone
 };
 
 /// An order of the impacts of a task in which similar ones are neighbours. It changes no result, only how

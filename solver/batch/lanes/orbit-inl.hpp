@@ -8,9 +8,11 @@
 #endif
 
 #include <cstdint>
+#include <type_traits>
 
 #include "solver/batch/lanes/number_task.hpp"
 #include "solver/batch/lanes/steps-inl.hpp"
+#include "solver/batch/lanes/zone-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
@@ -22,6 +24,8 @@ inline constexpr int most_passes = 64;  ///< steps; an impact that needs more is
 struct Block {
     HWY_ALIGN double adhesion[block_size];
     HWY_ALIGN double damping[block_size];
+    const batch::ZoneCurve* curve[block_size];  ///< of ZoneForm; otherwise unused, as the next
+    const ZoneDamping* law;
     HWY_ALIGN double speed[block_size];         ///< at the end of contact
     HWY_ALIGN double time[block_size];          ///< of contact
     HWY_ALIGN double turn_time[block_size];     ///< NaN where it never turns
@@ -49,8 +53,10 @@ struct Block {
 template <class F>
 class LaneOrbit {
   public:
-    static constexpr int sequences = 8;
-    static constexpr int sequences_to_turn = 6;  ///< of the step to the turn, half as long or less
+    /// In a cohesive zone the pieces of its curve limit the steps.
+    static constexpr int sequences = std::is_same_v<F, ZoneForm> ? 6 : 8;
+    static constexpr int sequences_to_turn =
+        sequences - 2;              ///< of the step to the turn, half as long or less
     static constexpr int late = 5;  ///< creeping is tested only from this step on; it is rare and slow
 
     LaneOrbit() = default;
@@ -59,13 +65,14 @@ class LaneOrbit {
         : equation_(equation),
           places_(places_of(equation, detachment)),
           pilot_(inward_step(equation, places_)),
-          error_scale_(Lanes(F::Damping::error_weight) / places_.speed_squared),
+          error_scale_(equation_.error_weight() / places_.speed_squared),
           goal_(goal),
           approaching_(every()),
           active_(every()) {
         state_.position = places_.touch;
-        state_.momentum = Lanes(1.0) + equation.damping_impulse(places_.touch);
-        state_.time = 0.0;
+        equation_.prepare(places_.touch, every(), every());
+        state_.momentum = places_.touch_speed + equation_.damping_impulse(places_.touch);
+        state_.time = places_.touch_time;
         found_.turn = found_.end = state_;
     }
 
@@ -81,6 +88,7 @@ class LaneOrbit {
         to_turn_ = true;
         found_.forget();
         approaching_ = active_ = without(every(), found_.never_turns);
+        equation_.prepare(state_.position, active_, next.velocity > Lanes(0.0));
     }
 
     [[nodiscard]] HWY_INLINE const Equation<F>& equation() const { return equation_; }
@@ -91,6 +99,7 @@ class LaneOrbit {
     /// Detects events at the present state and chooses the next step.
     HWY_INLINE void observe(int pass) {
         const Lanes q = state_.position;
+        equation_.prepare(q, active_, approaching_);
         const Lanes v = equation_.velocity(state_);
         const Rates r = rates_of(equation_, q, v);
         const Lanes usual = pilot_.step();
@@ -116,7 +125,7 @@ class LaneOrbit {
         found_.record(verdict);
         active_ = without(active_, verdict.captured);
         const Mask within = without(event < usual * pilot_.reach(), turning);
-        step_ = select(within, max(event, -usual), usual);
+        step_ = equation_.longest_step(q, v, r.acceleration, select(within, max(event, -usual), usual));
         speed_ = abs(v);
         stiffness_ = abs(r.stiffness);
     }
@@ -131,7 +140,8 @@ class LaneOrbit {
         const Lanes error = multiply_add(max(speed_, abs(v)), abs(step.momentum_error),
                                          max(stiffness_, abs(step.end_stiffness)) * abs(step.position_error));
         // A step after which the overlap grows again may have passed the end of contact.
-        const Mask returned = without(v > Lanes(0.0), approaching_);
+        const Mask returned =
+            either(without(v > Lanes(0.0), approaching_), without(every(), equation_.knows(next.position)));
         const Lanes judged = select(returned, returned_error, error * error_scale_);
         const Mask good =
             pilot_.template judge<2 * sequences - 1>(abs(step_), judged, v > Lanes(0.0), active_);
@@ -141,7 +151,7 @@ class LaneOrbit {
 
     /// Writes the ends of the impacts into the lanes of a block from @p first on.
     HWY_INLINE void store_end(Block& block, std::size_t first) const {
-        const LaneArrival end = end_point(equation_, places_, found_.end);
+        const LaneArrival end = separated(equation_, places_, end_point(equation_, places_, found_.end));
         end.time.store(block.time + first);
         end.speed.store(block.speed + first);
         block.rebound |= bits_of(found_.surely_ended(end, places_)) << first;
@@ -195,6 +205,17 @@ HWY_INLINE void integrate(Groups<LaneOrbit<F>>& orbits, int pass) {
     }
 }
 
+/// The equation of the lanes of a block from @p first on.
+template <class F>
+[[nodiscard]] HWY_INLINE Equation<F> equation_of(const Block& block, std::size_t first) {
+    const Lanes adhesion = Lanes::load(block.adhesion + first);
+    const Lanes damping = Lanes::load(block.damping + first);
+    if constexpr (std::is_same_v<F, ZoneForm>)
+        return {adhesion, damping, block.curve + first, *block.law};
+    else
+        return {adhesion, damping};
+}
+
 /// Integrates the impacts of a block.
 template <class F>
 HWY_NOINLINE void follow(Block& block, Detachment detachment, Goal goal) {
@@ -202,8 +223,7 @@ HWY_NOINLINE void follow(Block& block, Detachment detachment, Goal goal) {
     Groups<Orbit> orbits;
     for (std::size_t group = 0; group < group_count; ++group) {
         const std::size_t first = group * lane_count;
-        const Equation<F> equation(Lanes::load(block.adhesion + first), Lanes::load(block.damping + first));
-        orbits[group] = Orbit(equation, detachment, goal);
+        orbits[group] = Orbit(equation_of<F>(block, first), detachment, goal);
     }
     block.rebound = block.capture = block.turn = 0;
     integrate<F>(orbits, 0);

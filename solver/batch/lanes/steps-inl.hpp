@@ -223,8 +223,7 @@ class ExtrapolatedLeapfrog {
 
   private:
     static constexpr Extrapolation<sequences> extrapolation{};
-    static constexpr double kick_unit = Equation<F>::Stiffness::Pattern::leading;
-    using At = Powers<Equation<F>::powers>;
+    using At = typename Equation<F>::At;
 
     /// Relative to the state at the start, so that rounding scales with the change.
     struct Chain {
@@ -234,11 +233,11 @@ class ExtrapolatedLeapfrog {
         Lanes slopes;    ///< sum of the monic part of delta'(q)
     };
     struct Start {
-        Lanes momentum;    ///< y in units of kick_unit H
+        Lanes momentum;    ///< y in units of kick_unit() H
         Lanes half_kick;   ///< -h/2, monic
         Lanes impulse;     ///< g, monic
         Lanes half_slope;  ///< monic part
-        Lanes drift;       ///< kick_unit H^2
+        Lanes drift;       ///< kick_unit() H^2
         Lanes damping;     ///< 2 H beta (leading coefficient of g)
     };
     /// What Start and the step H give for one substep.
@@ -251,14 +250,15 @@ class ExtrapolatedLeapfrog {
     [[nodiscard]] HWY_INLINE static Start started(const Orbit& orbit) {
         const Equation<F>& equation = orbit.equation();
         const Lanes h = orbit.step();
-        const At at(orbit.state().position);
+        const At at = equation.at(orbit.state().position);
+        const Lanes kick_unit = equation.kick_unit();
         Start s;
-        s.momentum = orbit.state().momentum / (Lanes(kick_unit) * h);
-        s.half_kick = equation.stiffness.subtracted_from(0.0, at) * Lanes(0.5);
-        s.impulse = equation.impulse(at);
-        s.half_slope = equation.slope(at) * Lanes(0.5);
-        s.drift = Lanes(kick_unit) * h * h;
-        s.damping = Lanes(2.0 * Equation<F>::Impulse::Pattern::leading) * h * equation.damping;
+        s.momentum = orbit.state().momentum / (kick_unit * h);
+        s.half_kick = equation.kicked(0.0, at) * Lanes(0.5);
+        s.impulse = equation.impulse_at(at);
+        s.half_slope = equation.slope_at(at) * Lanes(0.5);
+        s.drift = kick_unit * h * h;
+        s.damping = Lanes(2.0) * equation.impulse_unit() * h * equation.damping;
         return s;
     }
 
@@ -290,10 +290,10 @@ class ExtrapolatedLeapfrog {
 
     HWY_INLINE static void advance(const Orbit& orbit, const Substep& h, Chain& c) {
         const Equation<F>& equation = orbit.equation();
-        const At at(orbit.state().position + c.position);
-        const Lanes kicked = equation.stiffness.subtracted_from(c.momentum, at);
-        const Lanes braked = subtract_product(c.previous + h.free, h.damping, equation.impulse(at));
-        c.slopes = c.slopes + equation.slope(at);
+        const At at = equation.at(orbit.state().position + c.position);
+        const Lanes kicked = equation.kicked(c.momentum, at);
+        const Lanes braked = subtract_product(c.previous + h.free, h.damping, equation.impulse_at(at));
+        c.slopes = c.slopes + equation.slope_at(at);
         c.previous = c.position;
         c.position = multiply_add(h.drift, c.momentum + kicked, braked);
         c.momentum = kicked;
@@ -304,24 +304,25 @@ class ExtrapolatedLeapfrog {
         const double weight = extrapolation.weight[static_cast<std::size_t>(sequence - 1)];
         const double difference = extrapolation.difference[static_cast<std::size_t>(sequence - 1)];
         const Equation<F>& equation = orbit.equation();
-        const At at(orbit.state().position + c.position);
-        const Lanes kick = equation.stiffness.subtracted_from(0.0, at);
-        const Lanes slopes = multiply_add(equation.slope(at), 0.5, c.slopes);
+        const At at = equation.at(orbit.state().position + c.position);
+        const Lanes kick = equation.kicked(0.0, at);
+        const Lanes slopes = multiply_add(equation.slope_at(at), 0.5, c.slopes);
         const Lanes pushed = multiply_add(kick, 0.5, c.momentum);
         r.change.position = multiply_add(c.position, weight, r.change.position);
         r.change.momentum = multiply_add(pushed, weight / substeps, r.change.momentum);
         r.change.time = multiply_add(slopes, weight / substeps, r.change.time);
         r.position_error = multiply_add(c.position, difference, r.position_error);
         r.momentum_error = multiply_add(pushed, difference / substeps, r.momentum_error);
-        if (sequence == sequences) r.end_stiffness = kick * Lanes(-kick_unit);
+        if (sequence == sequences) r.end_stiffness = -(kick * equation.kick_unit());
     }
 
     HWY_INLINE static void finish(const Orbit& orbit, LaneStep& r) {
         const Lanes h = orbit.step();
-        r.change.momentum = r.change.momentum * (Lanes(kick_unit) * h);
-        r.momentum_error = r.momentum_error * (Lanes(kick_unit) * h);
-        r.change.time = h * multiply_add(r.change.time, Equation<F>::Slope::Pattern::leading,
-                                         orbit.equation().slope_constant);
+        const Lanes unit = orbit.equation().kick_unit() * h;
+        r.change.momentum = r.change.momentum * unit;
+        r.momentum_error = r.momentum_error * unit;
+        r.change.time =
+            h * multiply_add(r.change.time, orbit.equation().slope_unit(), orbit.equation().slope_constant);
     }
 };
 

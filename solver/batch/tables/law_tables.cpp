@@ -85,6 +85,7 @@ struct NumberedImpacts {
                 .count = count,
                 .adhesion = adhesion.data(),
                 .damping = damping.data(),
+                .curve = nullptr,
                 .end = end.data(),
                 .speed = speed.data(),
                 .time = time.data()});

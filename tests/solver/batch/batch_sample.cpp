@@ -136,6 +136,15 @@ Impacts random_impacts_of(Law law, Eigen::Index count, double most_damping, std:
     return *last;
 }
 
+std::vector<BatchMethod> methods_of(const Impacts& impacts) {
+    if (has_tables(impacts.law, impacts.damping_law)) return {BatchMethod::integration, BatchMethod::table};
+    return {BatchMethod::integration};
+}
+
+double bound_of(Law law) {
+    return law.has_cohesive_zone() ? 1e-9 : 1e-12;
+}
+
 double conditioned_error(double restitution, const ImpactResult& reference) {
     const double depth = std::abs(reference.energy.minimum) / reference.energy.incident;
     return std::abs(restitution * restitution - reference.restitution * reference.restitution) /

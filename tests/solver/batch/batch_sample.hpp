@@ -46,6 +46,12 @@ struct Impacts {
 /// Those of one law with the detachment registered last and Tsuji's damping.
 [[nodiscard]] Impacts random_impacts_of(Law law, Eigen::Index count, double most_damping, std::uint64_t seed);
 
+/// The ways to solve a batch: table only where there is one.
+[[nodiscard]] std::vector<BatchMethod> methods_of(const Impacts& impacts);
+
+/// Greatest conditioned_error() of a batch of that law [1].
+[[nodiscard]] double bound_of(Law law);
+
 /// |e^2 - e_ref^2| / (1 + |U_min|/(m v^2/2)), the error in units of the problem's conditioning [1].
 [[nodiscard]] double conditioned_error(double restitution, const ImpactResult& reference);
 
