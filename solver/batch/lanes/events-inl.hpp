@@ -31,7 +31,9 @@ struct Places {
     Lanes end_overlap = 0.0;  ///< with a cohesive zone
     Lanes parting = 0.0;      ///< potential at end; that of end_potential lies across a gap
     /// Share of the energy in the well below which the kernels cannot separate capture from rebound.
-    double energy_doubt = 1e-9;
+    Lanes energy_doubt = 1e-9;
+    /// Square of the share of the speed in the well that has to pull back at a turn that is certain.
+    double turn_doubt = 1e-8;
     Mask by_force;  ///< the contact ends where the total force vanishes
     Mask too_slow;  ///< no return is fast enough at equilibrium to reach the end of contact
 };
@@ -121,8 +123,7 @@ class LaneCapture {
         const Lanes left = energy_left(q, v);
         const Mask caught = both(both(leaving, q > places_.end), left < Lanes(0.0));
         LaneVerdict verdict{either(caught, both(leaving, places_.too_slow)),
-                            both(caught, left > places_.speed_squared * Lanes(-places_.energy_doubt)),
-                            none()};
+                            both(caught, left > -(places_.speed_squared * places_.energy_doubt)), none()};
         if (look_for_creeping) {
             verdict.never_turn = both(both(active, approaching), creeping_up(q, v));
             verdict.captured = either(verdict.captured, both(without(active, approaching), creeping(q, v)));
@@ -396,18 +397,18 @@ struct LaneFindings {
 
     /// Lanes that have certainly ended, with a reliable speed.
     [[nodiscard]] HWY_INLINE Mask surely_ended(const LaneArrival& arrival, const Places& places) const {
-        const Mask fast = arrival.speed * arrival.speed > places.speed_squared * Lanes(places.energy_doubt);
+        const Mask fast = arrival.speed * arrival.speed > places.speed_squared * places.energy_doubt;
         return both(both(ended, arrival.found), both(fast, places.speed_squared < Lanes(deepest_well)));
     }
     /// Lanes whose turning point at @p time, or its absence, is certain. In doubt are those that turn while
-    /// hardly anything pulls them back: where that changes the speed by 1e-4 of what it is in the well,
-    /// errors of 1e-12 move the time by 1e-8 of itself.
+    /// hardly anything pulls them back: where that changes the speed by 1e-4 of what it is in the well
+    /// (turn_doubt), errors of 1e-12 move the time by 1e-8 of itself.
     template <class F>
     [[nodiscard]] HWY_INLINE Mask surely_turned(Lanes time, const Equation<F>& equation,
                                                 const Places& places) const {
         const Lanes slope = equation.slope_of(turn.position);
         const Lanes pull = rates_of(equation, turn.position, Lanes(0.0)).acceleration / slope * time;
-        const Mask doubt = pull * pull < places.speed_squared * Lanes(1e-8);
+        const Mask doubt = pull * pull < places.speed_squared * Lanes(places.turn_doubt);
         return either(without(turned, doubt), never_turns);
     }
 };

@@ -11,6 +11,7 @@
 #include "core/text/error.hpp"
 #include "solver/batch/batch.hpp"
 #include "solver/batch/parallel.hpp"
+#include "solver/contact/jkr.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/scale.hpp"
 #include "tests/solver/batch/batch_sample.hpp"
@@ -298,6 +299,22 @@ TEST_CASE("impacts in a cohesive zone of any transition parameter are those of t
                 CHECK(relative_difference(result.contact_time[i], *reference.contact_time) <=
                       1e-8 * (1.0 + std::pow(reference.restitution, -2.0)));
         }
+    }
+}
+
+TEST_CASE("in the deepest wells of a cohesive zone of long reach an undamped impact still rebounds") {
+    for (Impacts& impacts : random_impacts(40, 1.0, 30)) {
+        if (!impacts.law.has_cohesive_zone() || impacts.detachment != Detachment::zero_overlap) continue;
+        impacts.damping.setZero();
+        impacts.parameters.at("tabor").setConstant(1.7e-4);
+        for (Eigen::Index i = 0; i < impacts.size(); ++i) {
+            const Impact impact = impacts.at(i);
+            const double number = Jkr<double>::adhesion_number(
+                impact.contact, Scale::of(impact.contact, impact.velocity).length);
+            impacts.work_of_adhesion[i] *= std::pow((50.0 + static_cast<double>(i)) / number, 2);
+        }
+        CAPTURE(name_of(impacts));
+        CHECK((solve_impacts(impacts.batch()).outcome == Outcome::rebound).all());
     }
 }
 
