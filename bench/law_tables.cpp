@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/law_tables.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <functional>
 #include <limits>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -18,6 +20,8 @@
 #include "bench/population.hpp"
 #include "solver/batch/batch.hpp"
 #include "solver/batch/kernels/kernel.hpp"
+#include "solver/motion/scale.hpp"
+#include "tests/support/random.hpp"
 
 namespace ashimpact::bench {
 
@@ -127,6 +131,74 @@ void print_tabulated_laws(const Options& options, double unit) {
     });
 }
 
+void print_cohesive_zone(const Options& options, double unit) {
+    constexpr Eigen::Index count = 200'000;
+    constexpr Eigen::Index few = 512;
+    const Law law = Law::of<MaugisDugdale>();
+    fmt::print("\n{:<30}{:>12}{:>12}{:>12}{:>12}{:>8}\n", "maugis-dugdale, constant", "integrated", "table",
+               "made in, s", "v_c/s", "/ GSL");
+    // One size: velocity and damping are even in the logarithm and in the damping number. Many: sizes alone
+    // vary.
+    for (const bool one_size : {true, false}) {
+        test::Random random(61);
+        Eigen::ArrayXd radius(count);
+        Eigen::ArrayXd mass(count);
+        Eigen::ArrayXd velocity = Eigen::ArrayXd::Constant(count, 2.0);
+        Eigen::ArrayXd damping(count);
+        const Eigen::ArrayXd modulus = Eigen::ArrayXd::Constant(1, 90e9);
+        const Eigen::ArrayXd work = Eigen::ArrayXd::Constant(1, 0.3);
+        const Eigen::ArrayXd range = Eigen::ArrayXd::Constant(1, 4e-10);
+        for (Eigen::Index i = 0; i < count; ++i) {
+            radius[i] = one_size ? 22e-6 : random.log_uniform(2e-6, 50e-6);
+            mass[i] = 4.0 / 3.0 * std::numbers::pi * 2600.0 * std::pow(radius[i], 3);
+            if (one_size) velocity[i] = random.log_uniform(0.05, 20.0);
+            const Scale scale = Scale::of({.mass = mass[i],
+                                           .effective_radius = radius[i],
+                                           .contact_modulus = modulus[0],
+                                           .work_of_adhesion = work[0]},
+                                          velocity[i]);
+            damping[i] =
+                scale.damping_coefficient(DampingLaw::constant, one_size ? random.uniform(0.0, 1.0) : 0.1);
+        }
+        const auto first = [](const Eigen::ArrayXd& column, Eigen::Index size) {
+            return column.size() == 1 ? column : Eigen::ArrayXd(column.head(size));
+        };
+        const auto batch_of = [&](Eigen::Index size) {
+            return test::Impacts{.law = law,
+                                 .detachment = Detachment::pull_off,
+                                 .damping_law = DampingLaw::constant,
+                                 .mass = first(mass, size),
+                                 .effective_radius = first(radius, size),
+                                 .contact_modulus = modulus,
+                                 .work_of_adhesion = work,
+                                 .damping = first(damping, size),
+                                 .velocity = first(velocity, size),
+                                 .parameters = {{"cohesion_range", range}}};
+        };
+        const test::Impacts all = batch_of(count);
+        const test::Impacts some = batch_of(few);
+        ImpactBatchResult result;
+        const auto solve = [&](BatchMethod method) {
+            solve_impacts(all.batch(), result, without_turn(method));
+        };
+        const std::clock_t start = std::clock();
+        solve(BatchMethod::table);
+        const double making = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        const auto rates = rates_of(
+            {{"integrated", static_cast<double>(count), [&] { solve(BatchMethod::integration); }},
+             {"table", static_cast<double>(count), [&] { solve(BatchMethod::table); }},
+             {"critical", static_cast<double>(few),
+              [&] {
+                  benchmark::DoNotOptimize(critical_velocities(
+                      {law, Detachment::pull_off, DampingLaw::constant, some.batch().contact, some.damping}));
+              }}},
+            options);
+        fmt::print("{:<30}{:>12.0f}{:>12.0f}{:>12.2f}{:>12.0f}{:>8.0f}\n",
+                   one_size ? "one size" : "sizes of 4 to 100 um", rates.at("integrated"), rates.at("table"),
+                   making, rates.at("critical"), rates.at("table") / unit);
+    }
+}
+
 void print_single_laws(const Options& options, double unit) {
     struct Row {
         Law law;
@@ -139,7 +211,6 @@ void print_single_laws(const Options& options, double unit) {
                            {Law::of<Dmt>(), DampingLaw::brach_dunn},
                            {Law::of<BrachDunn>(), DampingLaw::brach_dunn},
                            {Law::of<Jkr>(), DampingLaw::brach_dunn},
-                           {Law::of<MaugisDugdale>(), DampingLaw::constant},
                            {Law::of<ThorntonNing>(), DampingLaw::constant, 2e9}}) {
         const bool two_terms = row.damping == DampingLaw::brach_dunn;
         Population some = population(two_terms ? row.law : Law::of<Jkr>(),

@@ -129,6 +129,13 @@ void run_seams(const Options& options) {
     print_seams(options);
 }
 
+/// The cohesive zone, for who works on it.
+void run_zone(const Options& options) {
+    pin_to_one_core();
+    const double unit = gsl_rate(options);
+    print_cohesive_zone(options, unit);
+}
+
 void run(const Options& options) {
     fmt::print("{}; medians of {} repetitions; seconds of CPU time, on one core\n", processor(),
                options.repetitions);
@@ -136,6 +143,7 @@ void run(const Options& options) {
     pin_to_one_core();
     const double unit = gsl_rate(options);
     print_tabulated_laws(options, unit);  // while there are no tables
+    print_cohesive_zone(options, unit);
     print_single_laws(options, unit);
     compare_methods(options);
     print_integrated_laws(options);
@@ -157,10 +165,15 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     app.add_option("--seconds", options.seconds, "least length of a repetition")->capture_default_str();
     bool seams = false;
+    bool zone = false;
+    app.add_flag("--zone", zone, "only law maugis-dugdale beside GSL");
     app.add_flag("--seams", seams, "only sweep and Python beside a batch");
     CLI11_PARSE(app, argc, argv);
     try {
-        seams ? ashimpact::bench::run_seams(options) : ashimpact::bench::run(options);
+        if (zone)
+            ashimpact::bench::run_zone(options);
+        else
+            seams ? ashimpact::bench::run_seams(options) : ashimpact::bench::run(options);
     } catch (const std::exception& error) {
         std::cerr << "ashimpact_bench: " << error.what() << '\n';
         return 1;

@@ -121,14 +121,20 @@ class ImpactSolver {
             if (end_known && (!task.turning_point || is_possible_turn(task, i))) continue;
             ++solved_alone;
             try {
-                const ImpactResult result = solve_alone(chunk.impact(i));
+                const Impact impact = chunk.impact(i);
+                // Where kernels leave a creeping turn in doubt, so does double precision.
+                const bool doubtful_turn = is_cohesive(impact.law, impact.contact) &&
+                                           batch::has_kernels(impact.law, impact.damping.law);
+                ImpactResult result{};
+                if (!end_known || !doubtful_turn) result = solve_alone(impact);
                 if (!end_known) {
                     task.end[i] = result.outcome == Outcome::rebound ? LaneEnd::rebound : LaneEnd::capture;
                     task.restitution[i] = result.restitution;
                     task.contact_time[i] = result.contact_time.value_or(nothing);
                 }
                 // A turn that is known keeps its bits, however the end came to be known.
-                if (task.turning_point && is_possible_turn(task, i)) continue;
+                if (!task.turning_point || is_possible_turn(task, i)) continue;
+                if (doubtful_turn) result = solve_impact(impact);
                 task.approach_time[i] = result.approach_time.value_or(nothing);
                 task.maximum_overlap[i] = result.maximum_overlap;
             } catch (const ConvergenceError& error) {
@@ -211,10 +217,15 @@ std::int64_t invert(const Problems& chunk, batch::RestitutionTable* table, doubl
 
 using Answer = std::optional<CriticalVelocity>;
 
+/// Critical velocities of a law that is not self-similar have a number more than their table.
+bool has_critical_table(Law law, DampingLaw damping_law) {
+    return law.self_similar() && batch::has_kernels(law, damping_law);
+}
+
 /// Reads problems from the table of their law; undecided where it has none.
 void look_up(const Problems& problems, PieceState* state, double* value) {
     const auto& [law, detachment, damping_law, count, inputs] = problems;
-    if (!law.is_adhesive() || detachment == Detachment::zero_force || !has_tables(law, damping_law)) {
+    if (!law.is_adhesive() || detachment == Detachment::zero_force || !has_critical_table(law, damping_law)) {
         std::fill_n(state, count, PieceState::undecided);
         return;
     }
@@ -250,7 +261,13 @@ Answer closed_form(const CriticalVelocityProblem& problem) {
 }  // namespace
 
 bool has_tables(Law law, DampingLaw damping_law) {
-    return law.self_similar() && batch::has_kernels(law, damping_law);
+    return batch::has_kernels(law, damping_law);
+}
+
+BatchMethod method_of_many(Law law, DampingLaw damping_law, std::uint64_t impacts) {
+    constexpr std::uint64_t zone_table_pays = 2'000'000;
+    const bool pays = !law.has_cohesive_zone() || impacts >= zone_table_pays;
+    return pays && has_tables(law, damping_law) ? BatchMethod::table : BatchMethod::integration;
 }
 
 std::vector<ParameterColumn> single_columns(const ParameterValues<double>& values) {

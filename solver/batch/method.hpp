@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 #include "core/quantities/names.hpp"
@@ -15,7 +16,8 @@ enum class BatchMethod {
     integration,  ///< each impact is integrated
     table,  ///< e and contact time come from a table of the law's impacts. Its parts are integrated when they
             ///< are first needed, then kept. Impacts next to the edge of capture are integrated. Faster from
-            ///< about 100,000 impacts on. Refused where has_tables() is false.
+            ///< about 100,000 impacts on, with a cohesive zone 2 million. Refused where has_tables() is
+            ///< false.
 };
 
 template <>
@@ -26,9 +28,8 @@ struct Names<BatchMethod> {
 
 /// Whether there are tables of a contact law with a damping law: both have kernels.
 [[nodiscard]] bool has_tables(Law law, DampingLaw damping_law);
-/// The method for the many impacts of a contact law: table where there is one.
-[[nodiscard]] inline BatchMethod method_of_many(Law law, DampingLaw damping_law) {
-    return has_tables(law, damping_law) ? BatchMethod::table : BatchMethod::integration;
-}
+/// The method for many impacts of a contact law: table where there is one. That of a cohesive zone, made of
+/// dearer impacts, pays only where it is known that there are @p impacts enough.
+[[nodiscard]] BatchMethod method_of_many(Law law, DampingLaw damping_law, std::uint64_t impacts = 0);
 
 }  // namespace ashimpact

@@ -34,9 +34,10 @@ struct MaugisUnits {
 [[nodiscard]] double transition_parameter(const ContactPair& contact);
 /// As above, whatever its value.
 [[nodiscard]] double stated_transition_parameter(const ContactPair& contact);
+inline constexpr double least_transition = 1e-4;
 /// Whether law maugis-dugdale computes a transition parameter.
 [[nodiscard]] constexpr bool is_computed_transition(double lambda) {
-    return lambda >= 1e-4 && lambda <= 1e6;
+    return lambda >= least_transition && lambda <= 1e6;
 }
 
 /// lambda/mu for the Tabor parameter mu = (R w^2/(E*^2 z0^3))^(1/3): (32/(9 sqrt 3)) (9/(16 pi))^(1/3)

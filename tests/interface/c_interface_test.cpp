@@ -115,7 +115,7 @@ TEST_CASE("C interface: the bits of the batch solver, every law, detachment and 
             solve_impacts({c.law, c.detachment, c.damping_law, contact, damping, s.velocity},
                           {.turning_point = false, .method = method_of_many(c.law, c.damping_law)});
         CHECK(ashimpact_method(handle.get()) ==
-              std::string(has_tables(c.law, c.damping_law) ? "table" : "integration"));
+              name_of(method_of_many(c.law, c.damping_law)));
         std::vector<double> restitution = restitutions(handle, s);
         CHECK(same_bits(restitution, expected.restitution));
 

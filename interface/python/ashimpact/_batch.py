@@ -369,9 +369,9 @@ def impacts(
         tangential_velocity: along the wall [m/s].
         spin: positive where it adds to the slip of a positive tangential velocity [rad/s].
         friction: coefficient of Coulomb friction, needed with the three before [1].
-        method: integration; table, some ten times as fast from 100,000 impacts on, which has neither approach times nor
-            overlaps and does not exist for every law; or auto, table for so many impacts without a turning point if the
-            law has one, else integration. What was used is in the result.
+        method: integration; table, some ten times as fast from 100,000 impacts on (maugis-dugdale: 2 million), which has
+            neither approach times nor overlaps and does not exist for every law; or auto, table for so many impacts
+            without a turning point if the law has one, else integration. What was used is in the result.
         turning_point: whether to compute approach times and greatest overlaps.
         threads: 0 for one a core; no bit of a result depends on it.
         {law parameters}
@@ -389,7 +389,7 @@ def impacts(
     call, shape = _call(arguments, "velocity", "damping", *oblique)
     used = str(method)
     if used == "auto":
-        worth = not turning_point and np.prod(shape, dtype=np.int64) >= _MANY and call.has_tables()
+        worth = not turning_point and np.prod(shape, dtype=np.int64) >= _MANY and call.tables_pay()
         used = "table" if worth else "integration"
     solved = call.impacts(used, bool(turning_point) and used == "integration", bool(oblique))
     columns = {name: column.reshape(shape) for name, column in solved.items()}

@@ -71,9 +71,9 @@ class PythonCall {
     PythonCall(const PythonCall&) = delete;
     PythonCall& operator=(const PythonCall&) = delete;
 
-    /// Whether impacts may come from tables.
-    [[nodiscard]] bool has_tables() const {
-        return ashimpact::has_tables(call_.choice.law, call_.choice.damping_law);
+    /// Whether so many impacts come from tables faster.
+    [[nodiscard]] bool tables_pay() const {
+        return method_of_many(call_.choice.law, call_.choice.damping_law, call_.count) == BatchMethod::table;
     }
 
     /// An array for a result.
@@ -229,7 +229,7 @@ PYBIND11_MODULE(_core, module) {
     py::class_<PythonCall>(module, "Call")
         .def(py::init<const std::string&, const std::optional<std::string>&, const std::string&,
                       const py::dict&, std::size_t, int>())
-        .def("has_tables", &PythonCall::has_tables)
+        .def("tables_pay", &PythonCall::tables_pay)
         .def("impacts", &impacts)
         .def("critical_velocities", &velocities)
         .def("dampings", &dampings);

@@ -57,25 +57,34 @@ namespace ashimpact::HWY_NAMESPACE {
 inline constexpr double least_zone_adhesion = 1e-5;
 inline constexpr double most_zone_adhesion = 1e2;
 
-/// The curves of the impacts of a task.
+/// The transition parameters of the impacts of a task, and the curves of those that are followed.
 class ZoneCurves {
   public:
-    void fill(const batch::Inputs& in, std::size_t count, DampingLaw damping_law, Detachment detachment) {
+    void find(const batch::Inputs& in, std::size_t count) {
         lambda_.resize(count);
         curve_.assign(count, nullptr);
         batch::find_transition_parameters(in, count, lambda_.data());
-        for (std::size_t i = 0; i < count; ++i) {
-            if (std::isnan(lambda_[i])) continue;
-            if (i > 0 && lambda_[i] == lambda_[i - 1]) {
-                curve_[i] = curve_[i - 1];
-                continue;
-            }
-            batch::ZoneCurve& curve = all_.emplace_back(lambda_[i], damping_law, detachment);
-            if (!curve.admissible()) continue;
-            curve_[i] = &curve;
-            if (i + many < count && lambda_[i + many] == lambda_[i]) curve.keep_pieces();
-        }
     }
+    /// @return those of the impacts that a curve admits
+    template <class List>
+    [[nodiscard]] List fill(const List& impacts, DampingLaw damping_law, Detachment detachment) {
+        List admitted;
+        const auto places = impacts.places();
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            const std::size_t i = places[k];
+            const auto same = [&](std::size_t other) { return lambda_[places[other]] == lambda_[i]; };
+            if (k > 0 && same(k - 1)) {
+                curve_[i] = curve_[places[k - 1]];
+            } else {
+                batch::ZoneCurve& curve = all_.emplace_back(lambda_[i], damping_law, detachment);
+                curve_[i] = curve.admissible() ? &curve : nullptr;
+                if (k + many < places.size() && same(k + many)) curve.keep_pieces();
+            }
+            if (curve_[i] != nullptr) admitted.add(i);
+        }
+        return admitted;
+    }
+    [[nodiscard]] double lambda(std::size_t i) const { return lambda_[i]; }  ///< NaN: beyond the law's range
     [[nodiscard]] const batch::ZoneCurve* const* curves() const { return curve_.data(); }
 
   private:
@@ -171,19 +180,55 @@ inline void place_all(const double* numbers, std::size_t count, double* places) 
     for (std::size_t i = 0; i < count; i += lane_count) place_of(Lanes::load(numbers + i)).store(places + i);
 }
 
+/// The places of the impacts of a task in a table of their law.
+template <class F>
+class TablePlaces {
+  public:
+    static constexpr bool layered = std::is_same_v<F, ZoneForm>;
+
+    TablePlaces(const ScaledTask& scaled, std::size_t count) : scaled_(scaled) {
+        place_all(scaled.damping, count, y_);
+        if constexpr (!layered) {
+            place_all(scaled.adhesion, count, x_);
+        } else {
+            const Lanes scale(1.0 / batch::RestitutionTable::zone_powers);
+            const Lanes first(batch::RestitutionTable::zone_least_power);
+            for (std::size_t i = 0; i < count; i += lane_count) {
+                const Lanes power(hn::Log2(Tag(), max(Lanes::load(scaled.adhesion + i), 1e-300).v));
+                ((power - first) * scale).store(x_ + i);
+            }
+        }
+    }
+    [[nodiscard]] HWY_INLINE batch::RestitutionTable& table(batch::RestitutionTable& law,
+                                                            std::size_t i) const {
+        if constexpr (layered) return law.at_transition(scaled_.zones.lambda(i));
+        return law;
+    }
+    [[nodiscard]] HWY_INLINE TablePlace at(const batch::RestitutionTable& table, std::size_t i) const {
+        return {x_[i], y_[i], layered ? table.z(scaled_.zones.lambda(i)) : 0.0};
+    }
+
+  private:
+    const ScaledTask& scaled_;
+    HWY_ALIGN double x_[ScaledTask::capacity];
+    HWY_ALIGN double y_[ScaledTask::capacity];
+};
+
 /// Reads the results of a task from its table. @return impacts that have to be integrated
-template <bool with_time>
+template <bool with_time, class F>
 HWY_NOINLINE PlaceList look_up(const batch::ImpactTask& task, const ScaledTask& scaled,
                                const PlaceList& all) {
-    HWY_ALIGN double x[ScaledTask::capacity];
-    HWY_ALIGN double y[ScaledTask::capacity];
-    place_all(scaled.adhesion, task.count, x);
-    place_all(scaled.damping, task.count, y);
+    const TablePlaces<F> places(scaled, task.count);
     const batch::RestitutionPiece* pieces[batch::most_impacts];
-    for (const std::size_t i : all.places()) pieces[i] = task.table->at(x[i], y[i]);
+    TablePlace at[batch::most_impacts];
+    for (const std::size_t i : all.places()) {
+        batch::RestitutionTable& table = places.table(*task.table, i);
+        at[i] = places.at(table, i);
+        pieces[i] = table.at(at[i].x, at[i].y);
+    }
     PlaceList open;
     for (const std::size_t i : all.places()) {
-        const TableEntry impact = entry_at<with_time>(pieces[i], x[i], y[i]);
+        const TableEntry impact = entry_at<with_time, TablePlaces<F>::layered>(pieces[i], at[i]);
         if (impact.end == batch::LaneEnd::undecided) open.add(i);
         task.end[i] = impact.end;
         task.restitution[i] = impact.speed;
@@ -220,13 +265,20 @@ template <class F, class Task>
 [[nodiscard]] PlaceList scaled_places(const Task& task, ScaledTask& scaled) {
     scale_task<F>(task.inputs, task.count, task.damping_law, scaled);
     if constexpr (!std::is_same_v<F, ZoneForm>) return PlaceList::all(task.count);
-    scaled.zones.fill(task.inputs, task.count, task.damping_law, task.detachment);
+    scaled.zones.find(task.inputs, task.count);
     PlaceList places;
     for (std::size_t i = 0; i < task.count; ++i)
-        if (scaled.zones.curves()[i] != nullptr && scaled.adhesion[i] > least_zone_adhesion &&
+        if (!std::isnan(scaled.zones.lambda(i)) && scaled.adhesion[i] > least_zone_adhesion &&
             scaled.adhesion[i] < most_zone_adhesion)
             places.add(i);
     return places;
+}
+
+/// Those of the problems that can be integrated.
+template <class F, class Task>
+[[nodiscard]] PlaceList to_integrate(const Task& task, ScaledTask& scaled, const PlaceList& places) {
+    if constexpr (!std::is_same_v<F, ZoneForm>) return places;
+    return scaled.zones.fill(places, task.damping_law, task.detachment);
 }
 
 /// Solves the impacts of a task: scales them, reads results from the table if there is one, and integrates
@@ -235,9 +287,9 @@ template <class F>
 HWY_NOINLINE void solve_task(const batch::ImpactTask& task) {
     ScaledTask scaled;
     const PlaceList all = scaled_places<F>(task, scaled);
-    const batch::NumberColumns numbers = scaled.numbers(task.damping_law);
-    const auto follow_to = [&](Goal goal, std::span<const std::uint16_t> impacts) HWY_ATTR {
-        follow_all<F>(numbers, impacts, task.detachment, goal,
+    const auto follow_to = [&](Goal goal, const PlaceList& places) HWY_ATTR {
+        const PlaceList impacts = to_integrate<F>(task, scaled, places);
+        follow_all<F>(scaled.numbers(task.damping_law), impacts.places(), task.detachment, goal,
                       [&](std::size_t i, const Block& block, std::size_t lane) HWY_ATTR {
                           if (goal != Goal::turn) write_end(task, scaled, i, block, lane);
                           if (goal != Goal::end) write_turn(task, scaled, i, block, lane);
@@ -249,13 +301,13 @@ HWY_NOINLINE void solve_task(const batch::ImpactTask& task) {
             std::fill_n(task.maximum_overlap, task.count, std::numeric_limits<double>::quiet_NaN());
     }
     if (task.table == nullptr) {
-        follow_to(task.turning_point ? Goal::end_and_turn : Goal::end, all.places());
+        follow_to(task.turning_point ? Goal::end_and_turn : Goal::end, all);
         return;
     }
     const PlaceList open =
-        task.with_contact_time ? look_up<true>(task, scaled, all) : look_up<false>(task, scaled, all);
-    follow_to(Goal::end, open.places());
-    if (task.turning_point) follow_to(Goal::turn, all.places());
+        task.with_contact_time ? look_up<true, F>(task, scaled, all) : look_up<false, F>(task, scaled, all);
+    follow_to(Goal::end, open);
+    if (task.turning_point) follow_to(Goal::turn, all);
 }
 
 /// Solves impacts given by their numbers.
@@ -268,10 +320,7 @@ HWY_NOINLINE void solve_numbers(const batch::NumberTask& task) {
         own.keep_pieces();
     }
     const std::vector<const batch::ZoneCurve*> curves(task.curve != nullptr ? task.count : 0, &own);
-    std::vector<double> adhesion(task.adhesion, task.adhesion + task.count);
-    if constexpr (std::is_same_v<F, ZoneForm>)
-        for (double& number : adhesion) number = std::clamp(number, least_zone_adhesion, most_zone_adhesion);
-    follow_all<F>({adhesion.data(), task.damping, task.damping_law, curves.data()}, all.places(),
+    follow_all<F>({task.adhesion, task.damping, task.damping_law, curves.data()}, all.places(),
                   task.detachment, Goal::end,
                   [&](std::size_t i, const Block& block, std::size_t lane) HWY_ATTR {
                       task.end[i] = block.end(lane);
@@ -326,10 +375,11 @@ HWY_INLINE void search(Block& block, Detachment detachment, batch::DampingSearch
 }
 
 /// Searches the damping of one impact in a table. @return whether it was found there
-HWY_INLINE bool search(batch::RestitutionTable& table, double x, batch::DampingSearch& search) {
+template <class F>
+HWY_INLINE bool search(batch::RestitutionTable& table, TablePlace place, batch::DampingSearch& search) {
     for (int trial = 0; trial < most_trials && !search.found(); ++trial) {
-        const double y = search.number() / (1.0 + search.number());
-        const TableEntry impact = entry_at<false>(table.at(x, y), x, y);
+        place.y = search.number() / (1.0 + search.number());
+        const TableEntry impact = entry_at<false, TablePlaces<F>::layered>(table.at(place.x, place.y), place);
         if (impact.end == batch::LaneEnd::undecided) return false;
         search.observe(impact.speed);
     }
@@ -366,17 +416,21 @@ HWY_INLINE void search_all(const batch::InversionTask& task, const ScaledTask& s
 template <class F>
 HWY_NOINLINE void invert_task(const batch::InversionTask& task) {
     ScaledTask scaled;
-    const PlaceList all = scaled_places<F>(task, scaled);
+    const PlaceList all = to_integrate<F>(task, scaled, scaled_places<F>(task, scaled));
     undamped_restitutions<F>(scaled, task.detachment, task.count, task.undamped);
-    HWY_ALIGN double x[ScaledTask::capacity];
-    place_all(scaled.adhesion, task.count, x);
+    const TablePlaces<F> places(scaled, task.count);
+    const auto found_in_table = [&](std::size_t i, batch::DampingSearch& own) HWY_ATTR {
+        if (task.table == nullptr) return false;
+        batch::RestitutionTable& table = places.table(*task.table, i);
+        return search<F>(table, places.at(table, i), own);
+    };
     double start[batch::most_impacts];  // first damping number of each search
     PlaceList open;
     std::fill_n(task.found, task.count, std::uint8_t{0});
     for (const std::size_t i : all.places()) {
         batch::DampingSearch own(task.damping_law, task.inputs.restitution.at(i), task.undamped[i]);
         start[i] = own.number();
-        if (task.table == nullptr || !search(*task.table, x[i], own)) open.add(i);
+        if (!found_in_table(i, own)) open.add(i);
         task.number_unit[i] = 1.0 / scaled.damping[i];
         task.number[i] = own.number();
         task.found[i] = own.found() ? 1 : 0;

@@ -55,13 +55,19 @@ double power_of_length(Law law) {
     });
 }
 
-constexpr double square_tolerance = 2e-13;  ///< of e^2, in its last coefficients
-constexpr double time_tolerance = 1e-12;    ///< of the contact time, relative
+/// Of e^2 in its last coefficients, and relative of the contact time.
+struct Tolerances {
+    double square = 2e-13;
+    double time = 1e-12;
+};
+constexpr Tolerances of_zones{.square = 2e-10, .time = 1e-9};  ///< impacts are integrated to that
 
-/// Adhesion or damping number at a coordinate x or y of the table; infinite at 1.
+/// Adhesion or damping number at a coordinate of the table; infinite at 1.
 double number_at(double place) {
     return place / (1.0 - place);
 }
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Impacts given by their numbers, with their results, scaled.
 struct NumberedImpacts {
@@ -71,11 +77,7 @@ struct NumberedImpacts {
     std::vector<double> speed{};
     std::vector<double> time{};
 
-    void add(double x, double y) {
-        adhesion.push_back(number_at(x));
-        damping.push_back(number_at(y));
-    }
-    void solve(NumberKernel kernel, Detachment detachment, DampingLaw damping_law) {
+    void solve(NumberKernel kernel, Detachment detachment, DampingLaw damping_law, const ZoneCurve* curve) {
         const std::size_t count = adhesion.size();
         end.resize(count);
         speed.resize(count);
@@ -85,7 +87,7 @@ struct NumberedImpacts {
                 .count = count,
                 .adhesion = adhesion.data(),
                 .damping = damping.data(),
-                .curve = nullptr,
+                .curve = curve,
                 .end = end.data(),
                 .speed = speed.data(),
                 .time = time.data()});
@@ -131,17 +133,41 @@ bool store(const Values& powers, double allowed, SquarePolynomial& out) {
     return true;
 }
 
+/// Values of one layer after another at the nodes of a square.
+using Layers = std::vector<Values>;
+
+/// Turns values at the nodes of layers into coefficients: of Chebyshev polynomials, or of powers.
+Layers across(const Eigen::MatrixXd& transform, const Layers& values) {
+    Layers sums(values.size(), Values::Zero());
+    for (std::size_t k = 0; k < values.size(); ++k)
+        for (std::size_t l = 0; l < values.size(); ++l)
+            sums[k] += transform(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(l)) * values[l];
+    return sums;
+}
+
 /// Fits values at the nodes. @return whether what the polynomial leaves out is below @p allowed
-bool fit(const Values& values, double allowed, SquarePolynomial& out) {
+bool fit(const Layers& values, double allowed, SquarePolynomial RestitutionPolynomials::*which,
+         RestitutionContent& out) {
+    static const Eigen::MatrixXd analysis =
+        ChebyshevAxis{-1.0, 1.0, RestitutionTable::zone_layers - 1}.analysis();
+    static const Eigen::MatrixXd layer_powers = chebyshev_by_powers(RestitutionTable::zone_layers);
     const auto& t = Coordinate<rows>::the();
     const auto& u = Coordinate<columns>::the();
-    Values spectrum = t.chebyshev * values * u.chebyshev.transpose();
-    const double last =
-        std::max(spectrum.bottomRows(2).cwiseAbs().maxCoeff(), spectrum.rightCols(2).cwiseAbs().maxCoeff());
-    auto high_in_both = spectrum.bottomRightCorner<rows - low_rows, columns - low_columns>();
-    if (!(last < allowed && high_in_both.cwiseAbs().maxCoeff() < allowed)) return false;
-    high_in_both.setZero();
-    return store(t.powers * spectrum * u.powers.transpose(), allowed, out);
+    const bool layered = values.size() > 1;
+    Layers spectra = layered ? across(analysis, values) : values;
+    for (Values& spectrum : spectra) {
+        spectrum = (t.chebyshev * spectrum * u.chebyshev.transpose()).eval();
+        const double last = std::max(spectrum.bottomRows(2).cwiseAbs().maxCoeff(),
+                                     spectrum.rightCols(2).cwiseAbs().maxCoeff());
+        auto high_in_both = spectrum.bottomRightCorner<rows - low_rows, columns - low_columns>();
+        if (!(last < allowed && high_in_both.cwiseAbs().maxCoeff() < allowed)) return false;
+        high_in_both.setZero();
+    }
+    if (layered && !(spectra.back().cwiseAbs().maxCoeff() < allowed)) return false;
+    if (layered) spectra = across(layer_powers, spectra);
+    for (std::size_t k = 0; k < spectra.size(); ++k)
+        if (!store(t.powers * spectra[k] * u.powers.transpose(), allowed, out[k].*which)) return false;
+    return true;
 }
 
 }  // namespace
@@ -202,40 +228,83 @@ RestitutionTable::RestitutionTable(NumberKernel kernel, Detachment detachment, D
     roots_[0].span({0.5, 0.5}, 0.5);
 }
 
+RestitutionTable::RestitutionTable(NumberKernel kernel, Detachment detachment, DampingLaw damping_law,
+                                   const ZoneSpan& span)
+    : RestitutionTable(kernel, detachment, damping_law) {
+    span_ = span;
+    const ChebyshevAxis axis{-1.0, 1.0, zone_layers - 1};
+    for (std::size_t k = 0; k < zone_layers; ++k)
+        layers_.emplace_back(span.lambda_at(axis.node(static_cast<int>(k))), damping_law, detachment);
+    for (const double end : {-1.0, 1.0}) layers_.emplace_back(span.lambda_at(end), damping_law, detachment);
+}
+
+RestitutionTable& RestitutionTable::make_span(double lambda, std::atomic<RestitutionTable*>& known) {
+    const ZoneSpan span = ZoneSpan::of(lambda);
+    RestitutionTable& made =
+        table_of<RestitutionTable>(std::tuple(kernel_, detachment_, damping_law_, ZoneSpan::index(lambda)),
+                                   kernel_, detachment_, damping_law_, span);
+    known.store(&made, std::memory_order_release);
+    return made;
+}
+
+double RestitutionTable::adhesion_at(double x) const {
+    return layers_.empty() ? number_at(x) : std::exp2(zone_powers * x + zone_least_power);
+}
+
+bool RestitutionTable::all_end(LaneEnd end, double x, double y, double more) const {
+    constexpr ZoneCurve* without_zone = nullptr;
+    const auto ends = [&](const ZoneCurve* curve, double adhesion) {
+        NumberedImpacts corner{.adhesion = {adhesion}, .damping = {number_at(y)}};
+        corner.solve(kernel_, detachment_, damping_law_, curve);
+        return corner.end.front() == end;
+    };
+    if (layers_.empty()) return ends(without_zone, adhesion_at(x));
+    return std::ranges::all_of(
+        layers_, [&](const ZoneCurve& curve) { return ends(&curve, adhesion_at(x) * (1.0 + more)); });
+}
+
 PieceState RestitutionTable::judge(const RestitutionPiece& piece, int depth,
-                                   std::unique_ptr<RestitutionPolynomials>& content) const {
-    NumberedImpacts corners;
-    corners.add(piece.lower(0), piece.lower(1));
-    const bool bounded = piece.upper(0) < 1.0 && piece.upper(1) < 1.0;
-    if (bounded) corners.add(piece.upper(0), piece.upper(1));
-    corners.solve(kernel_, detachment_, damping_law_);
-    if (corners.end.front() == LaneEnd::capture) return PieceState::captured;
-    if (!bounded || corners.end.back() != LaneEnd::rebound || depth < least_depth) return PieceState::unknown;
+                                   RestitutionContent& content) const {
+    constexpr double margin = 1e-3;
+    if (!std::ranges::all_of(layers_, &ZoneCurve::admissible)) return PieceState::undecided;
+    if (all_end(LaneEnd::capture, piece.lower(0), piece.lower(1), -margin)) return PieceState::captured;
+    const bool bounded = adhesion_at(piece.upper(0)) < infinity && piece.upper(1) < 1.0;
+    if (!bounded || depth < least_depth || !all_end(LaneEnd::rebound, piece.upper(0), piece.upper(1), margin))
+        return PieceState::unknown;
     content = fitted(piece);
     return content ? PieceState::tabulated : PieceState::unknown;
 }
 
-std::unique_ptr<RestitutionPolynomials> RestitutionTable::fitted(const RestitutionPiece& piece) const {
+RestitutionContent RestitutionTable::fitted(const RestitutionPiece& piece) const {
     const ChebyshevAxis x{piece.lower(0), piece.upper(0), rows - 1};
     const ChebyshevAxis y{piece.lower(1), piece.upper(1), columns - 1};
+    const std::size_t count = layers_.empty() ? 1 : zone_layers;
     NumberedImpacts nodes;
     for (int i = 0; i < rows; ++i) {
-        for (int j = 0; j < columns; ++j) nodes.add(x.node(i), y.node(j));
-    }
-    nodes.solve(kernel_, detachment_, damping_law_);
-    Values squared;
-    Values time;
-    std::size_t k = 0;
-    for (int i = 0; i < rows; ++i) {
-        for (int j = 0; j < columns; ++j, ++k) {
-            if (nodes.end[k] != LaneEnd::rebound) return nullptr;
-            squared(i, j) = nodes.speed[k] * nodes.speed[k];
-            time(i, j) = nodes.time[k];
+        for (int j = 0; j < columns; ++j) {
+            nodes.adhesion.push_back(adhesion_at(x.node(i)));
+            nodes.damping.push_back(number_at(y.node(j)));
         }
     }
-    auto polynomials = std::make_unique<RestitutionPolynomials>();
-    const bool accurate = fit(squared, square_tolerance, polynomials->restitution_squared) &&
-                          fit(time, time_tolerance * time.maxCoeff(), polynomials->contact_time);
+    Layers squared(count);
+    Layers time(count);
+    for (std::size_t layer = 0; layer < count; ++layer) {
+        nodes.solve(kernel_, detachment_, damping_law_, layers_.empty() ? nullptr : &layers_[layer]);
+        std::size_t k = 0;
+        for (int i = 0; i < rows; ++i) {
+            for (int j = 0; j < columns; ++j, ++k) {
+                if (nodes.end[k] != LaneEnd::rebound) return nullptr;
+                squared[layer](i, j) = nodes.speed[k] * nodes.speed[k];
+                time[layer](i, j) = nodes.time[k];
+            }
+        }
+    }
+    const Tolerances tolerances = layers_.empty() ? Tolerances{} : of_zones;
+    RestitutionContent polynomials(new RestitutionPolynomials[count]);
+    const bool accurate =
+        fit(squared, tolerances.square, &RestitutionPolynomials::restitution_squared, polynomials) &&
+        fit(time, tolerances.time * time.front().maxCoeff(), &RestitutionPolynomials::contact_time,
+            polynomials);
     return accurate ? std::move(polynomials) : nullptr;
 }
 

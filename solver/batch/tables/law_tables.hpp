@@ -6,9 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "solver/batch/lanes/number_task.hpp"
 #include "solver/batch/tables/piece_tree.hpp"
+#include "solver/batch/tables/zone_curve.hpp"
 
 namespace ashimpact {
 
@@ -90,30 +92,51 @@ struct RestitutionPolynomials {
     SquarePolynomial contact_time;  ///< in units of the scale's time
 };
 
-using RestitutionPiece = Piece<2, std::unique_ptr<RestitutionPolynomials>>;
+/// One set; of a law with a cohesive zone one for each power of the place in a band of transition parameters.
+using RestitutionContent = std::unique_ptr<RestitutionPolynomials[]>;
+using RestitutionPiece = Piece<2, RestitutionContent>;
 using RestitutionTree = PieceTree<RestitutionPiece, 1, 6, 9>;
 extern template class PieceTree<RestitutionPiece, 1, 6, 9>;
 
 /// All impacts of one law, detachment and damping law. Scaled, they differ in two numbers, the adhesion
 /// number A and the damping number beta. The table contains e^2 and the contact time as Chebyshev polynomials
-/// on squares of x = A/(1 + A) and y = beta/(1 + beta), through impacts that the batch solver integrates.
-/// Squares are quartered until the last coefficients are negligible. The values of a square do not depend on
-/// when it is computed.
+/// on squares of x, which rises with A, and y = beta/(1 + beta), through impacts that the batch solver
+/// integrates. Squares are quartered until the last coefficients are negligible. The values of a square do
+/// not depend on when it is computed.
+///
+/// With a cohesive zone impacts have a third number, the transition parameter lambda: there is a table for
+/// each ZoneSpan of it, whose polynomials' coefficients are polynomials in the place z in the span.
 ///
 /// More adhesion and more damping capture more. So two opposite corners show whether a whole square rebounds
-/// or is captured. docs/decisions/0010-tables.md
+/// or is captured. docs/decisions/0010-tables.md, 0014-cohesive-lanes.md
 class RestitutionTable final : public RestitutionTree {
   public:
+    static constexpr std::size_t zone_layers = 8;  ///< powers of z
+    /// x of a law with a cohesive zone goes from 0 to 1 over these powers of two of A; others have A/(1 + A).
+    static constexpr double zone_least_power = -16.5;
+    static constexpr double zone_powers = 23.0;
+
     /// The table of that combination, one for the process. Thread-safe.
     /// @param kernel of the law for one instruction set; no two of them share one
     [[nodiscard]] static RestitutionTable& of(NumberKernel kernel, Detachment detachment,
                                               DampingLaw damping_law);
 
     RestitutionTable(NumberKernel kernel, Detachment detachment, DampingLaw damping_law);
+    RestitutionTable(NumberKernel kernel, Detachment detachment, DampingLaw damping_law,
+                     const ZoneSpan& span);
 
-    /// The piece that contains a place 0 <= x, y <= 1; none if the place is not a number.
+    /// Of a law with a cohesive zone: the table of the span of a transition parameter within the range that
+    /// the law computes, made when it is first needed. Thread-safe.
+    [[nodiscard]] RestitutionTable& at_transition(double lambda) {
+        auto& known = of_spans_[ZoneSpan::index(lambda)];
+        RestitutionTable* const table = known.load(std::memory_order_acquire);
+        return table != nullptr ? *table : make_span(lambda, known);
+    }
+    [[nodiscard]] double z(double lambda) const { return span_.z(lambda); }
+
+    /// The piece that contains a place 0 <= x, y <= 1; none outside.
     [[nodiscard]] const RestitutionPiece* at(double x, double y) {
-        if (!(x + y <= 2.0)) return nullptr;
+        if (!(x >= 0.0 && x <= 1.0 && y <= 1.0)) return nullptr;
         return find({x, y}, index_of(x) * index_size + index_of(y));
     }
 
@@ -126,14 +149,23 @@ class RestitutionTable final : public RestitutionTree {
         return place < index_size ? place : index_size - 1;
     }
 
+    [[nodiscard]] RestitutionTable& make_span(double lambda, std::atomic<RestitutionTable*>& known);
+    [[nodiscard]] double adhesion_at(double x) const;
     [[nodiscard]] PieceState judge(const RestitutionPiece& piece, int depth,
-                                   std::unique_ptr<RestitutionPolynomials>& content) const override;
+                                   RestitutionContent& content) const override;
+    /// Whether all impacts of a corner end so, at every transition parameter; next to the corner by the share
+    /// @p more of the adhesion number, to be certain of those between.
+    [[nodiscard]] bool all_end(LaneEnd end, double x, double y, double more) const;
     /// The polynomials of a square; none if they do not represent it within the tolerances.
-    [[nodiscard]] std::unique_ptr<RestitutionPolynomials> fitted(const RestitutionPiece& piece) const;
+    [[nodiscard]] RestitutionContent fitted(const RestitutionPiece& piece) const;
 
     NumberKernel kernel_;
     Detachment detachment_;
     DampingLaw damping_law_;
+    ZoneSpan span_{};
+    std::vector<ZoneCurve>
+        layers_{};  ///< at Chebyshev nodes of the span, and at its ends; none without a zone
+    std::array<std::atomic<RestitutionTable*>, ZoneSpan::count> of_spans_{};
 };
 
 }  // namespace batch

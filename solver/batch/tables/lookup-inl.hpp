@@ -45,7 +45,7 @@ class PowerRow {
     Lanes next_;    ///< u to the number of lanes
 };
 
-/// Coordinate x or y of an adhesion or damping number n in a table: n/(1 + n).
+/// Coordinate of an adhesion or damping number n in a table: n/(1 + n).
 [[nodiscard]] HWY_INLINE Lanes place_of(Lanes number) {
     const Lanes n = min(number, 1e300);
     return n / (n + Lanes(1.0));
@@ -104,19 +104,72 @@ struct TableEntry {
     double time;         ///< of contact; NaN for a capture
 };
 
-/// The entry at a place of a piece; undecided if @p piece is null, as it is where the place is not a number.
+/// The polynomial of one transition parameter, from those by powers of its place z in the span.
+HWY_INLINE void contract(const batch::RestitutionPolynomials* layers,
+                         batch::SquarePolynomial batch::RestitutionPolynomials::*which, double z,
+                         batch::SquarePolynomial& out) {
+    constexpr std::size_t last = batch::RestitutionTable::zone_layers - 1;
+    const auto sum_all = [&](auto tag, auto part) HWY_ATTR {
+        auto& sums = out.*part;
+        const auto factor = hn::Set(tag, static_cast<hn::TFromD<decltype(tag)>>(z));
+        for (std::size_t i = 0; i < sums.size(); i += hn::MaxLanes(tag)) {
+            auto sum = hn::LoadU(tag, (layers[last].*which.*part).data() + i);
+            for (std::size_t k = last; k-- > 0;)
+                sum = hn::MulAdd(sum, factor, hn::LoadU(tag, (layers[k].*which.*part).data() + i));
+            hn::StoreU(sum, tag, sums.data() + i);
+        }
+    };
+    sum_all(Tag(), &batch::SquarePolynomial::low);
+    sum_all(hn::ScalableTag<float>(), &batch::SquarePolynomial::high);
+}
+
+/// The polynomials of one transition parameter, kept from one impact to the next: those of one parameter come
+/// from few squares.
 template <bool with_time>
-[[nodiscard]] HWY_INLINE TableEntry entry_at(const batch::RestitutionPiece* piece, double x, double y) {
+[[nodiscard]] HWY_INLINE const batch::RestitutionPolynomials& contracted(const batch::RestitutionPiece& piece,
+                                                                         double z) {
+    using Polynomials = batch::RestitutionPolynomials;
+    struct Slot {
+        const batch::RestitutionPiece* piece = nullptr;
+        double z = 0.0;
+        Polynomials polynomials;
+    };
+    constexpr std::size_t slots = 512;
+    thread_local std::array<Slot, slots> kept;
+    Slot& slot = kept[reinterpret_cast<std::uintptr_t>(&piece) / sizeof(piece) % slots];
+    if (slot.piece != &piece || slot.z != z) {
+        contract(piece.content().get(), &Polynomials::restitution_squared, z,
+                 slot.polynomials.restitution_squared);
+        if (with_time)
+            contract(piece.content().get(), &Polynomials::contact_time, z, slot.polynomials.contact_time);
+        slot.piece = &piece;
+        slot.z = z;
+    }
+    return slot.polynomials;
+}
+
+/// A place in a table.
+struct TablePlace {
+    double x;
+    double y;
+    double z = 0.0;  ///< in the span of transition parameters; otherwise unused
+};
+
+/// The entry at a place of a piece; undecided if @p piece is null, as it is where the place is not a number.
+template <bool with_time, bool layered>
+[[nodiscard]] HWY_INLINE TableEntry entry_at(const batch::RestitutionPiece* piece, const TablePlace& at) {
     using State = batch::PieceState;
     constexpr double least_square = 1e-6;  // of e^2; below it the error of the table is relatively too large
     constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     const State state = piece == nullptr ? State::undecided : piece->state();
     if (state == State::captured) return {batch::LaneEnd::capture, 0.0, nothing};
     if (state != State::tabulated) return {batch::LaneEnd::undecided, 0.0, nothing};
-    const PlaceInPiece place(piece->local(0, x), piece->local(1, y));
-    const double square = place.value(piece->content()->restitution_squared);
+    const PlaceInPiece place(piece->local(0, at.x), piece->local(1, at.y));
+    const batch::RestitutionPolynomials* polynomials = piece->content().get();
+    if constexpr (layered) polynomials = &contracted<with_time>(*piece, at.z);
+    const double square = place.value(polynomials->restitution_squared);
     if (square < least_square) return {batch::LaneEnd::undecided, 0.0, nothing};
-    const double time = with_time ? place.value(piece->content()->contact_time) : nothing;
+    const double time = with_time ? place.value(polynomials->contact_time) : nothing;
     return {batch::LaneEnd::rebound, std::sqrt(std::min(square, 1.0)), time};
 }
 

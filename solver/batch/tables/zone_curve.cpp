@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "solver/contact/cohesive_zone.hpp"
+#include "solver/contact/mechanics.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/damping/registry.hpp"
 #include "solver/numeric/chebyshev.hpp"
@@ -20,7 +21,7 @@ namespace {
 constexpr double greatest_position = 64.0;  ///< u that the pieces reach
 constexpr double piece_ratio = 2.0;         ///< of the ends of a piece
 const double next_piece = std::exp2(0.25);  ///< of the beginnings of two pieces
-constexpr double first_part = 0.33; ///< of sqrt(c) where the surfaces part, up to which a piece begins at 0
+constexpr double first_part = 0.33;  ///< of sqrt(c) where the surfaces part, up to which a piece begins at 0
 constexpr int bands_per_octave = 4;
 constexpr int terms = ZoneBand::terms;
 constexpr int order_count = ZoneBand::orders;
@@ -116,7 +117,42 @@ Columns functions_of(const CohesiveZone& zone, const ZoneBand::Piece& piece, Dam
     return powers;
 }
 
+double band_of(double lambda) {
+    return std::floor(std::log2(lambda) * bands_per_octave);
+}
+
 }  // namespace
+
+ZoneSpan ZoneSpan::of(double lambda) {
+    constexpr double rooted_up_to = 1.4;
+    ZoneSpan span{};
+    span.lower = std::exp2(band_of(lambda) / bands_per_octave);
+    span.upper = span.lower * std::exp2(1.0 / bands_per_octave);
+    for (const double border : {least_touching(), least_folded()}) {
+        if (lambda < border) span.upper = std::min(span.upper, border);
+        if (lambda >= border) span.lower = std::max(span.lower, border);
+    }
+    span.rooted = span.lower >= least_touching() && span.lower < rooted_up_to;
+    const auto coordinate = [&](double x) { return span.rooted ? std::sqrt(x - least_touching()) : x; };
+    span.middle = 0.5 * (coordinate(span.lower) + coordinate(span.upper));
+    span.stretch = 2.0 / (coordinate(span.upper) - coordinate(span.lower));
+    return span;
+}
+
+std::size_t ZoneSpan::index(double lambda) {
+    static const double first = band_of(least_transition);
+    return static_cast<std::size_t>(band_of(lambda) - first) + (lambda >= least_touching() ? 1U : 0U) +
+           (lambda >= least_folded() ? 1U : 0U);
+}
+
+double ZoneSpan::z(double lambda) const {
+    return ((rooted ? std::sqrt(lambda - least_touching()) : lambda) - middle) * stretch;
+}
+
+double ZoneSpan::lambda_at(double z) const {
+    const double x = middle + z / stretch;
+    return std::clamp(rooted ? least_touching() + x * x : x, lower, std::nextafter(upper, lower));
+}
 
 ZoneBand::ZoneBand(double lower, double upper, DampingLaw damping_law)
     : middle_(0.5 * (lower + upper)), stretch_(2.0 / (upper - lower)) {
@@ -205,14 +241,9 @@ ZoneBand::ZoneBand(double lower, double upper, DampingLaw damping_law)
 const ZoneBand& ZoneBand::of(double lambda, DampingLaw damping_law) {
     static std::mutex access;
     static std::map<std::pair<double, DampingLaw>, ZoneBand> bands;  // by the lower end
-    double lower = std::exp2(std::floor(std::log2(lambda) * bands_per_octave) / bands_per_octave);
-    double upper = lower * std::exp2(1.0 / bands_per_octave);
-    for (const double border : {least_touching(), least_folded()}) {
-        if (lambda < border) upper = std::min(upper, border);
-        if (lambda >= border) lower = std::max(lower, border);
-    }
+    const ZoneSpan span = ZoneSpan::of(lambda);
     const std::scoped_lock lock(access);
-    return bands.try_emplace({lower, damping_law}, lower, upper, damping_law).first->second;
+    return bands.try_emplace({span.lower, damping_law}, span.lower, span.upper, damping_law).first->second;
 }
 
 double ZoneBand::place(double lambda) const {

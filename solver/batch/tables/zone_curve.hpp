@@ -12,6 +12,25 @@ enum class Detachment;
 
 namespace batch {
 
+/// A range of transition parameters within which all numbers of a law are smooth in a coordinate z from -1 to
+/// 1: linear in lambda, or, next to the least lambda whose first touch is in touch, in the root of the
+/// distance to it.
+struct ZoneSpan {
+    static constexpr std::size_t count = 140;  ///< of all spans
+    double lower;
+    double upper;
+    double middle;
+    double stretch;
+    bool rooted;
+
+    /// The span of a parameter within the range that the law computes.
+    [[nodiscard]] static ZoneSpan of(double lambda);
+    /// Its place among all of them.
+    [[nodiscard]] static std::size_t index(double lambda);
+    [[nodiscard]] double z(double lambda) const;
+    [[nodiscard]] double lambda_at(double z) const;
+};
+
 /// The static laws of cohesive zones (CohesiveZone) over a band of transition parameters, in units of Maugis:
 /// polynomials of u = sqrt(contact radius) on pieces that overlap one another, so that a step of an impact
 /// finds one that holds it whole. Their coefficients are polynomials in x, which goes from -1 to 1 over the

@@ -264,7 +264,7 @@ std::size_t wanted_sets() {
 }
 
 double share_of(const ContactCase& c) {
-    return has_tables(c.law, c.damping_law) ? 1.0 : 0.25;
+    return method_of_many(c.law, c.damping_law) == BatchMethod::table ? 1.0 : 0.25;
 }
 
 }  // namespace

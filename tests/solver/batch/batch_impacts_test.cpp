@@ -318,6 +318,50 @@ TEST_CASE("in the deepest wells of a cohesive zone of long reach an undamped imp
     }
 }
 
+TEST_CASE("tables of a cohesive zone tell what the scalar solver does, of particles of many sizes") {
+    const Eigen::Index count = sanitized ? 3 : 400;
+    const Law law = Law::of<MaugisDugdale>();
+    Impacts impacts = random_impacts_of(law, count, 1.0, 31);
+    impacts.detachment = Detachment::pull_off;
+    impacts.damping_law = DampingLaw::constant;
+    for (Eigen::Index i = 0; i < count; ++i) {  // over both parameters at which the law's branches change
+        const double size = std::exp(3.0 * static_cast<double>(i) / static_cast<double>(count));
+        impacts.mass[i] = 1e-14 * std::pow(size, 3);
+        impacts.effective_radius[i] = 1e-6 * size;
+        impacts.contact_modulus[i] = 90e9;
+        impacts.work_of_adhesion[i] = 0.3;
+        impacts.velocity[i] = 0.25;
+        impacts.parameters.at("tabor")[i] = 0.35 * std::cbrt(size);
+        impacts.damping[i] =
+            Scale::of(impacts.at(i).contact, 0.25).damping_coefficient(DampingLaw::constant, 0.1);
+    }
+    CHECK(method_of_many(law, DampingLaw::constant) == BatchMethod::integration);
+    CHECK(method_of_many(law, DampingLaw::constant, 100'000'000) == BatchMethod::table);
+    const BatchOptions options{.threads = 0, .turning_point = false, .method = BatchMethod::table};
+    const ImpactBatchResult read = solve_impacts(impacts.batch(), options);
+    CHECK(read.scalar <= count / 20);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        CAPTURE(i);
+        const ImpactResult reference = solve_impact(impacts.at(i));
+        CHECK(read.outcome[i] == reference.outcome);
+        CHECK(conditioned_error(read.restitution[i], reference) <= bound_of(law));
+        if (reference.contact_time)
+            CHECK(relative_difference(read.contact_time[i], *reference.contact_time) <=
+                  1e-8 * (1.0 + std::pow(reference.restitution, -2.0)));
+        const std::vector<Eigen::Index> alone{i};
+        CHECK(solve_impacts(impacts.picked(alone).batch(), options).restitution[0] == read.restitution[i]);
+    }
+    const auto rebounds = (read.outcome == Outcome::rebound).count();
+    if (!sanitized) CHECK((rebounds > count / 5 && rebounds < count));
+    const DampingBatchResult found =
+        dampings_from_restitutions({law, impacts.detachment, impacts.damping_law, impacts.batch().contact,
+                                    impacts.velocity, read.restitution},
+                                   0, BatchMethod::table);
+    for (Eigen::Index i = 0; i < count; ++i)
+        if (read.restitution[i] > 0.1)
+            CHECK(relative_difference(found.damping[i], impacts.damping[i]) <= 1e-6);
+}
+
 TEST_CASE("captures by very strong damping are captures, with turning points too") {
     Impacts impacts = random_impacts(2000, 1.0, 20).front();
     for (Eigen::Index i = 0; i < impacts.size(); ++i) {
@@ -333,7 +377,7 @@ TEST_CASE("captures by very strong damping are captures, with turning points too
 
 TEST_CASE("a table tells most impacts, undamped ones and those of no adhesion too") {
     for (Impacts& impacts : random_impacts(400, 1.0, 18)) {
-        if (!has_tables(impacts.law, impacts.damping_law)) continue;
+        if (method_of_many(impacts.law, impacts.damping_law) != BatchMethod::table) continue;
         CAPTURE(name_of(impacts));
         for (Eigen::Index i = 0; i < 100; ++i) impacts.damping[i] = 0.0;
         for (Eigen::Index i = 50; i < 150; ++i) impacts.work_of_adhesion[i] = 0.0;

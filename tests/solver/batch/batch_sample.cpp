@@ -137,8 +137,9 @@ Impacts random_impacts_of(Law law, Eigen::Index count, double most_damping, std:
 }
 
 std::vector<BatchMethod> methods_of(const Impacts& impacts) {
-    if (has_tables(impacts.law, impacts.damping_law)) return {BatchMethod::integration, BatchMethod::table};
-    return {BatchMethod::integration};
+    if (method_of_many(impacts.law, impacts.damping_law) == BatchMethod::integration)
+        return {BatchMethod::integration};
+    return {BatchMethod::integration, BatchMethod::table};
 }
 
 double bound_of(Law law) {

@@ -46,7 +46,7 @@ struct Impacts {
 /// Those of one law with the detachment registered last and Tsuji's damping.
 [[nodiscard]] Impacts random_impacts_of(Law law, Eigen::Index count, double most_damping, std::uint64_t seed);
 
-/// The ways to solve a batch: table only where there is one.
+/// The ways to solve a batch: table only where that pays for any number of impacts.
 [[nodiscard]] std::vector<BatchMethod> methods_of(const Impacts& impacts);
 
 /// Greatest conditioned_error() of a batch of that law [1].
