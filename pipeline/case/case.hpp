@@ -133,6 +133,7 @@ struct Case {
     std::vector<Sample> samples{};
     std::vector<LawChoice> laws{};
     DampingLaw damping_law = DampingLaw::constant;
+    std::optional<double> paper_time_step{};  ///< of the paper's explicit scheme; none: not asked for [s]
     HistoryOptions histories{};
     MeasuredDampingOptions fit{};  ///< of measured impacts; see docs/case.md
     UncertaintyChoices uncertainty{};

@@ -330,6 +330,8 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
     }
     data.laws = read_case_laws(document, data.samples);
     if (const auto law = document.find("damping_law")) data.damping_law = named<DampingLaw>(law->text());
+    if (const auto scheme = document.find("paper_explicit"))
+        data.paper_time_step = read_positive(scheme->at("time_step"), "time step", Dimension::time).value();
     data.histories = read_histories(document);
     data.fit = read_fit_options(document.find("fit"));
     data.uncertainty = read_uncertainty_choices(document.find("uncertainty"));

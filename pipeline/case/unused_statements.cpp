@@ -102,6 +102,7 @@ constexpr std::array case_statements{
     CaseStatement{"detachments", "", of_detachments},
     CaseStatement{"friction", "", without_restitution},
     CaseStatement{"damping_law", "", without_restitution, "\"constant\""},
+    CaseStatement{"paper_explicit", "", of_propagation},
     CaseStatement{"histories", "points", without_restitution, "49"},
     CaseStatement{"histories", "critical_excess", without_restitution, "0.001"},
     CaseStatement{"fit", "order", of_extrapolation, "2"},

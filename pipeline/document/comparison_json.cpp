@@ -165,6 +165,20 @@ void fields(auto& io, Is<ObliqueCurves> auto& oblique) {
     io("curves", oblique.curves);
 }
 
+void fields(auto& io, Is<DampingAndVelocity> auto& of) {
+    if constexpr (std::remove_cvref_t<decltype(io)>::reads)
+        of.damping = DampingPolynomial::quadratic(0, 0, 0);
+    for (Eigen::Index power = 2; power >= 0; --power)
+        io(std::string_view("cba").substr(static_cast<std::size_t>(power), 1), of.damping.coefficients[power],
+           Dimension::damping);
+    io("critical_velocity", of.critical_velocity, Dimension::velocity);
+}
+
+void fields(auto& io, Is<SchemeBesideExact> auto& of) {
+    io("scheme", of.scheme);
+    io("exact", of.exact);
+}
+
 template <class Io>
 void fields(Io& io, Is<SampleComparison> auto& sample) {
     LawColumns laws = columns_of(sample.laws);
@@ -192,6 +206,7 @@ void fields(Io& io, Is<SampleComparison> auto& sample) {
     io.unless_empty("glass", sample.glass);
     io.unless_empty("temperature_limits", sample.temperature);
     io.unless_empty("oblique", sample.oblique);
+    io.unless_empty("paper_explicit", sample.paper_explicit);
     if constexpr (Io::reads) sample.laws = laws_of(laws);
 }
 

@@ -8,6 +8,7 @@
 #include "core/quantities/quantity.hpp"
 #include "pipeline/run/comparison/glass.hpp"
 #include "pipeline/run/comparison/oblique.hpp"
+#include "pipeline/run/comparison/paper_scheme.hpp"
 #include "pipeline/run/comparison/reported_velocity.hpp"
 #include "pipeline/run/comparison/reproduction.hpp"
 #include "pipeline/run/comparison/temperature.hpp"
@@ -322,6 +323,7 @@ ComparisonResult comparison_stage(const Run& run, StageRecord& record) {
             {data.temperature, of.modulus, of.contact, of.velocities.laws, sample.reported});
         sample.oblique = oblique_curves(
             {data, of.contact, of.velocities.laws, run.histories.samples[i].curves, sample.reported});
+        sample.paper_explicit = paper_scheme(data, of.contact, run.damping.samples[i], record);
         const bool bounded =
             sample.reported &&
             (sample.reported->velocity || (sample.reported->interval && sample.reported->interval->lower));

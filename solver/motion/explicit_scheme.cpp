@@ -16,6 +16,13 @@
 
 namespace ashimpact {
 
+bool has_explicit_scheme(Law law) {
+    return law.visit<bool>([]<template <class> class L>() {
+        if constexpr (has_polynomials<L>) return L<double>{1.0}.touch() == 0.0;
+        return false;
+    });
+}
+
 namespace {
 
 /// Longest step that the scheme takes, in units of the undamped Hertz contact: beyond it nothing is resolved.
@@ -23,14 +30,6 @@ constexpr double longest_step = 0.1;
 
 /// Steps of suggested length in m/eta, the time in which damping alone takes 1/e of the velocity.
 constexpr double steps_per_damping_time = 100;
-
-/// The scheme needs the force as a function of overlap, from no contact radius at first touch on.
-bool is_treatable(Law law) {
-    return law.visit<bool>([]<template <class> class L>() {
-        if constexpr (has_polynomials<L>) return L<double>{1.0}.touch() == 0.0;
-        return false;
-    });
-}
 
 /// Beyond m/eta the damping term of the scheme alone would turn the motion round.
 double longest_time_step(const Impact& impact) {
@@ -45,10 +44,10 @@ void require_treatable(const Impact& impact, const ExplicitSchemeOptions& option
     const auto require = [](bool holds, const std::string& problem, const std::string& allowed) {
         if (!holds) throw InputError(problem, allowed);
     };
-    require(is_treatable(impact.law),
+    require(has_explicit_scheme(impact.law),
             "the paper's explicit scheme cannot treat law '" + std::string(impact.law.name()) +
                 "': its force is not a function of overlap",
-            law_names(is_treatable));
+            law_names(has_explicit_scheme));
     require(impact.detachment == Detachment::zero_overlap,
             "the paper's explicit scheme ends contact at zero overlap", "zero-overlap");
     require(impact.damping.law == DampingLaw::constant, "the paper's explicit scheme has constant damping",

@@ -10,6 +10,9 @@ struct ExplicitSchemeOptions {
     long most_steps = 100'000'000;  ///< step limit
 };
 
+/// Whether the scheme has the law: its force is a function of overlap, from zero overlap on.
+[[nodiscard]] bool has_explicit_scheme(Law law);
+
 /// The paper's own scheme, kept as a second method to compare with:
 ///
 ///     (delta_i - 2 delta_{i+1} + delta_{i+2})/Dt^2 + eta/m (delta_{i+1} - delta_i)/Dt + F(delta_{i+1})/m = 0

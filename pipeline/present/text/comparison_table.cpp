@@ -157,6 +157,29 @@ std::string laws_text(const ComparisonResult& result, std::size_t width) {
     return text + "\n";
 }
 
+/// Critical dampings and velocities by the paper's steps beside the exact ones; empty if not asked for.
+std::string scheme_text(const ComparisonResult& result, std::size_t width) {
+    TextTable table({"sample", "law", "c by steps [kg/s]", "exact", "v_c by steps [m/s]", "exact"}, 2);
+    const auto velocity = [](const DampingAndVelocity& of) {
+        return of.critical_velocity ? velocity_text(*of.critical_velocity) : "-";
+    };
+    const auto damping = [](const DampingAndVelocity& of) {
+        return fmt::format("{:.5f}", of.damping.critical_damping());
+    };
+    bool any = false;
+    for (const SampleComparison& sample : result.samples) {
+        std::string name = sample.name;
+        for (const auto& [law, of] : sample.paper_explicit) {
+            table.add({std::exchange(name, ""), std::string(law.name()), damping(of.scheme),
+                       damping(of.exact), velocity(of.scheme), velocity(of.exact)});
+            any = true;
+        }
+    }
+    return any ? "By the explicit steps of the paper (Eqs. 31 to 34) beside exact impacts:\n\n" +
+                     table.text(0, width) + "\n"
+               : "";
+}
+
 /// Why laws have no interval, a line for each.
 std::string interval_notes(const ComparisonResult& result, std::size_t width) {
     std::string text;
@@ -317,7 +340,7 @@ std::string comparison_text(const ComparisonResult& result, std::size_t width, c
     const std::string title = result.name.empty() ? "" : wrapped_line(result.name, width, 0) + "\n";
     return title + reported_text(result, scope, width) + glass_text(result, width) +
            temperature_text(result, width) + assumptions_text(result, width) + laws_text(result, width) +
-           interval_notes(result, width) + sizes_text(result, width) +
+           scheme_text(result, width) + interval_notes(result, width) + sizes_text(result, width) +
            (result.dampings ? dampings_text(*result.dampings, width) : "") + contacts_text(result, width) +
            wrapped_line(result.conclusion, width, 0);
 }

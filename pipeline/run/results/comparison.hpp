@@ -74,6 +74,18 @@ struct PublishedBeside {
     std::vector<ContactTimeBeside> contact_times{};
 };
 
+/// A damping eta(e) through the impacts of a sample and the critical velocity of its eta(0), Tables 2 to 4.
+struct DampingAndVelocity {
+    DampingPolynomial damping{};  ///< of the second order [kg/s]
+    std::optional<double>
+        critical_velocity{};  ///< none: eta(0) captures at no velocity or at every one [m/s]
+};
+
+/// The same impacts by the paper's explicit scheme (Eqs. 31 to 34) and by exact solution.
+struct SchemeBesideExact {
+    DampingAndVelocity scheme{}, exact{};
+};
+
 /// A sample with its critical velocities side by side.
 struct SampleComparison {
     std::string name{};
@@ -93,6 +105,7 @@ struct SampleComparison {
     std::optional<GlassEffect> glass{};              ///< where the case has oxides
     std::optional<TemperatureLimits> temperature{};  ///< where it has oxides or a temperature
     std::optional<ObliqueCurves> oblique{};          ///< where it has a friction
+    LawMap<SchemeBesideExact> paper_explicit{};      ///< where it has the step of the paper's scheme
 };
 
 /// The impact of a sample by a law at one of the equal velocities.
