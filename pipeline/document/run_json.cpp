@@ -372,6 +372,9 @@ static void fields(FieldWriter& io, const Case& data) {
     io("laws", laws);
     io.unless_empty("detachments", detachments);
     io("damping_law", data.damping_law);
+    if (data.paper_time_step)
+        io.object("paper_explicit",
+                  [&](FieldWriter& scheme) { scheme("time_step", *data.paper_time_step, Dimension::time); });
     io.object("histories", [&](FieldWriter& histories) {
         histories("points", data.histories.points);
         histories("critical_excess", data.histories.critical_excess);
