@@ -225,21 +225,4 @@ std::vector<TextLine> lines_with_content(const TextLines& file) {
     return lines;
 }
 
-void require_coverage_in_headings(const TextLines& file, std::span<const TextLine> table,
-                                  const std::vector<std::string>& uncertain) {
-    if (uncertain.empty()) return;
-    for (const TextLine& line : file.lines()) {
-        if (std::ranges::any_of(table, [&](const TextLine& row) { return row.number == line.number; }))
-            continue;
-        const StatedCoverage coverage = read_coverage(line.text);
-        if (coverage.stated.empty() || coverage.factor == 1) continue;
-        refuse_line(line.number,
-                    "the line states " + in_quotes(coverage.stated) + ", and the column " +
-                        in_quotes(uncertain.front()) + " does not",
-                    "the coverage in the heading, " +
-                        in_quotes(uncertain.front() + " (" + coverage.stated + ")") +
-                        ", or a line without it");
-    }
-}
-
 }  // namespace ashimpact

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -98,13 +97,6 @@ void for_each_cell(const TextLine& line, char separator, Visitor&& visitor) {
 /// code name them. @param first index of the first line below the heading
 [[nodiscard]] std::vector<Finding> take_notes(std::vector<TextLine>& lines, std::size_t first, char separator,
                                               std::string_view code);
-
-/// Refuses uncertainties whose coverage stands beside the table alone, in a line above it, below it, or in a
-/// comment: "# errors are 2 sigma". @param table the lines of heading and rows
-/// @param uncertain headings of columns of uncertainties without a coverage
-/// @throws InputError at the line of the statement
-void require_coverage_in_headings(const TextLines& file, std::span<const TextLine> table,
-                                  const std::vector<std::string>& uncertain);
 
 /// Lines other than blank ones, comments (#) and the `sep=` line of a spreadsheet.
 [[nodiscard]] std::vector<TextLine> lines_with_content(const TextLines& file);

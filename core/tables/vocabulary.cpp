@@ -94,10 +94,14 @@ std::optional<Statement> multiple_in(const std::string& heading) {
     static const std::regex sigmas(
         "(^|[^a-z0-9.,])((\\d(?:[.,]\\d+)?) *[-*]? *(?:\u03c3|(?:sigma|sd|std|stdabw)(?![a-z])))", flags);
     static const std::regex marked("((?:[(\\[]|\u00b1|\\+/?-) *)((\\d(?:[.,]\\d+)?) *s)(?![a-z0-9])", flags);
+    static const std::regex esds(
+        "((?:^|[(\\[=]|\u00b1|\\+/?-|\\b(?:are|as|is|sind) ) *)((\\d(?:[.,]\\d+)?) "
+        "*(?:esd|e\\.s\\.d\\.?))(?![a-z])",
+        flags);
     static const std::regex alone(R"(^( *)((\d(?:[.,]\d+)?) *s)(?= *(?:$|[(\[])))", flags);
     static const std::regex after_word(R"(([^ _()\[\],;]+)[ _,]+((\d(?:[.,]\d+)?) *s)(?= *(?:$|[(\[])))",
                                        flags);
-    for (const std::regex* expression : {&factor, &sigmas, &marked, &alone})
+    for (const std::regex* expression : {&factor, &sigmas, &marked, &esds, &alone})
         if (auto statement = found(heading, *expression)) return statement;
     std::smatch match;
     if (std::regex_search(heading, match, after_word) && is_uncertainty_word(match.str(1)))
@@ -125,12 +129,14 @@ std::string without(const std::string& heading, const Statement& statement) {
     static const std::regex empty_brackets("[(\\[] *(?:\u00b1|\\+/?-)? *[,;]? *[)\\]]");
     static const std::regex open_sign(R"(([(\[]) *[,;] *)");
     static const std::regex close_sign(R"( *[,;] *([)\]]))");
+    static const std::regex close_plus_minus("([^(\\[ ]) *(?:\u00b1|\\+/?-) *([)\\]])");
     static const std::regex blanks(" +");
     std::string rest =
         heading.substr(0, statement.begin) + ' ' + heading.substr(statement.begin + statement.length);
     rest = std::regex_replace(rest, empty_brackets, " ");
     rest = std::regex_replace(rest, open_sign, "$1");
     rest = std::regex_replace(rest, close_sign, "$1");
+    rest = std::regex_replace(rest, close_plus_minus, "$1$2");
     rest = std::regex_replace(rest, blanks, " ");
     std::string_view text = trimmed(rest);
     while (text.ends_with(',') || text.ends_with(';')) text = trimmed(text.substr(0, text.size() - 1));
@@ -173,6 +179,47 @@ WordLists::WordLists(std::string_view group, std::string_view kept) : kept_(kept
 std::optional<std::string_view> WordLists::list_of(std::string_view text) const {
     const auto found = words_.find(word_key(text, kept_));
     return found == words_.end() ? std::nullopt : std::optional<std::string_view>(found->second);
+}
+
+std::vector<std::string> words_in(std::string_view text) {
+    std::vector<std::string> words(1);
+    for (const char c : word_key(text, all_marks)) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool of_word = std::isalnum(byte) != 0 || byte >= 0x80U;
+        if (of_word)
+            words.back() += c;
+        else if (!words.back().empty())
+            words.emplace_back();
+        if (c != '%') continue;
+        words.back() = c;
+        words.emplace_back();
+    }
+    if (words.back().empty()) words.pop_back();
+    return words;
+}
+
+std::vector<Mention> mentions_in(const std::vector<std::string>& words, const WordLists& lists) {
+    static const WordLists negations("negations");
+    constexpr std::size_t most_words = 4;
+    constexpr std::size_t reach = 3;  // of a negation, in words
+    std::vector<Mention> mentions;
+    std::size_t done = 0;  // words that belong to a mention
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        for (std::size_t count = std::min(most_words, words.size() - i); count > 0; --count) {
+            std::string phrase = words[i];
+            for (std::size_t k = 1; k < count; ++k) phrase += ' ' + words[i + k];
+            const auto list = phrase.size() > 1 ? lists.list_of(phrase) : std::nullopt;
+            if (!list) continue;
+            bool negated = i + count < words.size() && negations.holds(words[i + count]);
+            for (std::size_t k = std::max(done, i - std::min(i, reach)); k < i; ++k)
+                negated = negated || negations.holds(words[k]);
+            mentions.push_back({*list, negated, i, count});
+            i += count - 1;
+            done = i + 1;
+            break;
+        }
+    }
+    return mentions;
 }
 
 bool says_no_number(std::string_view text) {
@@ -232,6 +279,10 @@ StatedCoverage read_coverage(std::string_view heading) {
         if (!(coverage.factor >= 0.5 && coverage.factor <= 10))
             coverage.problem = std::string("such a multiple is not plausible (") + remedy + ")";
         coverage.rest = without(coverage.rest, *multiple);
+        // Cells under "wt% ± 2s" hold values and uncertainties.
+        for (const std::string_view sign : plus_minus)
+            if (coverage.rest.size() > sign.size() && coverage.rest.ends_with(sign))
+                coverage.rest = trimmed(coverage.rest.substr(0, coverage.rest.size() - sign.size()));
         return coverage;
     }
     if (const auto per_cent = coverage_in(coverage.rest)) {
@@ -253,26 +304,6 @@ StatedCoverage read_coverage(std::string_view heading) {
 
 bool is_uncertainty_word(std::string_view text) {
     return uncertainty_words().holds(text);
-}
-
-std::vector<Finding> coverage_findings(std::string_view code,
-                                       const std::vector<std::pair<std::string, StatedCoverage>>& columns) {
-    std::vector<Finding> findings;
-    std::map<double, std::vector<std::string>> divided;
-    for (const auto& [heading, coverage] : columns) {
-        if (!coverage.problem.empty())
-            findings.push_back({code, Severity::remark,
-                                fmt::format("uncertainties of column {} are not read, as {}",
-                                            in_quotes(heading), coverage.problem)});
-        else if (coverage.factor != 1)
-            divided[coverage.factor].push_back(in_quotes(heading));
-    }
-    for (const auto& [factor, headings] : divided)
-        findings.push_back(
-            {code, Severity::remark,
-             fmt::format("uncertainties of {} {} are divided by {} for standard ones, as the heading says",
-                         headings.size() == 1 ? "column" : "columns", joined(headings), shortest(factor))});
-    return findings;
 }
 
 }  // namespace ashimpact

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/finding.hpp"
 #include "core/quantities/names.hpp"
 
 namespace ashimpact {
@@ -56,6 +55,19 @@ inline constexpr std::string_view all_marks = " !\"#$%&'()*+,-./:;<=>?@[\\]^_`{|
 /// Whether a cell names a row that sums up others: "Mittel", "mean", "SD (n=3)", "Total".
 [[nodiscard]] bool is_summary(std::string_view text);
 
+/// The words of a text as word_key() writes them; "%" is one.
+[[nodiscard]] std::vector<std::string> words_in(std::string_view text);
+
+/// A word or some words of a list in a text.
+struct Mention {
+    std::string_view list;
+    bool negated;
+    std::size_t first, count;  ///< of its words
+};
+
+/// All mentions in words_in(), the longest first at each place. @param lists keep blanks
+[[nodiscard]] std::vector<Mention> mentions_in(const std::vector<std::string>& words, const WordLists& lists);
+
 /// Words that name an uncertainty and nothing else: "u", "±", "esd", "std. error", "Messunsicherheit".
 [[nodiscard]] const WordLists& uncertainty_words();
 
@@ -79,10 +91,5 @@ struct StatedCoverage {
 
 /// Whether a text is a word for an uncertainty and names no quantity: "Fehler", "u", "s.u.", "±".
 [[nodiscard]] bool is_uncertainty_word(std::string_view text);
-
-/// Remarks of that code on columns, given with their headings, whose uncertainties are not standard ones: one
-/// for all that are divided by the same number, one for each that cannot be read.
-[[nodiscard]] std::vector<Finding> coverage_findings(
-    std::string_view code, const std::vector<std::pair<std::string, StatedCoverage>>& columns);
 
 }  // namespace ashimpact

@@ -6,7 +6,9 @@
 #include <map>
 #include <optional>
 #include <regex>
+#include <tuple>
 
+#include "core/tables/table_texts.hpp"
 #include "core/tables/text_lines.hpp"
 #include "core/tables/vocabulary.hpp"
 #include "core/tables/workbook/workbook.hpp"
@@ -232,14 +234,18 @@ class OxideTable {
         take_amount_notes();
         const auto across =
             std::ranges::find_if(rows_, [](const TableRow& row) { return oxides_in(row.cells) >= 2; });
-        if (across != rows_.end())
-            read_across(static_cast<std::size_t>(across - rows_.begin()));
-        else
-            read_down();
+        std::optional<std::size_t> heading;  // line of it
+        std::size_t label = 0;
+        if (across != rows_.end()) {
+            heading = across->line;
+            label = read_across(static_cast<std::size_t>(across - rows_.begin()));
+        } else {
+            std::tie(heading, label) = read_down();
+        }
         if (samples.empty())
             refuse_line(rows_.back().line, "there are no amounts of oxides", "a number for each oxide");
         add_amount_notes();
-        require_coverage(file, lines);
+        require_agreeing_texts(file, lines, heading, label);
     }
 
     std::vector<OxideColumn> samples{};
@@ -281,7 +287,6 @@ class OxideTable {
             if (states_amount)
                 notes_.push_back(*note);
             else if (read_line(text).role == OxideRole::other) {
-                refuse_moles(text, row.line);
                 refuse_loss(row, text);
             }
             return states_amount;
@@ -302,30 +307,39 @@ class OxideTable {
         }
     }
 
-    /// Refuses uncertainties whose coverage is stated beside the table alone.
-    void require_coverage(const TextLines& file, const std::vector<TextLine>& lines) const {
+    /// Refuses what the texts beside the amounts state and their headings do not: fractions by mole, or the
+    /// coverage of the uncertainties. @param heading of the columns; none: there is no such row
+    void require_agreeing_texts(const TextLines& file, const std::vector<TextLine>& lines,
+                                std::optional<std::size_t> heading, std::size_t label) {
         std::vector<TextLine> table;
-        for (const TextLine& line : lines)
-            if (only_text(cut_row(line, separator_)).empty()) table.push_back(line);
-        std::vector<std::string> uncertain;
-        for (const OxideLine& each : headings_)
-            if (is_uncertainty_column(each.heading.written, each) && each.heading.coverage.stated.empty())
-                uncertain.push_back(each.heading.written);
-        require_coverage_in_headings(file, table, uncertain);
-    }
-
-    static void refuse_moles(const std::string& title, std::size_t line) {
-        const std::string key = word_key(title, "%");
-        for (const std::string_view mole : {"mol%", "molepercent", "molpercent", "molefraction", "molanteil"})
-            if (key.find(mole) != std::string::npos)
-                refuse_line(line, "the title states fractions by mole: " + in_quotes(title),
-                            "% by weight of oxides");
+        std::vector<TextBeside> names;
+        for (const TextLine& line : lines) {
+            const TableRow row = cut_row(line, separator_);
+            if (only_text(row).empty()) table.push_back(line);
+            for (std::size_t k = 0; k < row.cells.size(); ++k)
+                if ((row.line != heading || k == label) && !row.cells[k].empty() &&
+                    !read_number(row.cells[k], true))
+                    names.push_back({row.line, row.cells[k]});
+        }
+        std::vector<TextBeside> texts = texts_beside(file, table);
+        names.insert(names.end(), texts.begin(), texts.end());
+        require_basis(names, "weight");
+        UncertainColumns columns(headings_.size());
+        for (std::size_t k = 0; k < headings_.size(); ++k) {
+            const xrd::Heading& each = headings_[k].heading;
+            if (k == label)
+                texts.push_back({heading.value_or(1), each.written});
+            else
+                columns[k] = {each.written, each.coverage, is_uncertainty_column(each.written, headings_[k])};
+        }
+        require_coverage_in_headings(texts, columns, table, separator_);
+        for (Finding& each : coverage_findings(glass_code, columns, table, separator_))
+            warnings.push_back(std::move(each));
     }
 
     void take_titles(std::size_t heading) {
         for (std::size_t i = 0; i < heading; ++i) {
             const std::string title = joined(rows_[i].cells);
-            refuse_moles(title, rows_[i].line);
             note(at_line(rows_[i].line) + ", above the heading, is not read: " + in_quotes(title),
                  Severity::background);
         }
@@ -359,8 +373,8 @@ class OxideTable {
                                                                                       : Severity::background;
     }
 
-    /// A column for each oxide, a row for each sample.
-    void read_across(std::size_t first) {
+    /// A column for each oxide, a row for each sample. @return the column of their names
+    std::size_t read_across(std::size_t first) {
         take_titles(first);
         TableRow names = rows_[first];
         std::size_t next = first + 1;
@@ -376,7 +390,6 @@ class OxideTable {
         }
         for (const std::string& cell : names.cells) headings_.push_back(read_line(cell));
         const std::size_t label = label_column(names);
-        if (label < headings_.size()) refuse_moles(headings_[label].heading.written, names.line);
         std::vector<std::string> unused;
         Severity severity = Severity::background;
         for (std::size_t i = 0; i < headings_.size(); ++i) {
@@ -392,6 +405,7 @@ class OxideTable {
         mark_thousands();
         xrd::take_rows_of_uncertainties(rows_, next, label, glass_code, warnings);
         for (std::size_t r = next; r < rows_.size(); ++r) add_row(rows_[r], names, label);
+        return label;
     }
 
     /// States in which columns a number may be a thousand: "4.000" ppm, but not "52.312" %.
@@ -443,8 +457,8 @@ class OxideTable {
             note(at_line(row.line) + " is not read: " + in_quotes(text));
     }
 
-    /// A row for each oxide, a column for each sample.
-    void read_down() {
+    /// A row for each oxide, a column for each sample. @return line of the heading, column of the names
+    std::pair<std::optional<std::size_t>, std::size_t> read_down() {
         const auto [names, first] = first_row_down();
         const auto is_heading = [&, column = names](const TableRow& row) {
             if (row.cells.size() <= std::max<std::size_t>(column, 1)) return false;
@@ -476,6 +490,7 @@ class OxideTable {
         mark_thousands(std::ranges::any_of(
             lines, [](const OxideLine& line) { return is_parts_per_million(line.heading); }));
         for (std::size_t r = first; r < rows_.size(); ++r) add_oxide_row(rows_[r], names, amounts, lines);
+        return {has_heading ? std::optional(rows_[first - 1].line) : std::nullopt, names};
     }
 
     /// The column of the names of oxides, and the first row with one.
@@ -509,7 +524,7 @@ class OxideTable {
             });
             if (heading.role == xrd::Role::weight)
                 by_name.push_back(i);
-            else if (numbers && heading.role == xrd::Role::other)
+            else if (numbers && heading.role == xrd::Role::other && !names_other_basis(heading))
                 by_number.push_back(i);
             else if (!heading.text.empty())
                 unused.push_back(in_quotes(heading.written));

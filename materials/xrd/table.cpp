@@ -156,6 +156,12 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
             continue;
         }
         sum += fraction;
+        if (sum > 1 + default_closure_tolerance && std::abs(sum - fraction - 1) <= default_closure_tolerance)
+            refuse_line(entry.line,
+                        "the fractions of " + sample_named(group.sample) + " add up to 100 % without " +
+                            in_quotes(entry.phase) + ", and to " + per_cent(sum) + " with it",
+                        "fractions of the whole sample; or those of its crystalline part alone, and the "
+                        "amorphous fraction as --amorphous-fraction (in a case \"amorphous\")");
         if (sum > 1 + default_closure_tolerance)
             refuse_line(
                 entry.line,

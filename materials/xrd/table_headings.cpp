@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/tables/table_texts.hpp"
 #include "core/text/text.hpp"
 #include "core/units/units.hpp"
 
@@ -49,7 +50,9 @@ constexpr std::array fraction_units{FractionUnit{"g/g", HeadingUnit::weight, Sca
                                     FractionUnit{"gkg-1", HeadingUnit::weight, Scale::per_mille},
                                     FractionUnit{"mg/g", HeadingUnit::weight, Scale::per_mille},
                                     FractionUnit{"mgg-1", HeadingUnit::weight, Scale::per_mille},
+                                    FractionUnit{"kg/t", HeadingUnit::weight, Scale::per_mille},
                                     FractionUnit{"mg/kg", HeadingUnit::weight, Scale::ppm},
+                                    FractionUnit{"g/t", HeadingUnit::weight, Scale::ppm},
                                     FractionUnit{"mgkg-1", HeadingUnit::weight, Scale::ppm},
                                     FractionUnit{"ug/g", HeadingUnit::weight, Scale::ppm},
                                     FractionUnit{"v/v", HeadingUnit::volume, Scale::not_stated},
@@ -79,6 +82,16 @@ Role role_of_text(std::string_view text) {
 bool holds_per_cent(std::string_view text) {
     const std::string key = key_of(text);
     return without_per_cent(key) != key;
+}
+
+bool names_other_basis(const Heading& heading) {
+    const bool may_be_amounts = heading.role == Role::other || heading.role == Role::weight;
+    if (!may_be_amounts || heading.states == HeadingUnit::weight || heading.states == HeadingUnit::volume)
+        return false;
+    auto bases = bases_in(heading.text, false);
+    bases.erase("weight");
+    bases.erase("number");  // "Number 5" is a name
+    return !bases.empty();
 }
 
 HeadingUnit unit_of(std::string_view text) {
@@ -184,9 +197,6 @@ Heading read_heading(std::string_view text) {
         return heading;
     }
     StatedCoverage coverage = read_coverage(trimmed(text));
-    constexpr std::string_view sign = "\u00b1";  // of "wt% ± 2s": cells hold value and uncertainty
-    if (!coverage.stated.empty() && coverage.rest.size() > sign.size() && coverage.rest.ends_with(sign))
-        coverage.rest.resize(coverage.rest.size() - sign.size());
     heading.written = text;
     heading.coverage = coverage;
     constexpr std::array<std::pair<std::string_view, std::string_view>, 1> per_mille{{{"\u2030", "%"}}};

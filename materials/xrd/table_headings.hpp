@@ -79,6 +79,9 @@ struct MarkedPhase {
 /// Role of a column by its heading alone: "wt%" is a weight, "esd" an uncertainty.
 [[nodiscard]] Role role_of_text(std::string_view text);
 
+/// Whether a heading without the unit of a fraction names moles, volumes or intensities: "Molenbruch [%]".
+[[nodiscard]] bool names_other_basis(const Heading& heading);
+
 /// What a text states as the unit of fractions.
 [[nodiscard]] HeadingUnit unit_of(std::string_view text);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/quantities/checks.hpp"
+#include "core/tables/table_texts.hpp"
 #include "core/tables/vocabulary.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
@@ -42,7 +43,10 @@ constexpr std::size_t most_cells = 500'000;
 
 std::vector<Heading> headings_of(const TableRow& row) {
     std::vector<Heading> headings;
-    for (const std::string& cell : row.cells) headings.push_back(read_heading(cell));
+    for (const std::string& cell : row.cells) {
+        headings.push_back(read_heading(cell));
+        if (names_other_basis(headings.back())) headings.back().role = Role::measure;
+    }
     return headings;
 }
 
@@ -523,37 +527,59 @@ bool take_second_heading(TableRow& heading, const TableRow& line,
         if (!names[i].empty()) group = names[i];
         if (below.empty()) continue;
         if (i == 0 && below != names[i]) return false;
-        if (says_no_number(below) || read_number(below, true) || is_digit(below.front())) return false;
+        const bool is_coverage = !read_coverage(below).stated.empty() && !is_unit(below);
+        if (says_no_number(below) || read_number(below, true) || (is_digit(below.front()) && !is_coverage))
+            return false;
         if (i == 0) continue;
         merged = merged || names[i].empty();
         const std::string_view bare = std::string_view(below).find_first_of("[(") == 0 && below.size() > 2
                                           ? trimmed(std::string_view(below).substr(1, below.size() - 2))
                                           : std::string_view(below);
-        if (is_uncertainty_word(bare)) {
-            names[i] = group + " " + std::string(bare);
+        if (is_uncertainty_word(bare) || is_coverage) {
+            names[i] = group + (is_coverage ? " (" + std::string(bare) + ")" : " " + std::string(bare));
         } else if (is_unit(bare)) {
             names[i] = group + " [" + std::string(bare) + "]";
         } else {
             const Heading above = read_heading(group);
-            names[i] =
-                below +
-                (above.unit.empty() || !read_heading(below).unit.empty() ? "" : " [" + above.unit + "]");
+            const bool is_basis = above.role != Role::other || names_other_basis(above);
+            const std::string unit = above.unit.empty() && is_basis ? group : above.unit;
+            names[i] = below + (unit.empty() || !read_heading(below).unit.empty() ? "" : " [" + unit + "]");
         }
     }
     if (merged) heading.cells = names;
     return merged;
 }
 
-/// Refuses a title that states volume or mole fractions above a heading that does not. @throws InputError
-void require_unit_of_title(const TextLine& line, const Table& table) {
-    const std::string key = word_key(line.text, "%");
-    const bool by_volume = key.find("vol%") != std::string::npos || key.find("volumen%") != std::string::npos;
-    const bool by_mole = key.find("mol%") != std::string::npos;
-    if (by_mole || (by_volume && !table.has(Role::volume)))
-        refuse_line(line.number,
-                    "the title states fractions by " + std::string(by_mole ? "mole" : "volume") +
-                        ", the heading below it does not",
-                    "\"weight %\" or \"volume %\" in the heading");
+/// What the headings of amounts state that these are by; empty for "Anteil [%]".
+std::string_view stated_basis(const Table& table) {
+    std::string_view basis;
+    for (const Heading& heading : table.headings) {
+        const bool by_volume = heading.role == Role::volume || heading.states == HeadingUnit::volume;
+        const bool is_amount = heading.role == Role::weight || by_volume || heading.role == Role::other;
+        if (!is_amount) continue;
+        if (by_volume) return "volume";
+        if (heading.states == HeadingUnit::weight || bases_in(heading.written, false).contains("weight"))
+            basis = "weight";
+    }
+    return basis;
+}
+
+/// Refuses a text beside the table that states what the headings do not: a basis of the fractions, or the
+/// coverage of the uncertainties. @param rows the lines below the heading @throws InputError
+void require_agreeing_texts(Table& table, std::vector<TextBeside> texts, std::span<const TextLine> rows) {
+    UncertainColumns columns(table.headings.size());
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        const Heading& heading = table.headings[k];
+        if (heading.role == Role::phase || heading.role == Role::sample)
+            texts.push_back({table.heading_line, heading.written});
+        else if (!stands_beside(heading) || heading.role == Role::intensity || heading.role == Role::ratio ||
+                 heading.role == Role::ratio_uncertainty)
+            columns[k] = {heading.written, heading.coverage, is_uncertainty(heading)};
+    }
+    if (!table.has(Role::intensity)) require_basis(texts, stated_basis(table));
+    require_coverage_in_headings(texts, columns, rows, table.separator);
+    for (Finding& each : coverage_findings(xrd_code, columns, rows, table.separator))
+        table.warnings.push_back(std::move(each));
 }
 
 }  // namespace
@@ -571,9 +597,10 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
                 .marks = NumberMarks(decimal)};
     TableRow headings = cut_row(lines[*heading], table.separator);
     std::size_t first = *heading + 1;  // of the rows
-    const auto is_unit = [](std::string_view text) {
-        return unit_of(text) != HeadingUnit::other || role_of_text(text) != Role::other ||
-               read_unit(ascii_unit(text));
+    const auto is_unit = [](std::string_view whole) {
+        const std::string text = read_coverage(whole).rest;  // of "wt% ± 2s"
+        return !text.empty() && (unit_of(text) != HeadingUnit::other || role_of_text(text) != Role::other ||
+                                 read_unit(ascii_unit(text)));
     };
     if (first < lines.size()) {
         const TableRow second = cut_row(lines[first], table.separator);
@@ -596,7 +623,6 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
                         "the heading " + in_quotes(each.written) + " states one uncertainty, " + number +
                             ", for all numbers of its column",
                         "a column of the uncertainties, with the heading " + in_quotes("esd"));
-    for (std::size_t i = 0; i < *heading; ++i) require_unit_of_title(lines[i], table);
     for (std::size_t i = 0; i < *heading; ++i)
         table.warnings.push_back({xrd_code, Severity::background,
                                   at_line(lines[i].number) + ", above the heading, is not read: " +
@@ -607,16 +633,11 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
             table.marks.may_hold_thousands(k);
         else if (table.headings[k].role == Role::weight || table.headings[k].role == Role::volume)
             table.marks.stays_below_thousand(k);
-    std::vector<std::pair<std::string, StatedCoverage>> coverages;
-    for (const Heading& each : table.headings) coverages.emplace_back(each.written, each.coverage);
-    for (Finding& each : coverage_findings(xrd_code, coverages)) table.warnings.push_back(std::move(each));
     const std::vector<TextLine> all = lines;
     for (Finding& each : take_notes(lines, first, table.separator, xrd_code))
         table.warnings.push_back(std::move(each));
-    std::vector<std::string> uncertain;
-    for (const Heading& each : table.headings)
-        if (is_uncertainty(each) && each.coverage.stated.empty()) uncertain.push_back(each.written);
-    require_coverage_in_headings(file, std::span(lines).subspan(*heading), uncertain);
+    const std::span<const TextLine> kept(lines);
+    require_agreeing_texts(table, texts_beside(file, kept.subspan(*heading)), kept.subspan(first));
     for (std::size_t i = first; i < lines.size(); ++i) {
         table.rows.push_back(checked_row(lines[i], table));
         for (std::size_t k = 0; k < table.headings.size(); ++k)

@@ -120,6 +120,7 @@ void run_inspect_command(const CommandOptions& options, std::ostream& out) {
     const std::string bytes = read_file(file);
     at_place(FileName{file}, [&] {
         const Json document = parse_json(bytes);
+        require_schema_version(document, true);
         validate_document(document, schema_of_artifact(document));
         require_quantities(View(document));
         if (document.at("provenance").contains("result_sha256") && is_edited(document))

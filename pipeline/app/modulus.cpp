@@ -74,6 +74,24 @@ PhaseCatalogue catalogue_of(const CommandOptions& options) {
     });
 }
 
+/// The name that a sample gives the phase of another name: "Korund" for "corundum".
+std::string name_in(const XrdSample& sample, const std::string& phase) {
+    const PhaseCatalogue catalogue = built_in_phases();
+    const auto known = [&](const std::string& name) {
+        try {
+            return catalogue.resolve(name).phase.name;
+        } catch (const InputError&) {
+            return name;
+        }
+    };
+    const auto& phases = sample.analysis.phases;
+    for (const PhaseFraction& each : phases)
+        if (phase_key(each.name) == phase_key(phase)) return phase;
+    const auto found = std::ranges::find_if(
+        phases, [&](const PhaseFraction& each) { return known(each.name) == known(phase); });
+    return found == phases.end() ? phase : found->name;
+}
+
 XrdSample completed(const XrdSample& sample, const CommandOptions& options) {
     refuse_contradictions(options);
     XrdSample result = sample;
@@ -87,7 +105,7 @@ XrdSample completed(const XrdSample& sample, const CommandOptions& options) {
     if (!options.has("--internal-standard")) return result;
     const Quantity added = read_fraction("--added-fraction", options["--added-fraction"]);
     return at_place("--internal-standard", [&] {
-        return with_internal_standard(sample, options["--internal-standard"], added.value,
+        return with_internal_standard(sample, name_in(sample, options["--internal-standard"]), added.value,
                                       added.standard_uncertainty);
     });
 }

@@ -91,6 +91,10 @@ std::string shown_formula(std::string_view formula) {
     return '=' + std::string(formula) + " (a formula, saved without its result)";
 }
 
+std::string shown_in_thousands(double value) {
+    return shown_number(value) + " (shown as " + shown_number(value / 1000) + " by its number format)";
+}
+
 /// Marks a text that the spreadsheet shows struck out, so that it is neither a number nor a name.
 std::string struck_out(std::string text) {
     return text.empty() ? text : std::move(text) + " (struck out)";
@@ -114,14 +118,20 @@ std::size_t repeats(const pugi::xml_node& node, std::string_view attribute) {
     return status == std::errc{} ? std::min(count, Sheet::most_rows) : 1;
 }
 
-/// Names of the styles of an .ods whose text is struck out, and of those whose text is raised.
+/// Names of the styles of an .ods whose text is struck out or raised, or whose numbers are shown in
+/// thousands.
 struct TextStyles {
     std::set<std::string, std::less<>> struck{};
     std::set<std::string, std::less<>> raised{};
+    std::set<std::string, std::less<>> in_thousands{};  ///< of numbers, and of the cells that have them
 
     explicit TextStyles(const pugi::xml_node& styles) {
         for (const pugi::xml_node& style : styles) {
             const std::string name = attribute_of(style, "name").value_or("");
+            const std::string factor =
+                attribute_of(child_of(style, "number"), "display-factor").value_or("1");
+            if (factor != "1" || in_thousands.contains(attribute_of(style, "data-style-name").value_or("")))
+                in_thousands.insert(name);
             const pugi::xml_node text = child_of(style, "text-properties");
             if (attribute_of(text, "text-line-through-style").value_or("none") != "none") struck.insert(name);
             if (attribute_of(text, "text-position").value_or("").starts_with("super")) raised.insert(name);
@@ -184,6 +194,9 @@ std::string ods_cell_text(const pugi::xml_node& cell, const TextStyles& styles) 
     if (type == "date") return shown_date(attribute_of(cell, "date-value").value_or("").substr(0, 10));
     if (type == "float" || type == "percentage" || type == "currency") {
         const auto number = whole_decimal(attribute_of(cell, "value").value_or(""));
+        if (number && *number != 0 &&
+            styles.in_thousands.contains(attribute_of(cell, "style-name").value_or("")))
+            return shown_in_thousands(*number);
         if (number)
             return as_shown(text_of_paragraphs(cell, styles),
                             type == "percentage" ? shown_per_cent(*number) : shown_number(*number));
@@ -400,6 +413,7 @@ std::string shown_value(const std::string& value, const pugi::xml_node& cell, co
     const FormatSection& section = section_of(shared.formats[style], *number);
     if (section.format == Format::date) return shown_date(date_of(*number, shared.since_1904));
     if (!section.has_number && !section.prefix.empty()) return section.prefix;
+    if (section.in_thousands && *number != 0) return shown_in_thousands(*number);
     return beside(section.prefix,
                   section.format == Format::per_cent ? shown_per_cent(*number) : shown_number(*number),
                   section.suffix);
@@ -410,7 +424,8 @@ std::string xlsx_cell_text(const pugi::xml_node& cell, const Shared& shared) {
     if (type == "inlineStr") return text_of_item(child_of(cell, "is"));
     std::string value = child_of(cell, "v").child_value();
     const pugi::xml_node formula = child_of(cell, "f");
-    if (value.empty() && formula && type != "str") return shown_formula(formula.child_value());
+    if (value.empty() && formula && (type != "str" || !child_of(cell, "v")))
+        return shown_formula(formula.child_value());
     if (type == "s") {
         const auto index = whole_number(value);
         if (!index || *index >= shared.strings.size())

@@ -60,6 +60,9 @@ NumberFormat format_of_code(std::string_view code) {
         } else if (c == '0' || c == '#' || c == '?') {
             end_literal();
             section.has_number = true;
+        } else if (c == ',' && section.has_number) {
+            section.in_thousands =
+                i + 1 == code.size() || std::string_view("0#?,").find(code[i + 1]) == std::string_view::npos;
         } else if (c == '%') {
             section.format = Format::per_cent;
         } else if (c == 'G' && code.substr(i).starts_with("General")) {

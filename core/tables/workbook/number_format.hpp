@@ -15,6 +15,7 @@ enum class Format { number, per_cent, date };
 struct FormatSection {
     Format format = Format::number;
     std::string prefix{}, suffix{};  ///< texts with a meaning around the number: "<", "g/kg"
+    bool in_thousands = false;       ///< "0.0,": shown a thousand times smaller
     bool has_number = false;         ///< else the texts alone are shown: "n.d."
     std::string condition{};         ///< "<0.1"; empty: by the sign of the number
 };

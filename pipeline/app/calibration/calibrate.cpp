@@ -304,10 +304,7 @@ void add_calibrate(const CommandLine& line) {
                     "and, if known, u(v_c) [m/s]; or a source of `ashimpact literature`");
     command.add("--uncertainty", "X", "relative standard one of v_c where the table states none, \"10 %\"")
         ->needs(sizes);
-    command
-        .add("--decimal", "MARK",
-             "point or comma, before the decimals of all numbers of the table of --sizes")
-        ->needs(sizes);
+    command.add_table_options(sizes);
     command.add("-o,--output", "FILE", "draws the velocities and the law over the sizes: .svg, .pdf or .png")
         ->needs(sizes);
     command.add_material_options(false);

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
+#include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,9 +14,12 @@
 #include "core/quantities/checks.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/tables/number_marks.hpp"
+#include "core/tables/table_texts.hpp"
 #include "core/tables/text_lines.hpp"
+#include "core/tables/workbook/workbook.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
+#include "materials/xrd/table_headings.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/case/literature.hpp"
 #include "pipeline/files/file.hpp"
@@ -40,85 +46,188 @@ struct SizedVelocity {
     std::optional<double> uncertainty{};  ///< standard [m/s]
 };
 
-/// A heading "d [um]" as the column and its unit.
+constexpr TextLimits size_limits{.content = "a table of critical velocities"};
+constexpr auto size_headings = "d [um], v_c [m/s], u(v_c) [m/s]";
+
+/// A column of a table of sizes: "d [um]", "critical velocity (m/s)", "u(v_c) [m/s]", "± (2s)".
 struct SizeHeading {
-    SizeColumn column;
-    double unit;  ///< [SI]
-    std::string unit_name;
+    std::optional<SizeColumn> column{};  ///< none: not used
+    std::string written{};
+    std::string unit_name{};
+    StatedCoverage coverage{};
+    double unit = 1;  ///< [SI]
 };
 
-SizeHeading read_size_heading(const std::string& cell) {
-    const auto bracket = cell.find('[');
-    const std::string name(trimmed(std::string_view(cell).substr(0, bracket)));
-    const auto column = named<SizeColumn>(name);
-    if (bracket == std::string::npos || !cell.ends_with(']'))
-        throw InputError(in_quotes(cell) + " has no unit", "d [um], v_c [m/s], u(v_c) [m/s]");
-    const auto dimension = column == SizeColumn::diameter ? Dimension::length : Dimension::velocity;
-    const std::string unit = cell.substr(bracket + 1, cell.size() - bracket - 2);
-    return {column, to_si(1, unit, dimension), unit};
+/// @param before the column before it, whose uncertainty one without a name is
+SizeHeading read_size_heading(const std::string& cell, const SizeHeading* before) {
+    static const WordLists words("sizes of critical velocities");
+    SizeHeading heading{.written = cell, .coverage = read_coverage(cell)};
+    auto [name, unit] = cut_heading(heading.coverage.rest);
+    heading.column = meaning<SizeColumn>(words, name);
+    if (heading.column && unit.empty()) throw InputError(in_quotes(cell) + " has no unit", size_headings);
+    const xrd::UncertaintyName uncertain = xrd::uncertainty_name(heading.column ? "" : name.c_str());
+    const bool follows = before != nullptr && before->column == SizeColumn::velocity;
+    if (!heading.column && (uncertain.is_uncertainty || is_uncertainty_word(name)) &&
+        (uncertain.of.empty() ? follows : words.list_of(uncertain.of) == "v_c")) {
+        heading.column = SizeColumn::uncertainty;
+        if (unit.empty() && before != nullptr) unit = before->unit_name;
+    }
+    if (!heading.column) return heading;
+    if (heading.column == SizeColumn::uncertainty && !heading.coverage.problem.empty())
+        throw InputError(in_quotes(cell) + ": " + heading.coverage.problem,
+                         "u(v_c) [m/s], U(v_c) [m/s] (k=2)");
+    heading.unit_name = unit;
+    heading.unit =
+        to_si(1, unit, heading.column == SizeColumn::diameter ? Dimension::length : Dimension::velocity);
+    return heading;
 }
 
-std::vector<SizedVelocity> read_size_table(const std::string& bytes, std::optional<DecimalMark> decimal,
-                                           std::vector<Finding>& doubts) {
-    const TextLines file(bytes, {.content = "a table of critical velocities"});
-    const std::vector<TextLine> lines = lines_with_content(file);
-    const char separator = separator_of(lines.front().text);
+/// The columns of the heading of a table; none if the line is not one.
+std::vector<SizeHeading> size_headings_in(const TableRow& row) {
     std::vector<SizeHeading> headings;
-    at_place(at_line(lines.front().number), [&] {
-        for (const std::string& cell : cut_row(lines.front(), separator).cells) {
-            headings.push_back(read_size_heading(cell));
-            if (std::ranges::count(headings, headings.back().column, &SizeHeading::column) > 1)
-                throw InputError(in_quotes(cell) + " is the same column again", "each column once");
+    for (const std::string& cell : row.cells)
+        headings.push_back(read_size_heading(cell, headings.empty() ? nullptr : &headings.back()));
+    return headings;
+}
+
+bool holds_size(const std::vector<SizeHeading>& headings, SizeColumn column) {
+    return std::ranges::find(headings, column, &SizeHeading::column) != headings.end();
+}
+
+/// Index of the heading: the first line that names a size or a velocity.
+std::size_t size_heading_place(const std::vector<TextLine>& lines) {
+    static const WordLists words("sizes of critical velocities");
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto cells = cut_row(lines[i], separator_of(lines[i].text)).cells;
+        if (cells.size() > 1 && std::ranges::any_of(cells, [&](const std::string& cell) {
+                return words.holds(cut_heading(read_coverage(cell).rest).name);
+            }))
+            return i;
+    }
+    refuse_line(lines.front().number, "no line names the columns of a table of critical velocities",
+                size_headings);
+}
+
+bool holds_sizes(const TextLines& file) {
+    try {
+        return size_heading_place(lines_with_content(file)) + 1 > 0;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<DecimalMark> decimal,
+                                           std::vector<Finding>& findings) {
+    constexpr auto code = "calibration";
+    std::vector<TextLine> lines = lines_with_content(file);
+    const std::size_t place = size_heading_place(lines);
+    const std::size_t first = place + 1;
+    const char separator = separator_of(lines[place].text);
+    const auto note = [&](std::string text) {
+        findings.push_back({code, Severity::remark, std::move(text)});
+    };
+    const std::vector<SizeHeading> headings = at_place(at_line(lines[place].number), [&] {
+        auto found = size_headings_in(cut_row(lines[place], separator));
+        for (const SizeHeading& heading : found) {
+            if (!heading.column) {
+                if (!heading.written.empty()) note("column " + in_quotes(heading.written) + " is not used");
+            } else if (std::ranges::count(found, heading.column, &SizeHeading::column) > 1) {
+                throw InputError(in_quotes(heading.written) + " is the same column again",
+                                 "each column once");
+            }
         }
         for (const SizeColumn needed : {SizeColumn::diameter, SizeColumn::velocity})
-            if (std::ranges::find(headings, needed, &SizeHeading::column) == headings.end())
-                throw InputError(fmt::format("the column {} is missing", name_of(needed)),
-                                 "d [um], v_c [m/s], u(v_c) [m/s]");
+            if (!holds_size(found, needed))
+                throw InputError(fmt::format("the column {} is missing", name_of(needed)), size_headings);
+        return found;
     });
+    for (std::size_t i = 0; i < place; ++i)
+        note(at_line(lines[i].number) +
+             ", above the heading, is not read: " + in_quotes(trimmed(lines[i].text)));
+    for (Finding& each : take_notes(lines, first, separator, code)) findings.push_back(std::move(each));
+    const std::span rows = std::span<const TextLine>(lines).subspan(first);
+    UncertainColumns uncertain(headings.size());
     NumberMarks marks(decimal);
-    for (std::size_t k = 0; k < headings.size(); ++k)
-        if (headings[k].unit < (headings[k].column == SizeColumn::diameter ? 1e-7 : 0.05))
+    for (std::size_t k = 0; k < headings.size(); ++k) {
+        const SizeHeading& heading = headings[k];
+        if (!heading.column) continue;
+        uncertain[k] = {heading.written, heading.coverage, heading.column == SizeColumn::uncertainty};
+        if (heading.unit < (heading.column == SizeColumn::diameter ? 1e-7 : 0.05))
             marks.may_hold_thousands(k);  // of nm, mm/s
-    for (std::size_t i = 1; i < lines.size(); ++i)
-        for_each_cell(lines[i], separator,
+    }
+    require_coverage_in_headings(texts_beside(file, std::span<const TextLine>(lines).subspan(place)),
+                                 uncertain, rows, separator);
+    for (Finding& each : coverage_findings(code, uncertain, rows, separator))
+        findings.push_back(std::move(each));
+    for (const TextLine& line : rows)
+        for_each_cell(line, separator,
                       [&](std::string_view cell, std::size_t column) { marks.see(cell, column); });
-    std::vector<SizedVelocity> rows;
-    for (std::size_t i = 1; i < lines.size(); ++i) {
-        const TableRow row = cut_row(lines[i], separator);
+    std::vector<SizedVelocity> found;
+    bool told_uncertain = false;
+    for (const TextLine& line : rows) {
+        TableRow row = cut_row(line, separator);
+        if (is_summary(row.cells.front())) {
+            note(at_line(row.line) + " is no size and left out: " + in_quotes(row.cells.front()));
+            continue;
+        }
+        while (row.cells.size() > headings.size() && row.cells.back().empty()) row.cells.pop_back();
         if (row.cells.size() != headings.size())
             refuse_line(row.line, fmt::format("has {} cells", row.cells.size()),
                         fmt::format("{}, as the heading", headings.size()));
         SizedVelocity sized;
         for (std::size_t k = 0; k < headings.size(); ++k)
             at_place(at_cell(row.line, k), [&] {
-                const std::string& unit = headings[k].unit_name;
-                const auto number = marks.read(without_unit(row.cells[k], unit), k);
+                const SizeHeading& heading = headings[k];
+                if (!heading.column) return;
+                const auto number = marks.read(without_unit(row.cells[k], heading.unit_name), k);
                 if (!number || !(number->value > 0) || number->per_cent)
                     throw InputError(in_quotes(row.cells[k]) + " is no size or velocity",
-                                     "a number > 0 in " + unit);
-                const double value = number->value * headings[k].unit;
-                if (headings[k].column != SizeColumn::uncertainty)
-                    if (auto doubt = implausible(
-                            *plausible_range(headings[k].column == SizeColumn::diameter ? "diameter"
-                                                                                        : "velocity"),
-                            {value}))
-                        doubts.push_back(*std::move(doubt));
-                if (headings[k].column == SizeColumn::diameter)
-                    sized.diameter = value;
-                else if (headings[k].column == SizeColumn::velocity)
-                    sized.velocity = value;
-                else
-                    sized.uncertainty = value;
-                const bool is_column = std::ranges::find(headings, SizeColumn::uncertainty,
-                                                         &SizeHeading::column) != headings.end();
-                if (number->standard_uncertainty && is_column)
+                                     "a number > 0 in " + heading.unit_name);
+                const double value = number->value * heading.unit;
+                if (heading.column == SizeColumn::uncertainty) {
+                    sized.uncertainty = value / heading.coverage.factor;
+                    return;
+                }
+                const bool is_size = heading.column == SizeColumn::diameter;
+                if (auto doubt = implausible(*plausible_range(is_size ? "diameter" : "velocity"), {value}))
+                    findings.push_back(*std::move(doubt));
+                (is_size ? sized.diameter : sized.velocity) = value;
+                if (!number->standard_uncertainty) return;
+                if (is_size) {
+                    if (!std::exchange(told_uncertain, true))
+                        note("uncertainties of sizes are not used, the first in " + at_cell(row.line, k));
+                } else if (holds_size(headings, SizeColumn::uncertainty)) {
                     throw InputError(in_quotes(row.cells[k]) + " and a column state its uncertainty", "one");
-                if (headings[k].column == SizeColumn::velocity && number->standard_uncertainty)
-                    sized.uncertainty = *number->standard_uncertainty * headings[k].unit;
+                } else {
+                    sized.uncertainty =
+                        *number->standard_uncertainty * heading.unit / heading.coverage.factor;
+                }
             });
-        rows.push_back(sized);
+        found.push_back(sized);
     }
-    return rows;
+    if (found.empty()) refuse_line(file.last_line(), "there are no rows below the heading", size_headings);
+    return found;
+}
+
+std::vector<SizedVelocity> read_size_table(const std::string& bytes, const TableOptions& options,
+                                           std::vector<Finding>& findings) {
+    if (!is_workbook(bytes)) {
+        if (!options.sheet.empty())
+            throw InputError("a sheet is named, and the file is no spreadsheet", "an .xlsx or .ods")
+                .at("--sheet");
+        return read_size_lines(TextLines(bytes, size_limits), options.decimal, findings);
+    }
+    const ChosenSheet sheet(bytes, {.name = options.sheet,
+                                    .option = "--sheet",
+                                    .code = "calibration",
+                                    .limits = size_limits,
+                                    .holds_table = holds_sizes});
+    findings = sheet.findings();
+    return sheet.read([&](const TextLines& lines) {
+        auto rows = read_size_lines(lines, options.decimal, findings);
+        for (Finding& each : findings) each.text = in_rows(std::move(each.text));
+        return rows;
+    });
 }
 
 /// The measured velocities of a source that are single values of a known size.
@@ -139,10 +248,14 @@ std::vector<SizedVelocity> read_sizes(const CommandOptions& options) {
         return sized_velocities(*source);
     }
     const std::string bytes = read_file(name);
-    std::vector<Finding> doubts;
-    const auto rows = at_place(
-        FileName{name}, [&] { return read_size_table(bytes, table_options(options).decimal, doubts); });
-    if (!doubts.empty()) warn_of({doubts.front()}, name);
+    std::vector<Finding> findings;
+    auto rows =
+        at_place(FileName{name}, [&] { return read_size_table(bytes, table_options(options), findings); });
+    const auto is_doubt = [](const Finding& each) { return each.severity == Severity::doubt; };
+    const auto first = std::ranges::find_if(findings, is_doubt);
+    if (first != findings.end())
+        findings.erase(std::remove_if(first + 1, findings.end(), is_doubt), findings.end());
+    warn_of(findings, name);
     return rows;
 }
 

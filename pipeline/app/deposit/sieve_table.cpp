@@ -4,10 +4,13 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <set>
+#include <span>
 
 #include <fmt/format.h>
 
 #include "core/plausibility.hpp"
+#include "core/tables/table_texts.hpp"
 #include "core/tables/text_lines.hpp"
 #include "core/tables/vocabulary.hpp"
 #include "core/tables/workbook/workbook.hpp"
@@ -47,18 +50,8 @@ struct SieveHeading {
 
 SieveHeading sieve_heading(const std::string& cell) {
     static const WordLists words("sieve columns");
-    std::string name = cell;
-    SieveHeading heading{.written = cell};
-    const auto bracket = cell.find_last_of("[(");
-    const auto in = cell.rfind(" in ");
-    if (bracket != std::string::npos) {
-        const auto end = cell.find_first_of("])", bracket);
-        heading.unit = trimmed(std::string_view(cell).substr(bracket + 1, end - bracket - 1));
-        name = trimmed(std::string_view(cell).substr(0, bracket));
-    } else if (in != std::string::npos) {
-        heading.unit = trimmed(std::string_view(cell).substr(in + 4));
-        name = trimmed(std::string_view(cell).substr(0, in));
-    }
+    const auto [name, unit] = cut_heading(cell);
+    SieveHeading heading{.unit = unit, .written = cell};
     if (name != "q3") heading.column = meaning<SieveColumn>(words, name);  // the density beside the sum Q3
     return heading;
 }
@@ -78,7 +71,16 @@ class SieveTable {
                 file.lines().front().number, "no line names the columns of a sieve table",
                 "\"size [um]\" with \"passing [%]\" or \"residue [%]\"; or \"from [um]\", \"to [um]\", "
                 "\"share [%]\"");
-        const std::vector<TextLine> below(heading + 1, lines.end());
+        const auto first = static_cast<std::size_t>(heading - lines.begin()) + 1;
+        for (std::size_t i = 0; i + 1 < first; ++i)
+            note(at_line(lines[i].number) +
+                 ", above the heading, is not read: " + in_quotes(trimmed(lines[i].text)));
+        const std::size_t heading_line = lines[first - 1].number;
+        for (Finding& each : take_notes(lines, first, separator_, "deposition"))
+            notes_.push_back(std::move(each));
+        require_agreeing_texts(texts_beside(file, std::span<const TextLine>(lines).subspan(first - 1)));
+        const std::span<const TextLine> below = std::span<const TextLine>(lines).subspan(first);
+        take_units_of_cells(heading_line, below);
         for (std::size_t k = 0; k < columns_.size(); ++k)
             if (columns_[k].column && is_size(*columns_[k].column) &&
                 to_si(1, columns_[k].unit, Dimension::length) < small_unit)
@@ -87,7 +89,7 @@ class SieveTable {
             for_each_cell(line, separator_,
                           [&](std::string_view cell, std::size_t k) { marks_.see(cell, k); });
         for (const TextLine& line : below) add(cut_row(line, separator_));
-        last_line_ = below.empty() ? heading->number : below.back().number;
+        last_line_ = below.empty() ? heading_line : below.back().number;
     }
 
     [[nodiscard]] ParticleSizes sizes(std::vector<Finding>& notes) const {
@@ -151,11 +153,53 @@ class SieveTable {
                                 "one of them");
             if (!heading.column && !heading.written.empty())
                 note("column " + in_quotes(heading.written) + " is not used");
-            if (heading.column && is_size(*heading.column) && heading.unit.empty())
-                refuse_line(line.number, "a column of sizes has no unit", "such as \"size [um]\"");
         }
         take_scale(line.number, columns_[*place(kind_)]);
         return true;
+    }
+
+    /// Takes the unit of sizes from their cells, "10 um", where the heading states none. @throws InputError
+    void take_units_of_cells(std::size_t heading_line, std::span<const TextLine> rows) {
+        for (std::size_t k = 0; k < columns_.size(); ++k) {
+            SieveHeading& heading = columns_[k];
+            if (!heading.column || !is_size(*heading.column) || !heading.unit.empty()) continue;
+            for (const TextLine& row : rows)
+                for_each_cell(row, separator_, [&](std::string_view cell, std::size_t column) {
+                    const auto end = cell.find_last_of("0123456789.");
+                    const std::string_view unit =
+                        end == std::string_view::npos ? "" : trimmed(cell.substr(end + 1));
+                    if (column == k && heading.unit.empty() && !unit.empty() && read_unit(ascii_unit(unit)))
+                        heading.unit = unit;
+                });
+            units_in_cells_ = !heading.unit.empty();
+            if (heading.unit.empty())
+                refuse_line(heading_line, "a column of sizes has no unit", "such as \"size [um]\"");
+        }
+    }
+
+    /// Refuses a text beside the table that contradicts its headings: "by number", "radii", "residue".
+    void require_agreeing_texts(const std::vector<TextBeside>& texts) const {
+        static const WordLists words("sieve titles", " ");
+        for (const TextBeside& each : texts) {
+            std::set<std::string_view> lists;
+            for (const Mention& mention : mentions_in(words_in(each.text), words))
+                if (!mention.negated) lists.insert(mention.list);
+            const bool is_finer = kind_ == SieveColumn::finer;
+            const bool other_kind = kind_ != SieveColumn::share &&
+                                    !lists.contains(is_finer ? "finer" : "coarser") &&
+                                    lists.contains(is_finer ? "coarser" : "finer");
+            if (lists.contains("number") || bases_in(each.text).contains("number"))
+                refuse_line(each.line, in_quotes(each.text) + " states shares by number",
+                            "shares by mass or volume");
+            if (lists.contains("radius"))
+                refuse_line(each.line, in_quotes(each.text) + " states radii", "diameters");
+            if (other_kind)
+                refuse_line(each.line,
+                            in_quotes(each.text) + " states what is " + (is_finer ? "coarser" : "finer") +
+                                ", and the heading " + in_quotes(columns_[*place(kind_)].written) +
+                                " the contrary",
+                            "one of the two");
+        }
     }
 
     /// The unit of the shares, which are by mass.
@@ -165,7 +209,7 @@ class SieveTable {
         if (!heading.unit.empty() && unit.states == xrd::HeadingUnit::other)
             refuse_line(line, "the unit of " + in_quotes(heading.written) + " is not known",
                         "shares by mass: [%], [wt%], [1], [g/kg]");
-        if (unit.states == xrd::HeadingUnit::volume)
+        if (unit.states == xrd::HeadingUnit::volume || bases_in(heading.written, false).contains("volume"))
             note("column " + in_quotes(heading.written) +
                  " is by volume: taken as by mass, as of one density");
         constexpr std::array<double, 5> scales{1, 0.01, 1, 1e-3, 1e-6};  // by xrd::Scale
@@ -178,6 +222,11 @@ class SieveTable {
         const std::string place = at_cell(row.line, column);
         const std::string& unit = columns_[column].unit;
         const std::string_view cell = without_unit(row.cells.at(column), unit);
+        if (units_in_cells_ && is_size(*columns_[column].column) && cell.size() == row.cells[column].size() &&
+            cell != "0")
+            throw InputError(in_quotes(cell) + " is not in " + unit + ", as other sizes are",
+                             "one unit in all cells, or in the heading")
+                .at(place);
         const auto read = at_place(place, [&]() { return marks_.read(cell, column); });
         if (read && read->standard_uncertainty && !told_uncertain_) {
             note("uncertainties are not used, the first in " + place);
@@ -198,6 +247,20 @@ class SieveTable {
     void add(const TableRow& row) {
         if (!row.cells.empty() && is_summary(row.cells.front()))
             return note(at_line(row.line) + " is no size and left out: " + in_quotes(row.cells.front()));
+        static const WordLists pans("sieve pans");
+        if (kind_ != SieveColumn::share && row.cells.size() >= columns_.size() &&
+            pans.holds(row.cells.front())) {
+            const double share = number(row, *place(kind_)) * scale_;
+            const double part = unit_given_ || share <= 1 + sum_tolerance ? share : share / 100;
+            const bool is_finer = kind_ == SieveColumn::finer;
+            if (std::abs(part - (is_finer ? 0 : 1)) > end_tolerance)
+                refuse_line(
+                    row.line,
+                    in_quotes(row.cells.front()) +
+                        " is below every sieve: " + (is_finer ? "nothing passes it" : "all is coarser"),
+                    is_finer ? "0 %, or a table without this row" : "100 %, or a table without this row");
+            return note(at_line(row.line) + " is no size and left out: " + in_quotes(row.cells.front()));
+        }
         if (row.cells.size() < columns_.size())
             refuse_line(row.line, counted(row.cells.size(), "cell"),
                         std::to_string(columns_.size()) + " cells");
@@ -315,6 +378,7 @@ class SieveTable {
     double scale_ = 1;
     bool unit_given_ = false;
     bool may_be_on_each_ = false;  ///< the shares, if they are coarser
+    bool units_in_cells_ = false;  ///< of sizes
     std::vector<ShareRow> rows_{};
     std::vector<Finding> notes_{};
     std::optional<std::string> sample_{};

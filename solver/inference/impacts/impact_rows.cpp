@@ -29,52 +29,6 @@ bool is_blank(std::string_view cell) {
     return outcome_word(cell) == OutcomeWord::unknown;
 }
 
-/// The words of a text as word_key() writes them.
-std::vector<std::string> words_in(std::string_view text) {
-    std::vector<std::string> words(1);
-    for (const char c : word_key(text, all_marks)) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (std::isalnum(byte) != 0 || byte >= 0x80U)
-            words.back() += c;
-        else if (!words.back().empty())
-            words.emplace_back();
-    }
-    if (words.back().empty()) words.pop_back();
-    return words;
-}
-
-/// A word or some words of a list in a text.
-struct Mention {
-    std::string_view list;
-    bool negated;
-};
-
-/// All mentions, the longest first at each place.
-std::vector<Mention> mentions_in(std::string_view text, const WordLists& lists) {
-    static const WordLists negations("negations");
-    constexpr std::size_t most_words = 4;
-    constexpr std::size_t reach = 3;  // of a negation, in words
-    const std::vector<std::string> words = words_in(text);
-    std::vector<Mention> mentions;
-    std::size_t done = 0;  // words that belong to a mention
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        for (std::size_t count = std::min(most_words, words.size() - i); count > 0; --count) {
-            std::string phrase = words[i];
-            for (std::size_t k = 1; k < count; ++k) phrase += ' ' + words[i + k];
-            const auto list = phrase.size() > 1 ? lists.list_of(phrase) : std::nullopt;
-            if (!list) continue;
-            bool negated = i + count < words.size() && negations.holds(words[i + count]);
-            for (std::size_t k = std::max(done, i - std::min(i, reach)); k < i; ++k)
-                negated = negated || negations.holds(words[k]);
-            mentions.push_back({*list, negated});
-            i += count - 1;
-            done = i + 1;
-            break;
-        }
-    }
-    return mentions;
-}
-
 /// The list of words that judge an impact which holds a cell: "good", "bad", "yes", "no", or "mark".
 std::optional<std::string_view> verdict_of(std::string_view cell) {
     static const WordLists words("verdicts", all_marks);
@@ -89,7 +43,7 @@ bool calls_invalid(std::string_view text) {
     if (verdict_of(text) == "bad") return true;
     if (text.find_first_not_of("+-.,0123456789 ") == std::string_view::npos) return false;
     static const WordLists words("invalid impacts", " ");
-    const auto mentions = mentions_in(text, words);
+    const auto mentions = mentions_in(words_in(text), words);
     return std::ranges::any_of(mentions, [](const Mention& mention) { return !mention.negated; });
 }
 
@@ -99,10 +53,10 @@ OutcomeWord outcome_mentioned(std::string_view remark) {
     static const WordLists words("outcomes", " ");
     OutcomeWord outcome = OutcomeWord::none;
     if (remark.find('?') != std::string_view::npos) return outcome;
-    for (const auto& [list, negated] : mentions_in(remark, words)) {
-        const auto meaning = named<OutcomeWord>(list);
+    for (const Mention& mention : mentions_in(words_in(remark), words)) {
+        const auto meaning = named<OutcomeWord>(mention.list);
         if (meaning == OutcomeWord::unknown) continue;
-        if (negated || (outcome != OutcomeWord::none && outcome != meaning)) return OutcomeWord::none;
+        if (mention.negated || (outcome != OutcomeWord::none && outcome != meaning)) return OutcomeWord::none;
         outcome = meaning;
     }
     return outcome;
@@ -118,6 +72,7 @@ void RowLabels::Column::take(std::string_view cell) {
         ++(is_blank(cell) ? empty : texts);
         const auto verdict = verdict_of(cell);
         has_marks = has_marks || verdict == "no" || verdict == "mark";
+        marks += verdict == "mark" ? 1 : 0;
     }
 }
 
@@ -138,7 +93,8 @@ RowLabels::RowLabels(const MeasurementHeading& heading, std::span<const TextLine
         const Column& column = columns_[i];
         const auto found =
             std::ranges::find(heading.validity, column.column.position, &ValidityColumn::position);
-        const bool has_remarks = i >= heading.unused.size() || column.column.name.empty();
+        const bool only_marks = column.marks > 0 && column.marks == column.texts && column.numbers == 0;
+        const bool has_remarks = i >= heading.unused.size() || column.column.name.empty() || only_marks;
         if (found != heading.validity.end() || (has_remarks && column.has_marks))
             require_one_verdict(lines, separator, column,
                                 found != heading.validity.end() ? &*found : nullptr);

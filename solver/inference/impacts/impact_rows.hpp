@@ -42,6 +42,7 @@ class RowLabels {
         long last_number = 0;         ///< of the column
         std::size_t inner_empty = 0;  ///< before the last number
         bool has_marks = false;       ///< "no" or "x" in some cell
+        std::size_t marks = 0;        ///< of the texts, "x"
         [[nodiscard]] bool counts_rows() const {
             return numbers >= 2 && numbers > texts && (column.position == 0 || in_order);
         }

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <utility>
 
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "core/units/units.hpp"
@@ -274,9 +276,10 @@ void take_measured(MeasurementHeading& heading, const Meaning& meaning, Measured
     const auto index = static_cast<std::size_t>(meaning.quantity);
     auto& place = (meaning.is_uncertainty ? heading.uncertainty : heading.value)[index];
     if (place)
-        throw InputError("the columns " + in_quotes(place->name) + " and " + in_quotes(column.name) +
-                             " hold the same quantity",
-                         "each quantity once");
+        throw InputError(
+            "the columns " + in_quotes(place->name) + " and " + in_quotes(column.name) +
+                " hold the same quantity",
+            "each quantity once; outcomes in a column \"outcome\", or \"captured\" with yes and no");
     place = std::move(column);
 }
 
@@ -311,6 +314,13 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
     if (take_sideways(heading, cell, name, unit, position) || take_other(heading, name, position)) return;
     auto meaning = meaning_in(heading, name, coverage, position);
     if (!meaning) {
+        const std::string plain_unit = ascii_unit(unit);
+        const auto list = column_words().list_of(key_of(name));
+        if ((plain_unit == "deg" || plain_unit == "rad") && list != "other angle")
+            throw InputError(
+                "column " + in_quotes(cell) + " may hold the angle of incidence, or another one",
+                "\"angle [deg]\" for that from the normal, \"rebound angle [deg]\" for one that is "
+                "not used, or a file without this column");
         if (announces_remarks(name))
             heading.remarks.push_back({position, cell});
         else if (is_uncertainty_word(name) || !coverage.stated.empty())
@@ -320,7 +330,6 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
                      " is not used: it does not say of which velocity; write \"u(v_in) [m/s]\""});
         else
             heading.unused.push_back({position, cell});
-        const auto list = column_words().list_of(key_of(name));
         if (list == "validity" || list == "exclusion")
             heading.validity.push_back({position, list == "exclusion"});
         return;
@@ -333,7 +342,7 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
     const bool follows_v0 = incident && key_of(incident->name) == "v0";
     if (follows_v0 && key_of(name).find("v1") != std::string::npos)
         meaning->quantity = MeasuredQuantity::rebound;
-    heading.coverages.emplace_back(cell, coverage);
+    heading.coverages[position] = {cell, coverage, meaning->is_uncertainty};
     if (meaning->is_uncertainty && !coverage.problem.empty()) return;
     const bool named = meaning_of(name).has_value();
     const auto& value = heading.of(meaning->quantity);
@@ -389,6 +398,49 @@ bool announces_remarks(std::string_view heading) {
     return words.holds(text);
 }
 
+void require_agreeing_units(const std::vector<TextBeside>& texts, const MeasurementHeading& heading) {
+    static const WordLists angles("angle references", " ");
+    std::vector<const MeasuredColumn*> columns;
+    for (const auto& column : heading.value)
+        if (column && !column->is_fraction) columns.push_back(&*column);
+    for (const TextBeside& each : texts) {
+        const std::string_view text = each.text;
+        const MeasuredColumn* other = nullptr;
+        std::string_view unit;
+        bool agrees = false;
+        bool behind_number = false;  // "12 m/s" is a velocity
+        constexpr std::string_view ends = " \t,;:()[]\"";
+        for (auto from = text.find_first_not_of(ends); from != std::string_view::npos;) {
+            const auto end = std::min(text.find_first_of(ends, from), text.size());
+            const std::string_view word = text.substr(from, end - from);
+            from = text.find_first_not_of(ends, end);
+            const bool is_value = std::exchange(behind_number, read_number(word, true).has_value());
+            if (is_value || !is_velocity_unit(word)) continue;
+            const double factor = to_si(1, velocity_unit(word), Dimension::velocity);
+            for (const MeasuredColumn* column : columns) {
+                const bool same = std::abs(factor / column->to_si - 1) < 1e-9;
+                agrees = agrees || same;
+                if (same || other != nullptr) continue;
+                other = column;
+                unit = word;
+            }
+        }
+        if (other != nullptr && !agrees)
+            refuse_line(
+                each.line,
+                in_quotes(text) + " states " + std::string(unit) + ", and column " + in_quotes(other->name) +
+                    (other->unit_given ? " is in another unit" : " has no unit, which is m/s"),
+                "the unit in the heading, \"v_in [" + std::string(unit) + "]\", or a file without this text");
+        if (!heading.sideways || !heading.sideways->is_angle) continue;
+        for (const Mention& mention : mentions_in(words_in(text), angles))
+            if (!mention.negated)
+                refuse_line(each.line,
+                            in_quotes(text) + " may state that the angles are from the wall, and column " +
+                                in_quotes(heading.sideways->name) + " is taken from the normal",
+                            "angles from the normal, and a file without this text");
+    }
+}
+
 bool names_incident_velocity(const std::vector<std::string>& cells) {
     return std::any_of(cells.begin(), cells.end(), [](const std::string& cell) {
         const StatedCoverage coverage = read_coverage(cell);
@@ -402,13 +454,12 @@ bool names_incident_velocity(const std::vector<std::string>& cells) {
 MeasurementHeading read_measurement_heading(const std::vector<std::string>& cells) {
     MeasurementHeading heading{};
     heading.columns = cells.size();
+    heading.coverages.resize(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i) take_column(heading, cells[i], i);
     take_captured(heading);
     take_checked(heading);
     require_columns(heading);
     settle_sideways(heading);
-    for (Finding& note : coverage_findings(impacts_code, heading.coverages))
-        heading.notes.push_back(std::move(note));
     return heading;
 }
 

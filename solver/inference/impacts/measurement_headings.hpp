@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/quantities/names.hpp"
+#include "core/tables/table_texts.hpp"
 #include "core/tables/vocabulary.hpp"
 
 namespace ashimpact {
@@ -85,9 +86,9 @@ struct MeasurementHeading {
     bool normal_velocity = true;      ///< v_in is that normal to the wall, not that of the sphere at an angle
     std::vector<TextColumn> remarks;  ///< columns of remarks, in which a word may state the outcome
     std::vector<TextColumn> unused;   ///< those without a name have no heading
-    std::vector<ValidityColumn> validity;                           ///< those of the unused columns
-    std::vector<std::pair<std::string, StatedCoverage>> coverages;  ///< of the columns that hold quantities
-    std::vector<Finding> notes;                                     ///< remarks on the columns
+    std::vector<ValidityColumn> validity;  ///< those of the unused columns
+    UncertainColumns coverages{};          ///< of the columns that hold quantities
+    std::vector<Finding> notes;            ///< remarks on the columns
     std::size_t columns;
 
     [[nodiscard]] const std::optional<MeasuredColumn>& of(MeasuredQuantity quantity) const {
@@ -105,6 +106,10 @@ struct MeasurementHeading {
 
 /// Whether a text is a unit of velocity: "m/s", "mm s-1".
 [[nodiscard]] bool is_velocity_unit(std::string_view text);
+
+/// Refuses a text beside the table that states another unit of velocity than the headings, or angles from the
+/// wall: "Velocities in mm/s". @throws InputError at the line of the text
+void require_agreeing_units(const std::vector<TextBeside>& texts, const MeasurementHeading& heading);
 
 /// Whether a line may be the heading: one of its cells names the incident velocity.
 [[nodiscard]] bool names_incident_velocity(const std::vector<std::string>& cells);

@@ -341,6 +341,10 @@ std::optional<MeasuredQuantity> read_rebound(Measurement& point, const Measureme
     const bool both = velocity.standard_uncertainty && reading.standard_uncertainty;
     const auto& column = heading.uncertainty_of(quantity);
     const bool share_of_zero = column && column->is_relative && reading.value == 0.0;
+    if (share_of_zero && !point.noise)
+        throw InputError("the uncertainty in column " + in_quotes(column->name) +
+                             " is relative to a reading of 0, and that of v_in is not stated",
+                         "a column u(v_in), or uncertainties in the unit of the velocities");
     if (both || !point.noise || !has_reading || share_of_zero) return std::nullopt;
     return velocity.standard_uncertainty ? MeasuredQuantity::velocity : quantity;
 }
@@ -407,6 +411,12 @@ std::optional<Measurement> measurement_of(const MeasurementHeading& heading, con
 
 std::vector<Finding> warnings_of(const MeasurementHeading& heading) {
     std::vector<Finding> warnings = heading.notes;
+    const MeasuredColumn& velocity = *heading.of(MeasuredQuantity::velocity);
+    if (const auto& rebound = heading.of(MeasuredQuantity::rebound);
+        rebound && rebound->unit_given != velocity.unit_given && rebound->to_si != velocity.to_si)
+        throw InputError("only one of the columns " + in_quotes(velocity.name) + " and " +
+                             in_quotes(rebound->name) + " has a unit, and it is not m/s",
+                         "a unit for both");
     for (const TextColumn& column : heading.unused)
         if (!column.name.empty())
             warnings.push_back(
@@ -521,19 +531,6 @@ std::size_t heading_place(const std::vector<TextLine>& lines) {
     return 0;
 }
 
-/// Refuses a title with another unit of velocity above columns without one. @throws InputError
-void require_unit_of_title(const TextLine& title, const MeasurementHeading& heading) {
-    const bool all_given = std::ranges::all_of(
-        heading.value,
-        [](const std::optional<MeasuredColumn>& column) { return !column || column->unit_given; });
-    if (all_given) return;
-    for (const std::string_view unit : {"mm/s", "cm/s", "um/s", "\u00b5m/s", "km/h", "ft/s"})
-        if (title.text.find(unit) != std::string_view::npos)
-            throw InputError("the title states " + std::string(unit) + ", the heading no unit, which is m/s",
-                             "the unit in the heading, \"v_in [" + std::string(unit) + "]\"")
-                .at(at_line(title.number));
-}
-
 /// Refuses rebounds without a unit of which each is 0 or 1. @throws InputError
 void refuse_flags(const MeasurementHeading& heading, const MeasurementSet& set) {
     const auto& rebound = heading.of(MeasuredQuantity::rebound);
@@ -631,15 +628,15 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
         at_place(at_line(lines[place].number), [&] { return read_measurement_heading(headings.cells); });
     take_units_of_cells(heading, std::span(lines).subspan(first), separator);
     take_units_of_values(heading);
-    for (std::size_t i = 0; i < place; ++i) require_unit_of_title(lines[i], heading);
     MeasurementSet set{.source = std::string(name), .points = {}, .warnings = warnings_of(heading)};
     for (Finding& note : take_notes(lines, first, separator, impacts_code))
         set.warnings.push_back(std::move(note));
-    std::vector<std::string> uncertain;
-    for (const auto& column : heading.uncertainty)
-        if (column && column->coverage == 1) uncertain.push_back(column->name);
-    require_coverage_in_headings(file, std::span<const TextLine>(lines).subspan(place), uncertain);
     const std::span rows = std::span<const TextLine>(lines).subspan(first);
+    const auto texts = texts_beside(file, std::span<const TextLine>(lines).subspan(place));
+    require_agreeing_units(texts, heading);
+    require_coverage_in_headings(texts, heading.coverages, rows, separator);
+    for (Finding& note : coverage_findings(impacts_code, heading.coverages, rows, separator))
+        set.warnings.push_back(std::move(note));
     const TableCells cells(heading, rows, separator, decimal);
     const RowLabels labels(heading, rows, separator);
     if (place > 0)

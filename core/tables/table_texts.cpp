@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tables/table_texts.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "core/quantities/quantity.hpp"
+#include "core/text/text.hpp"
+
+namespace ashimpact {
+
+std::vector<TextBeside> texts_beside(const TextLines& file, std::span<const TextLine> table) {
+    std::vector<TextBeside> texts;
+    auto row = table.begin();
+    for (const TextLine& line : file.lines()) {
+        while (row != table.end() && row->number < line.number) ++row;
+        if (row != table.end() && row->number == line.number) continue;
+        std::string_view text = trimmed(line.text);
+        while (text.starts_with('#')) text = trimmed(text.substr(1));
+        if (!text.empty()) texts.push_back({line.number, std::string(text)});
+    }
+    return texts;
+}
+
+std::set<std::string_view> bases_in(std::string_view text, bool of_fractions) {
+    static const WordLists bases("bases", " ");
+    static const WordLists shares("words for fractions", "%");
+    constexpr std::size_t reach = 2;  // words between "fractions" and "volume"
+    const std::vector<std::string> words = words_in(text);
+    std::set<std::string_view> found;
+    for (const Mention& mention : mentions_in(words, bases)) {
+        const auto begin = words.begin() + static_cast<std::ptrdiff_t>(mention.first);
+        const auto end = begin + static_cast<std::ptrdiff_t>(mention.count);
+        const auto is_share = [&](const std::string& word) { return shares.holds(word); };
+        const bool near =
+            std::any_of(begin - std::min<std::ptrdiff_t>(reach, begin - words.begin()), begin, is_share) ||
+            std::any_of(end, end + std::min<std::ptrdiff_t>(reach, words.end() - end), is_share);
+        const auto blank = mention.list.find(' ');  // of "volume share", words for fractions by themselves
+        if (mention.list == "other" || mention.negated) continue;
+        if ((!of_fractions || near || blank != std::string_view::npos))
+            found.insert(mention.list.substr(0, blank));
+    }
+    return found;
+}
+
+void require_basis(const std::vector<TextBeside>& texts, std::string_view own) {
+    for (const TextBeside& each : texts) {
+        const auto bases = bases_in(each.text);
+        const auto other = std::ranges::find_if(
+            bases, [&](std::string_view base) { return base != own && (!own.empty() || base != "weight"); });
+        if (other == bases.end() || (!own.empty() && bases.contains(own))) continue;
+        refuse_line(
+            each.line,
+            fmt::format("{} states fractions by {}, and the headings of the amounts {}", in_quotes(each.text),
+                        *other, own.empty() ? "state none" : fmt::format("by {}", own)),
+            "one of the two: \"weight %\" or \"volume %\" in the headings, or a file without this text");
+    }
+}
+
+namespace {
+
+bool states_uncertainty(std::string_view cell) {
+    if (cell.find_first_of("(+\xb1") == std::string_view::npos) return false;
+    if (!number_behind_plus_minus(cell).empty()) return true;
+    const auto number = read_number(cell, true);
+    return number && number->standard_uncertainty;
+}
+
+/// Calls @p visitor(column, cell, row) for each cell with an uncertainty until one returns true.
+template <class Visitor>
+void for_each_uncertain(const UncertainColumns& columns, std::span<const TextLine> rows, char separator,
+                        Visitor&& visitor) {
+    bool done = false;
+    for (const TextLine& row : rows) {
+        if (done) return;
+        for_each_cell(row, separator, [&](std::string_view cell, std::size_t k) {
+            if (!done && k < columns.size() && columns[k] && states_uncertainty(cell))
+                done = visitor(k, cell);
+        });
+    }
+}
+
+}  // namespace
+
+void require_coverage_in_headings(const std::vector<TextBeside>& texts, const UncertainColumns& columns,
+                                  std::span<const TextLine> rows, char separator) {
+    for (const TextBeside& each : texts) {
+        const StatedCoverage coverage = read_coverage(each.text);
+        if (coverage.stated.empty() || coverage.factor == 1) continue;
+        const auto refuse = [&](const std::string& what, std::string_view heading) {
+            refuse_line(each.line,
+                        fmt::format("{} states {}, and {} does not", in_quotes(each.text),
+                                    in_quotes(coverage.stated), what),
+                        fmt::format("the coverage in the heading, {}, or a file without this text",
+                                    in_quotes(fmt::format("{} ({})", heading, coverage.stated))));
+        };
+        for (const auto& column : columns)
+            if (column && column->is_uncertainty && column->coverage.stated.empty())
+                refuse("the column " + in_quotes(column->heading), column->heading);
+        for_each_uncertain(columns, rows, separator, [&](std::size_t k, std::string_view cell) {
+            if (columns[k]->coverage.stated.empty())
+                refuse(fmt::format("the heading {} of {}", in_quotes(columns[k]->heading), in_quotes(cell)),
+                       columns[k]->heading);
+            return false;
+        });
+        for (const TextLine& row : rows) {
+            const std::string label = cut_row(row, separator).cells.front();
+            if (is_uncertainty_word(label.substr(label.rfind(' ') + 1)))
+                refuse("the row " + in_quotes(label), label);
+        }
+    }
+}
+
+std::vector<Finding> coverage_findings(std::string_view code, const UncertainColumns& columns,
+                                       std::span<const TextLine> rows, char separator) {
+    UncertainColumns stated(columns.size());
+    for (std::size_t k = 0; k < columns.size(); ++k)
+        if (columns[k] && (columns[k]->coverage.factor != 1 || !columns[k]->coverage.problem.empty()))
+            stated[k] = columns[k];
+    if (std::ranges::none_of(stated, [](const auto& column) { return column.has_value(); })) return {};
+    for_each_uncertain(stated, rows, separator, [&](std::size_t k, std::string_view) {
+        stated[k]->is_uncertainty = true;
+        return std::ranges::all_of(stated, [](const auto& each) { return !each || each->is_uncertainty; });
+    });
+    std::vector<Finding> findings;
+    std::map<double, std::vector<std::string>> divided;
+    for (const auto& column : stated) {
+        if (!column) continue;
+        const StatedCoverage& coverage = column->coverage;
+        if (!column->is_uncertainty)
+            findings.push_back({code, Severity::remark,
+                                fmt::format("column {} states a coverage and holds no uncertainties",
+                                            in_quotes(column->heading))});
+        else if (!coverage.problem.empty())
+            findings.push_back({code, Severity::remark,
+                                fmt::format("uncertainties of column {} are not read, as {}",
+                                            in_quotes(column->heading), coverage.problem)});
+        else
+            divided[coverage.factor].push_back(in_quotes(column->heading));
+    }
+    for (const auto& [factor, headings] : divided)
+        findings.push_back(
+            {code, Severity::remark,
+             fmt::format("uncertainties of {} {} are divided by {} for standard ones, as the heading says",
+                         headings.size() == 1 ? "column" : "columns", joined(headings), shortest(factor))});
+    return findings;
+}
+
+NameAndUnit cut_heading(std::string_view heading) {
+    const auto bracket = heading.find_last_of("[(");
+    const auto in = heading.rfind(" in ");
+    if (bracket != std::string_view::npos && bracket > 0) {
+        const auto end = std::min(heading.find_first_of("])", bracket), heading.size());
+        return {std::string(trimmed(heading.substr(0, bracket))),
+                std::string(trimmed(heading.substr(bracket + 1, end - bracket - 1)))};
+    }
+    if (in != std::string_view::npos)
+        return {std::string(trimmed(heading.substr(0, in))), std::string(trimmed(heading.substr(in + 4)))};
+    const auto blank = heading.rfind(' ');
+    if (blank != std::string_view::npos && heading.ends_with('%'))
+        return {std::string(trimmed(heading.substr(0, blank))), std::string(heading.substr(blank + 1))};
+    return {std::string(heading), {}};
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/finding.hpp"
+#include "core/tables/text_lines.hpp"
+#include "core/tables/vocabulary.hpp"
+
+/// What the texts beside the numbers of a table state of them: titles, comments, notes, headings of names.
+namespace ashimpact {
+
+struct TextBeside {
+    std::size_t line = 0;
+    std::string text{};
+};
+
+/// The lines of a file that do not belong to its table: titles, comments and notes.
+/// @param table heading and rows
+[[nodiscard]] std::vector<TextBeside> texts_beside(const TextLines& file, std::span<const TextLine> table);
+
+/// What a text states that fractions are by: "weight", "volume", "mole", "number", "intensity".
+/// @param of_fractions counts a word only beside one for fractions: "Vol.-%", "by volume", but not "Vol. 45"
+[[nodiscard]] std::set<std::string_view> bases_in(std::string_view text, bool of_fractions = true);
+
+/// Refuses a text that states fractions by something else than the headings do.
+/// @param own what the headings state; empty if nothing
+/// @throws InputError at the line of the text
+void require_basis(const std::vector<TextBeside>& texts, std::string_view own);
+
+/// A column that holds uncertainties, or numbers that may have some in their cells.
+struct UncertainColumn {
+    std::string heading;
+    StatedCoverage coverage{};
+    bool is_uncertainty = false;
+};
+using UncertainColumns = std::vector<std::optional<UncertainColumn>>;  ///< by position; none: of other texts
+
+/// Refuses uncertainties whose coverage only a text beside the table states: "# errors are 2 sigma".
+/// @throws InputError at the line of the text
+void require_coverage_in_headings(const std::vector<TextBeside>& texts, const UncertainColumns& columns,
+                                  std::span<const TextLine> rows, char separator);
+
+/// Remarks of that code on columns whose uncertainties are not standard ones: one for all that are divided by
+/// the same number, one for each that cannot be read, and for each that holds no uncertainties.
+[[nodiscard]] std::vector<Finding> coverage_findings(std::string_view code, const UncertainColumns& columns,
+                                                     std::span<const TextLine> rows, char separator);
+
+/// A heading cut into its name and its unit: "passing [%]", "size in um", "d (mm)", "finer %".
+struct NameAndUnit {
+    std::string name;
+    std::string unit;
+};
+[[nodiscard]] NameAndUnit cut_heading(std::string_view heading);
+
+}  // namespace ashimpact
