@@ -543,6 +543,7 @@ bool take_second_heading(TableRow& heading, const TableRow& line,
             const Heading above = read_heading(group);
             const bool is_basis = above.role != Role::other || names_other_basis(above);
             const std::string unit = above.unit.empty() && is_basis ? group : above.unit;
+            merged = merged || (is_basis && line.cells.front().empty());
             names[i] = below + (unit.empty() || !read_heading(below).unit.empty() ? "" : " [" + unit + "]");
         }
     }

@@ -196,10 +196,11 @@ TEST_CASE("cells of .xlsx hold what the spreadsheet shows") {
         "<numFmt numFmtId='165' formatCode='0.0%'/>"
         "<numFmt numFmtId='166' formatCode='[Red]0.00\" days\"'/>"
         "<numFmt numFmtId='167' formatCode='[&lt;0.1]\"&lt;\"0.0;0.0\\ \\g/\"kg\"'/>"
-        "<numFmt numFmtId='168' formatCode='#,##0.00_);(#,##0.00);\"n.d.\"'/></numFmts>"
+        "<numFmt numFmtId='168' formatCode='#,##0.00_);(#,##0.00);\"n.d.\"'/>"
+        "<numFmt numFmtId='169' formatCode='#,##0.00,\" m/s\"'/></numFmts>"
         "<fonts><font/><font><strike/></font></fonts><cellXfs><xf/>"
         "<xf numFmtId='164'/><xf numFmtId='165'/><xf numFmtId='166'/><xf numFmtId='14'/><xf fontId='1'/>"
-        "<xf numFmtId='167'/><xf numFmtId='168'/></cellXfs></styleSheet>";
+        "<xf numFmtId='167'/><xf numFmtId='168'/><xf numFmtId='169'/></cellXfs></styleSheet>";
     const std::string strings =
         "<sst><si><t>plain</t></si><si><r><t>ri</t></r><r><t>ch</t></r>"
         "<rPh><t>phonetic</t></rPh></si></sst>";
@@ -222,6 +223,8 @@ TEST_CASE("cells of .xlsx hold what the spreadsheet shows") {
     CHECK(cell("<c r='A1' s='7'><v>1234.5</v></c>") == "1234.5");
     CHECK(cell("<c r='A1' s='7'><v>-2.5</v></c>") == "-2.5");
     CHECK(cell("<c r='A1' s='7'><v>0</v></c>") == "n.d.");
+    CHECK(cell("<c r='A1' s='8'><v>1250</v></c>") == "1250 (shown as 1.25 by its number format)");
+    CHECK(cell("<c r='A1' t='str'><f>B1*2</f></c>") == "=B1*2 (a formula, saved without its result)");
     CHECK(cell("<c r='A1' t='s'><v>0</v></c>") == "plain");
     CHECK(cell("<c r='A1' t='s'><v>1</v></c>") == "rich");
     CHECK(contains(input_error_of([&] { static_cast<void>(cell("<c r='A1' t='s'><v>7</v></c>")); }),
@@ -329,12 +332,77 @@ TEST_CASE("a coverage beside the table, not in its headings, is refused") {
             [&] { return read_xrd(before + "phase,wt%,esd\nQuartz,60,2\nGlass,40,1\n" + after, "a.csv"); });
     };
     CHECK(contains(xrd("# errors are 2 sigma\n", ""),
-                   "line 1: the line states \"2 sigma\", and the column \"esd\" does not; allowed: the "
-                   "coverage in the heading, \"esd (2 sigma)\""));
-    CHECK(contains(xrd("Fly ash, errors k=2\n", ""), "line 1: the line states \"k=2\""));
-    CHECK(contains(xrd("", "\nall errors: 2 sigma\n"), "line 5: the line states"));
+                   "line 1: \"errors are 2 sigma\" states \"2 sigma\", and the column \"esd\" does not; "
+                   "allowed: the coverage in the heading, \"esd (2 sigma)\""));
+    CHECK(contains(xrd("Fly ash, errors k=2\n", ""), "line 1: \"Fly ash, errors k=2\" states \"k=2\""));
+    CHECK(contains(xrd("", "\nall errors: 2 sigma\n"), "line 5: \"all errors: 2 sigma\" states"));
+    for (const char* text : {"# 3 esd\n", "# uncertainty = 3 esd\n", "errors are 3 e.s.d.\n"})
+        CHECK(contains(xrd(text, ""), "states \"3 e"));
     CHECK(xrd("# Fly ash 2, sieved 2 s, 95 % below 45 um\n", "").empty());
     CHECK(xrd("# errors are 1 sigma\n", "").empty());
+    const auto error = [](const std::string& text) {
+        return input_error_of([&] { static_cast<void>(read_xrd(text, "a.csv")); });
+    };
+    for (const char* corner : {"Phase (2\u03c3)", "Phase (\u00b1 2\u03c3)", "# k=2\nPhase", "2 sigma\nPhase"})
+        for (const char* cells :
+             {";FA1;FA2\nQuartz;60 \u00b1 2;1\nGlass;40;99\n", ";wt%\nQuartz;60(2)\nGlass;40(1)\n"}) {
+            CAPTURE(corner);
+            CHECK(contains(error(std::string(corner) + cells),
+                           "does not; allowed: the coverage in the heading"));
+        }
+    const auto told = [](const std::string& text) {
+        return joined(texts_of(read_xrd(text, "a.csv").warnings));
+    };
+    CHECK_FALSE(contains(told("Phase;Density (k=2) [g/cm3];wt%\nQuartz;2.65;60\nGlass;2.5;40\n"), "divided"));
+    CHECK(contains(told("Phase;FA1 [wt%] (k=2)\nQuartz;60\nGlass;40\n"), "holds no uncertainties"));
+    for (const char* heading : {"Gew.-% \u00b1 3 esd", "FA1 (wt%, k=3)", "FA1 [wt% \u00b1 3\u03c3]"})
+        CHECK(contains(told("Phase;" + std::string(heading) + "\nQuartz;60 \u00b1 2\nGlass;40 \u00b1 1\n"),
+                       "divided by 3"));
+    const XrdResult below =
+        read_xrd("Phase;FA1;;FA2;\n;wt%;2\u03c3;wt%;2\u03c3\nQuartz;60;2;20;2\nGlass;40;1;80;1\n", "a.csv");
+    REQUIRE(below.samples.size() == 2);
+    CHECK(*below.samples[1].analysis.phases[0].standard_uncertainty == doctest::Approx(0.01));
+}
+
+TEST_CASE("what fractions are by counts wherever it stands, or the table is refused") {
+    const auto error = [](const std::string& text) {
+        return input_error_of([&] { static_cast<void>(read_xrd(text, "a.csv")); });
+    };
+    const std::string rows = "\nQuartz;20;20\nGlass;80;80\n";
+    for (const char* group : {"Vol.-%", "Volume fraction"}) {
+        CAPTURE(group);
+        const XrdResult result = read_xrd("Phase;" + std::string(group) + ";\n;FA1;FA2" + rows, "a.csv");
+        REQUIRE(result.samples.size() == 2);
+        CHECK(result.samples.front().analysis.basis == FractionBasis::volume);
+    }
+    CHECK(read_xrd("Phase;Fly ash;\n;FA1;FA2" + rows, "a.csv").samples.front().analysis.basis ==
+          FractionBasis::weight);
+    for (const char* group : {"mol%", "Molenbruch", "Fl\u00e4chen-%", "intensit\u00e9"})
+        CHECK(contains(error("Phase;" + std::string(group) + ";\n;FA1;FA2" + rows),
+                       "no weight or volume fractions"));
+    for (const char* heading : {"Molenbruch [%]", "fraction molaire [%]", "\u6469\u5c14%",
+                                "Intensit\u00e9 [%]", "\u00c1rea [%]", "molfractie [%]", "Volumen FA1 [%]",
+                                "objem [%]", "frakcja molowa [%]", "mol oran\u0131 [%]", "conteggi [%]"})
+        CHECK(contains(error("Phase;" + std::string(heading) + "\nQuartz;20\nGlass;80\n"),
+                       "no weight or volume fractions"));
+    for (const char* text :
+         {"Volume fractions in vol%", "Angaben in Vol.-%", "(Werte in Vol.-%)", "Mole fractions",
+          "in mole percent", "Volumenanteile", "amounts by volume", "area %"})
+        for (const std::string& heading : {std::string("Phase;%"), std::string("Phase;Gew.-%")}) {
+            CAPTURE(text);
+            const std::string table = heading + "\nQuartz;20\nGlass;80\n";
+            for (const std::string& whole :
+                 {text + ("\n" + table), "# " + (text + ("\n" + table)), table + "\n" + text + "\n"})
+                CHECK(contains(error(whole), " states fractions by "));
+        }
+    for (const char* text : {"Fuel Vol. 45 (2016)", "# 1 mol HCl, Vol. 12 ml", "Sample number 5",
+                             "not in vol%", "# surface area 2 m2/g", "# weight fractions, from vol%"})
+        CHECK_MESSAGE(error(text + std::string("\nPhase;wt%\nQuartz;20\nGlass;80\n")).empty(), text);
+    CHECK(read_xrd("Vol.-%\nPhase;Vol.-%\nQuartz;20\nGlass;80\n", "a.csv").samples.size() == 1);
+    CHECK(read_xrd("Phase,kg/t\nQuartz,205\nGlass,795\n", "a.csv").samples[0].analysis.phases[0].fraction ==
+          doctest::Approx(0.205));
+    CHECK(contains(error("Phase,wt%\nQuartz,20\nMullite,80\nAmorphous content,40\n"),
+                   "add up to 100 % without \"Amorphous content\", and to 140 % with it"));
 }
 
 TEST_CASE("marks in numbers have one reading, by the other numbers of the table, or are refused") {

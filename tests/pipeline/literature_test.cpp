@@ -201,6 +201,28 @@ TEST_CASE(
     sandbox.write("grouped.csv", "d [um];v_c [mm/s]\n1;100.000\n");
     CHECK(test::succeeded(sandbox, "calibrate" + of_one + "grouped.csv --decimal point").out ==
           test::succeeded(sandbox, "calibrate" + of_one + "plain.csv").out);
+    // What other readers accept: names, titles, notes, columns beside, coverages, rows that sum up.
+    sandbox.write("german-names.csv",
+                  "Silber\nDurchmesser (\u00b5m);kritische Geschwindigkeit "
+                  "[m/s];Bemerkung\n1;0,1;x\nMittel;0,1;\n\n* trocken\n");
+    const test::Finished named = test::succeeded(sandbox, "calibrate" + of_one + "german-names.csv");
+    CHECK(named.out == test::succeeded(sandbox, "calibrate" + of_one + "plain.csv").out);
+    for (const char* says : {"line 1, above the heading, is not read", "column \"Bemerkung\" is not used",
+                             "line 4 is no size and left out", "below the table is not read"})
+        CHECK(named.err == test::containing(says));
+    sandbox.write("sized.csv", "d [um],v_c [m/s]\n1 +- 0.2,0.1\n");
+    CHECK(test::succeeded(sandbox, "calibrate" + of_one + "sized.csv").err ==
+          test::containing("uncertainties of sizes are not used, the first in line 2, cell 1"));
+    for (const char* heading :
+         {"v_c [m/s];u(v_c) [m/s] (k=2)", "v_c [m/s];\u00b1 (2s)", "v_c [m/s] \u00b1 2\u03c3"}) {
+        const bool in_cells = std::string_view(heading).find(';') == std::string_view::npos;
+        sandbox.write("doubled.csv", "d [um];" + std::string(heading) + "\n1;0.1" +
+                                         (in_cells ? " \u00b1 " : ";") + "0.02\n");
+        CHECK(test::succeeded(sandbox, "calibrate" + of_one + "doubled.csv").out ==
+              test::succeeded(sandbox, "calibrate" + of_one + "plain.csv").out);
+    }
+    sandbox.write("coverage.csv", "# k=2\nd [um];v_c [m/s]\n1;0.1 \u00b1 0.02\n");
+    sandbox.write("coverage-column.csv", "# k=2\nd [um];v_c [m/s];u(v_c) [m/s]\n1;0.1;0.02\n");
     sandbox.write("mixed.csv", "d [um],v_c [m/s]\n1,100 mm/s\n");
     sandbox.write("bare.csv", "d,v_c [m/s]\n1,0.1\n");
     sandbox.write("negative.csv", "d [um],v_c [m/s]\n1,-0.1\n");
@@ -220,6 +242,9 @@ TEST_CASE(
              "--free yield_pressure",
          "--free: yield_pressure is free, and"},
         {"--sizes bare.csv --uncertainty 0.1" + jkr_free, "bare.csv: line 1: \"d\" has no unit"},
+        {"--sizes coverage.csv --uncertainty 0.1" + jkr_free, "line 1: \"k=2\" states \"k=2\""},
+        {"--sizes coverage-column.csv --uncertainty 0.1" + jkr_free,
+         "and the column \"u(v_c) [m/s]\" does not"},
         {"--sizes negative.csv --uncertainty 0.1" + jkr_free,
          "negative.csv: line 2, cell 2: \"-0.1\" is no size"},
         {"--law jkr --free density", "--law: is given without --sizes"},

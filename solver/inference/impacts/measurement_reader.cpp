@@ -557,16 +557,15 @@ constexpr std::array summaries{
     Summary{"standard deviations",
             [](const Moments& above) { return std::sqrt(above.second / static_cast<double>(above.count)); }}};
 
-/// Whether a number is the other one, rounded to its last digit.
+/// Whether a number is the other one, rounded to its last digit; a fine one may be cut there.
 bool is_rounded(double value, double exact) {
-    constexpr double cut_off = 0.01;  // a digit that is cut, not rounded
-    constexpr double coarsest = 0.1;  // of the value; a number of one digit matches too easily
+    constexpr double coarsest = 0.2;  // of the value; a number of one digit matches too easily
+    constexpr double fine = 0.01;
     const std::string digits = shortest(value);
     const auto point = std::min(digits.find('.'), digits.size() - 1);
-    const double half =
-        0.5 * std::pow(10.0, static_cast<double>(point + 1) - static_cast<double>(digits.size()));
-    return std::abs(value - exact) <=
-           std::max(cut_off * value, half <= coarsest * value ? 1.001 * half : 0.0);
+    const double last = std::pow(10.0, static_cast<double>(point + 1) - static_cast<double>(digits.size()));
+    return last <= coarsest * value &&
+           std::abs(value - exact) <= 1.001 * last * (last <= fine * value ? 1 : 0.5);
 }
 
 [[noreturn]] void refuse_summary(const std::string& holds, std::size_t line) {
@@ -628,7 +627,10 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
         at_place(at_line(lines[place].number), [&] { return read_measurement_heading(headings.cells); });
     take_units_of_cells(heading, std::span(lines).subspan(first), separator);
     take_units_of_values(heading);
-    MeasurementSet set{.source = std::string(name), .points = {}, .warnings = warnings_of(heading)};
+    MeasurementSet set{
+        .source = std::string(name), .points = {}, .warnings = at_place(at_line(lines[place].number), [&] {
+                                                       return warnings_of(heading);
+                                                   })};
     for (Finding& note : take_notes(lines, first, separator, impacts_code))
         set.warnings.push_back(std::move(note));
     const std::span rows = std::span<const TextLine>(lines).subspan(first);

@@ -141,7 +141,17 @@ TEST_CASE("a line of text beside the table that states an amount is read, or ref
           {down + "LOI = 3.1 % (950 \u00b0C)\n", "may state the loss on ignition, and is not read"},
           {"Oxide,wt%\nSiO2,60\nAl2O3,36.9\nLOI = 3,1 %\n", "may state the loss on ignition"},
           {down + "all in mol%\n", "states fractions by mole"},
-          {"Oxide;wt%;error\nSiO2;60;0.6\nAl2O3;40;0.4\nErrors are 2 sigma\n", "line 4: the line states"}}) {
+          {"Oxide;wt%;error\nSiO2;60;0.6\nAl2O3;40;0.4\nErrors are 2 sigma\n",
+           "line 4: \"Errors are 2 sigma\" states"},
+          {"# k=2\nSample;SiO2;Al2O3\nash;60;40\nesd;4;2\n", "and the row \"esd\" does not"},
+          {"Sample;SiO2;Al2O3\nash;60;40\nesd;4;2\n\nUncertainties: k = 2\n", "and the row \"esd\" does not"},
+          {"Oxide (2\u03c3);FA\nSiO2;60 \u00b1 4\nAl2O3;40 \u00b1 2\n", "and the heading \"FA\" of"},
+          {"# mol%\n" + wide, "states fractions by mole"},
+          {"Sample;SiO2;Al2O3\nash (mol%);60;40\n", "states fractions by mole"},
+          {"Sample;Unit;SiO2;Al2O3\nash;mol%;60;40\n", "states fractions by mole"},
+          {"Oxid (Stoffmengenanteil);FA [%]\nSiO2;60\nAl2O3;40\n", "states fractions by mole"},
+          {"Oxide;\u6469\u5c14%\nSiO2;60\nAl2O3;40\n", "no column holds amounts of oxides by weight"},
+          {"Oxide;Molenbruch [%]\nSiO2;60\nAl2O3;40\n", "no column holds amounts of oxides by weight"}}) {
         const std::string message = input_error_of([&, &text = table] { return read_oxides(text, "x.csv"); });
         CHECK_MESSAGE(message.find(says) != std::string::npos, message);
     }
@@ -292,7 +302,7 @@ TEST_CASE("tables that are no chemical analysis are refused in one line with the
                "line 1, cell 4: the cell is too long"));
     for (const char* title : {"Results in mol%", "Mole percent"})
         CHECK(says(refusal(std::string(title) + "\nSample,SiO2,Al2O3\nA,60,40\n"),
-                   "line 1: the title states fractions by mole"));
+                   "line 1: \"" + std::string(title) + "\" states fractions by mole"));
     CHECK(says(refusal("Sample;SiO2;MnO [ppm]\nA;99.5;4.000\nB;99.4;950\n"), "\"4.000\" is 4.000 or 4000"));
     CHECK_FALSE(refusal("").empty());
 }

@@ -205,6 +205,12 @@ TEST_CASE("what a sieve table has beside sizes and shares is said") {
           {"size [um];cumulative residue\n10;80\n15;20\n20;0\n", "by their size they are per cent"},
           {"size [um];passing [%]\n10 um;20 \u00b1 1\n20 um;100\n", "uncertainties are not used"},
           {"size [um];passing [%]\n10;20\n20;100\nTotal;100\n", "line 4 is no size and left out"},
+          {"Ash 7\nsize [um];passing [%]\n10;20\n20;100\n",
+           "line 1, above the heading, is not read: \"Ash 7\""},
+          {"size [um];passing [%]\n10;20\n20;100\n\n* dry sieved\n", "line 5 below the table is not read"},
+          {"Siebweite;Durchgang\n10 \u00b5m;20 %\n20 \u00b5m;100 %\nBoden;0 %\n",
+           "line 4 is no size and left out"},
+          {"Size (\u00b5m);Vol Under %\n10;20\n20;100\n", "is by volume: taken as by mass"},
           {"from [um];to [um];share [%]\n0;10;20\n10;20;80\n", "20 % is finer than the smallest size"}}) {
         CAPTURE(table);
         sandbox.write("sieve.csv", table);
@@ -231,6 +237,16 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
     sandbox.write("number.csv", "size [um];passing [number fraction]\n10;0.2\n20;1\n");
     sandbox.write("samples.csv", "Probe;size [um];passing [%]\nA;10;20\nB;20;100\n");
     sandbox.write("thousands.csv", "size [nm];passing [%]\n5.000;20\n9.000;100\n");
+    const auto titled = [&](const char* file, const std::string& title) {
+        sandbox.write(file, title + "\nsize [um];passing [%]\n10;20\n20;100\n");
+    };
+    titled("by-number.csv", "Number passing");
+    titled("comment.csv", "# by number");
+    titled("counted.csv", "Particle number distribution");
+    titled("oversize.csv", "Cumulative residue (oversize)");
+    titled("radii.csv", "Sizes are radii");
+    sandbox.write("pan.csv", "size [um];passing [%]\n10;20\n20;100\nBoden;100\n");
+    sandbox.write("cells.csv", "size;passing [%]\n10 um;20\n0.02 mm;100\n");
     struct Refused {
         const char* sizes;
         const char* says;
@@ -261,6 +277,13 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
           Refused{"number.csv", "unit of"},
           Refused{"samples.csv", "several samples, \"A\" and \"B\""},
           Refused{"thousands.csv", "5.000 or 5000"},
+          Refused{"by-number.csv", "line 1: \"Number passing\" states shares by number"},
+          Refused{"comment.csv", "states shares by number"},
+          Refused{"counted.csv", "states shares by number"},
+          Refused{"oversize.csv", "states what is coarser, and the heading \"passing [%]\" the contrary"},
+          Refused{"radii.csv", "states radii; allowed: diameters"},
+          Refused{"pan.csv", "\"Boden\" is below every sieve: nothing passes it"},
+          Refused{"cells.csv", "\"0.02 mm\" is not in um, as other sizes are"},
           Refused{"gap.csv", "does not begin where"},
           Refused{"none.csv", "no line names the columns"}}) {
         CAPTURE(sizes);

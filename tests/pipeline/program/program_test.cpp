@@ -224,6 +224,7 @@ TEST_CASE("modulus: every way to state the amorphous part gives the same sample"
     // c_s = 0.2, w_s = 0.1: p = 0.1/(0.2 0.9) = 5/9, of which quartz 0.3 and mullite 0.5: 4/9 are crystalline
     for (const std::string options :
          {"mixture.csv --internal-standard corundum --added-fraction '10 %'",
+          "mixture.csv --internal-standard Korund --added-fraction '10 %'",
           "ash.csv --amorphous-fraction 0.55555555556", "ash.csv --crystalline-total '44.444444444 %'",
           "whole.csv --amorphous-fraction remainder"}) {
         CAPTURE(options);

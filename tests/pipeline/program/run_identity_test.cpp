@@ -271,6 +271,7 @@ TEST_CASE("artifacts and cases of another schema version are refused by version"
     artifact["schema_version"] = 2;
     sandbox.write("one/3-analytic.json", artifact.dump());
     check_refused(sandbox, "run -o one --only comparison", "/schema_version: is 2; allowed: 1");
+    check_refused(sandbox, "inspect one/3-analytic.json", "/schema_version: is 2; allowed: 1");
     Json document = quick_case();
     document["schema_version"] = 7;
     sandbox.write("case.json", document.dump());

@@ -350,7 +350,7 @@ def in_cells(t, unit, *headings):
 ERRORS = ["#N/A", "#DIV/0!", "#WERT!", "#VALUE!", "#REF!", "#NV", "#NAME?", "Err:502", "####"]
 JUNK = ["1.23.4", "1..95", "12,34.5", "1.2345,6", "1 23,4", "O.95", "1.95e", "0x1F", "1.95 0.31", "inf", "1/2", "01.05.2026", "1.9-2.1", ">1.95", "--1.95"]
 BOTH_EDITS = [
-    ("titles", READ, lambda t, i, r, f: t.before.extend(["Serie 3, Glas", ""])), ("comments", READ, lambda t, i, r, f: t.before.append("# wt%, v_in [mm/s]")),
+    ("titles", READ, lambda t, i, r, f: t.before.extend(["Serie 3, Glas", ""])), ("comments", READ, lambda t, i, r, f: t.before.append("# wt%, v_in [m/s]")),
     ("trailing cells", READ, lambda t, i, r, f: t.after.append(";;;")), ("a note below", EITHER, lambda t, i, r, f: add(t, r.choice(["* lost", "Labor: N.N."]), "", gap=1)),
     ("a number of a sheet", READ, lambda t, i, r, f: cell(t, i)), ("a struck-out number", REFUSE, lambda t, i, r, f: cell(t, i, struck=True)),
     ("a raised digit", EITHER, lambda t, i, r, f: cell(t, i, raised="1")), ("a cell twice", REFUSE, lambda t, i, r, f: cell(t, i, twice=True)),
@@ -380,6 +380,9 @@ XRD_EDITS = [
     ("rows of uncertainties", READ, lambda t, i, r, f: wide(t, spreads=[r.choice(["esd", "±", "SD"])])),
     ("columns beside", READ, lambda t, i, r, f: wide(t, beside=["Blaine [cm2/g]", "Rwp", r.choice(["LOI [%]", "density [g/cm3]"])])),
     ("ppm in one column", REFUSE, lambda t, i, r, f: wide(t, unit=" [ppm]")), ("repeats", READ, lambda t, i, r, f: t.rows[0].__setitem__(1, "Gew.-% (n=3)")),
+    ("another basis beside the table", REFUSE, lambda t, i, r, f: (t.before if r.random() < 0.5 else t.after).extend(["", r.choice(["Angaben in Vol.-%", "mole fractions", "amounts by volume"])])),
+    ("a group of volumes", READ, lambda t, i, r, f: (t.rows.__setitem__(slice(0, 1), [["Phase", r.choice(["Vol.-%", "Volume [%]"])], ["", "FA1"]]),
+                                                     t.truth.__setitem__("FA1", {"v": t.truth.pop("")["w"]}))),
     ("a title of volumes", EITHER, lambda t, i, r, f: (t.before.append("Phasengehalte in Vol.-%"), by_volume(t))),
 ]
 IMPACT_EDITS = [
@@ -402,6 +405,7 @@ IMPACT_EDITS = [
     ("a row twice", READ, lambda t, i, r, f: (add(t, *t.rows[i]), t.truth.append(t.truth[i - 1]))),
     ("a footnote", EITHER, lambda t, i, r, f: t.rows[i].__setitem__(0, t.rows[i][0] + "¹")),
     ("a second table", EITHER, lambda t, i, r, f: t.after.extend(["", "d [um];T [K]", "88;293"])),
+    ("another unit beside the table", REFUSE, lambda t, i, r, f: (t.before if r.random() < 0.5 else t.after).extend(["", r.choice(["Velocities in mm/s", "all [cm/s]"])])),
     ("a title with a unit", EITHER, lambda t, i, r, f: (t.before.append("All in mm/s"), t.rows.__setitem__(0, ["v_in", "v_r"]),
                                                         t.truth.__setitem__(slice(None), [(v / 1000, x / 1000) for v, x in t.truth]))),
 ]

@@ -51,8 +51,46 @@ TEST_CASE("a coverage of uncertainties in a comment is refused") {
         });
     };
     CHECK(contains(refusal("v_in [m/s],v_r [m/s],u(v_in) [m/s],u(v_r) [m/s]"),
-                   "line 1: the line states \"2 sigma\", and the column"));
+                   "line 1: \"errors: 2 sigma\" states \"2 sigma\", and the column"));
     CHECK(refusal("v_in [m/s],v_r [m/s],u(v_in) (2 sigma) [m/s],u(v_r) (2 sigma) [m/s]").empty());
+}
+
+TEST_CASE("what the texts beside impacts and their columns state counts, or the table is refused") {
+    const std::string bare = "v_in;v_r\n0.3;0\n0.75;0.08\n";
+    const std::string given = "v_in [m/s];v_r [m/s]\n0.3;0\n0.75;0.08\n";
+    const std::string oblique = "v_in [m/s];v_rn [m/s];angle [deg]\n0.3;0;60\n0.75;0.08;60\n";
+    const auto marked = [](const std::string& heading, const std::string& mark) {
+        return "v_in [m/s];v_r [m/s];" + heading + "\n0.3;0;\n0.75;0.08;\n1.4;0.55;" + mark + "\n";
+    };
+    for (const auto& [table, says] :
+         {std::pair{"# mm/s\n" + bare, "states mm/s, and column \"v_in\" has no unit"},
+          {bare + "\nVelocities in mm/s\n", "states mm/s"},
+          {"Velocities in mm/s\n" + given, "column \"v_in\" is in another unit"},
+          {given + "\nVelocities [mm/s]\n", "column \"v_in\" is in another unit"},
+          {"angles measured from the surface\n" + oblique, "may state that the angles are from the wall"},
+          {"# k=2\nv_in [m/s];v_r [m/s]\n0.3 \u00b1 0.02;0.1 \u00b1 0.02\n", "the heading \"v_in [m/s]\" of"},
+          {"v_in [m/s];v_rn [m/s];impingement angle [deg]\n0.75;0.08;60\n",
+           "may hold the angle of incidence"},
+          {"v_in [mm/s];v_r\n300;0\n750;80\n", "has a unit, and it is not m/s"},
+          {"v_in [m/s];v_r [m/s];u [%]\n0.3;0;5\n0.75;0.08;5\n", "is relative to a reading of 0"},
+          {marked("Ausschluss", "x"), "marks impacts as valid or not"},
+          {marked("\u00e0 exclure", "x"), "marks impacts as valid or not"},
+          {marked("Vermerk 2", "x"), "marks impacts as valid or not"},
+          {marked("Remarque", "\u00e0 rejeter"), "calls the impact invalid"}}) {
+        const std::string message =
+            input_error_of([&, &text = table] { return read_measurements(text, "a.csv"); });
+        CHECK_MESSAGE(contains(message, says), message);
+    }
+    for (const std::string& table :
+         {"gas at 1200 mm/s, mm/s converted to m/s\n" + given, "# camera: 12 mm/s a pixel\n" + given,
+          std::string("v_in [m/s];v_r/v_in\n0.75;0.1\n"), std::string("v_in [m/s];v_r/v_in [%]\n0.75;10\n"),
+          std::string("v_in [m/s];v_rn [m/s];rebound angle [deg]\n0.75;0.08;60\n"), marked("Vermerk 2", "y")})
+        CHECK_MESSAGE(input_error_of([&] { return read_measurements(table, "a.csv"); }).empty(), table);
+    CHECK(noise_of_incident(
+              "v_in [m/s] \u00b1 2\u03c3;v_r [m/s] \u00b1 2\u03c3\n2,1 \u00b1 0,06;0,4 \u00b1 0,02\n") ==
+          doctest::Approx(0.03).epsilon(1e-12));
+    CHECK(contains(warnings_of(read_measurements("v_in [m/s] (2 sigma);v_r [m/s]\n0.75;0.08\n", "a.csv")),
+                   "holds no uncertainties"));
 }
 
 TEST_CASE("impacts at an angle: the part of v_in normal to the wall counts") {
@@ -445,6 +483,8 @@ TEST_CASE("a last row without a label that holds the means of the others is refu
                       row);
     CHECK(read_measurements(dense + "1.7;0.7\n", "t.csv").points.size() == 8);
     CHECK(read_measurements(rows + "2,74;1,02\n", "t.csv").points.size() == 5);
+    CHECK(read_measurements("v_in [mm/s];v_r [mm/s]\n6273;2838\n2265;1285\n6945;2189\n5192;2086\n", "t.csv")
+              .points.size() == 4);
     CHECK(read_measurements("v_in;v_r\n2;0,5\n2;0,5\n2;0,5\n2;0,5\n", "t.csv").points.size() == 4);
     CHECK(read_measurements("Nr.;v_in;v_r\n1;1;0,5\n2;3;1,5\n3;2;1\n4;2;1\n", "t.csv").points.size() == 4);
 }
