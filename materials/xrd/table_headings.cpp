@@ -91,6 +91,8 @@ bool names_other_basis(const Heading& heading) {
     auto bases = bases_in(heading.text, false);
     bases.erase("weight");
     bases.erase("number");  // "Number 5" is a name
+    if (heading.states == HeadingUnit::none && !holds_per_cent(heading.text))
+        bases.erase("intensity");  // "Surface"
     return !bases.empty();
 }
 

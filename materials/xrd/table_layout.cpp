@@ -541,8 +541,12 @@ bool take_second_heading(TableRow& heading, const TableRow& line,
             names[i] = group + " [" + std::string(bare) + "]";
         } else {
             const Heading above = read_heading(group);
-            const bool is_basis = above.role != Role::other || names_other_basis(above);
-            const std::string unit = above.unit.empty() && is_basis ? group : above.unit;
+            const bool is_basis = above.role == Role::weight || above.role == Role::volume ||
+                                  above.role == Role::intensity || above.role == Role::measure ||
+                                  names_other_basis(above);
+            std::string unit = above.unit;
+            if (is_basis && (unit.empty() || above.states == HeadingUnit::fraction))  // "Volume [%]"
+                unit = above.text + (holds_per_cent(unit) ? "%" : "");
             merged = merged || (is_basis && line.cells.front().empty());
             names[i] = below + (unit.empty() || !read_heading(below).unit.empty() ? "" : " [" + unit + "]");
         }

@@ -369,7 +369,7 @@ TEST_CASE("what fractions are by counts wherever it stands, or the table is refu
         return input_error_of([&] { static_cast<void>(read_xrd(text, "a.csv")); });
     };
     const std::string rows = "\nQuartz;20;20\nGlass;80;80\n";
-    for (const char* group : {"Vol.-%", "Volume fraction"}) {
+    for (const char* group : {"Vol.-%", "Volume fraction", "Volumenanteil [%]"}) {
         CAPTURE(group);
         const XrdResult result = read_xrd("Phase;" + std::string(group) + ";\n;FA1;FA2" + rows, "a.csv");
         REQUIRE(result.samples.size() == 2);
@@ -377,7 +377,7 @@ TEST_CASE("what fractions are by counts wherever it stands, or the table is refu
     }
     CHECK(read_xrd("Phase;Fly ash;\n;FA1;FA2" + rows, "a.csv").samples.front().analysis.basis ==
           FractionBasis::weight);
-    for (const char* group : {"mol%", "Molenbruch", "Fl\u00e4chen-%", "intensit\u00e9"})
+    for (const char* group : {"mol%", "Molenbruch", "Fl\u00e4chen-%", "intensit\u00e9 [%]"})
         CHECK(contains(error("Phase;" + std::string(group) + ";\n;FA1;FA2" + rows),
                        "no weight or volume fractions"));
     for (const char* heading : {"Molenbruch [%]", "fraction molaire [%]", "\u6469\u5c14%",
@@ -395,9 +395,11 @@ TEST_CASE("what fractions are by counts wherever it stands, or the table is refu
                  {text + ("\n" + table), "# " + (text + ("\n" + table)), table + "\n" + text + "\n"})
                 CHECK(contains(error(whole), " states fractions by "));
         }
-    for (const char* text : {"Fuel Vol. 45 (2016)", "# 1 mol HCl, Vol. 12 ml", "Sample number 5",
-                             "not in vol%", "# surface area 2 m2/g", "# weight fractions, from vol%"})
+    for (const char* text :
+         {"Fuel Vol. 45 (2016)", "# 1 mol HCl, Vol. 12 ml", "Sample number 5", "not in vol%",
+          "# surface area 2 m2/g", "analysis by atomic absorption", "# weight fractions, from vol%"})
         CHECK_MESSAGE(error(text + std::string("\nPhase;wt%\nQuartz;20\nGlass;80\n")).empty(), text);
+    CHECK(read_xrd("Phase;Surface;Core\nQuartz;20;30\nGlass;80;70\n", "a.csv").samples.size() == 2);
     CHECK(read_xrd("Vol.-%\nPhase;Vol.-%\nQuartz;20\nGlass;80\n", "a.csv").samples.size() == 1);
     CHECK(read_xrd("Phase,kg/t\nQuartz,205\nGlass,795\n", "a.csv").samples[0].analysis.phases[0].fraction ==
           doctest::Approx(0.205));

@@ -560,7 +560,7 @@ constexpr std::array summaries{
 /// Whether a number is the other one, rounded to its last digit; a fine one may be cut there.
 bool is_rounded(double value, double exact) {
     constexpr double coarsest = 0.2;  // of the value; a number of one digit matches too easily
-    constexpr double fine = 0.01;
+    constexpr double fine = 0.02;     // of the value
     const std::string digits = shortest(value);
     const auto point = std::min(digits.find('.'), digits.size() - 1);
     const double last = std::pow(10.0, static_cast<double>(point + 1) - static_cast<double>(digits.size()));
