@@ -527,7 +527,9 @@ bool take_second_heading(TableRow& heading, const TableRow& line,
         if (!names[i].empty()) group = names[i];
         if (below.empty()) continue;
         if (i == 0 && below != names[i]) return false;
-        const bool is_coverage = !read_coverage(below).stated.empty() && !is_unit(below);
+        const StatedCoverage coverage = read_coverage(below);
+        const bool is_coverage =
+            !coverage.stated.empty() && (coverage.rest.empty() || is_uncertainty_word(coverage.rest));
         if (says_no_number(below) || read_number(below, true) || (is_digit(below.front()) && !is_coverage))
             return false;
         if (i == 0) continue;
