@@ -59,7 +59,10 @@ constexpr std::array ranges{
                    2000,
                    "1e-6 to 2,000 m/s",
                    {"mm/s", "um/s", "m/s"},
-                   "velocity measured_critical_velocity at to_velocity"},
+                   "velocity measured_critical_velocity at to_velocity tangential_velocity",
+                   true},
+    PlausibleRange{
+        Dimension::angular_velocity, 0.01, 1e9, "0.01 to 1e9 rad/s", {"rpm", "rad/s", "rad/s"}, "spin", true},
     PlausibleRange{Dimension::temperature,
                    200,
                    2500,
@@ -106,14 +109,6 @@ std::optional<Writing> writing_of(const Json& node, Dimension dimension) {
     } catch (const InputError&) {  // whoever needs the quantity refuses it
         return std::nullopt;
     }
-}
-
-/// implausible() with a place before its text.
-std::optional<Finding> implausible_at(const std::string& place, const PlausibleRange& range,
-                                      const Writing& written) {
-    auto doubt = at_place(place, [&] { return implausible(range, written); });
-    if (doubt) doubt->text.insert(0, place + ": ");
-    return doubt;
 }
 
 /// The doubts about the values under the key of a quantity.
@@ -199,15 +194,23 @@ const PlausibleRange* plausible_range(std::string_view name) {
 }
 
 std::optional<Finding> implausible(const PlausibleRange& range, const Writing& written) {
-    if (!(written.value > 0) || range.holds(written.value)) return std::nullopt;
+    const double size = range.either_sign ? std::abs(written.value) : written.value;
+    if (!(size > 0) || range.holds(size)) return std::nullopt;
     const std::string unit(si_unit(range.dimension));
-    if (written.number && factor_outside(range, written.value) >= slip)
+    if (written.number && factor_outside(range, size) >= slip)
         throw InputError(fmt::format("{} has no unit and is {} {}{}", shortest(*written.number),
                                      shortest(written.value), unit, meant_with_unit(range, *written.number)),
                          fmt::format("{}; beyond that a number with its unit", range.words));
     return Finding{implausible_code, Severity::doubt,
                    fmt::format("{} is outside of what is plausible, {}: is the unit right?",
                                readable(written.value, unit), range.words)};
+}
+
+std::optional<Finding> implausible_at(const std::string& place, const PlausibleRange& range,
+                                      const Writing& written) {
+    auto doubt = at_place(place, [&] { return implausible(range, written); });
+    if (doubt) doubt->text.insert(0, place + ": ");
+    return doubt;
 }
 
 std::vector<Finding> implausible_text(std::string_view option, const std::string& text) {
@@ -224,16 +227,17 @@ std::vector<Finding> implausible_values(const Json& document, const std::string&
     return findings;
 }
 
+std::string outside_model_text() {
+    return fmt::format("above {} m/s, outside the model", shortest(fastest_in_model));
+}
+
 std::string critical_velocity_text(double velocity, const std::string& text) {
-    return velocity > fastest_in_model
-               ? fmt::format("above {} m/s, outside the model", shortest(fastest_in_model))
-               : text;
+    return velocity > fastest_in_model ? outside_model_text() : text;
 }
 
 std::optional<Finding> outside_model(double critical_velocity) {
     if (!(critical_velocity > fastest_in_model)) return std::nullopt;
-    return Finding{outside_model_code, Severity::doubt,
-                   fmt::format("the critical velocity is {}", critical_velocity_text(critical_velocity, ""))};
+    return Finding{outside_model_code, Severity::doubt, "the critical velocity is " + outside_model_text()};
 }
 
 }  // namespace ashimpact

@@ -20,6 +20,7 @@ struct PlausibleRange {
     std::string_view words;                 ///< "10 nm to 5 mm"
     std::array<std::string_view, 3> units;  ///< that people write, the usual one first
     std::string_view names;                 ///< of such quantities, as keys of documents
+    bool either_sign = false;               ///< whether a negative value is one of the other direction
 
     [[nodiscard]] bool holds(double value) const { return value >= least && value <= greatest; }
 };
@@ -41,6 +42,10 @@ struct Writing {
 /// @throws InputError for a number without a unit a thousand times outside, with the unit that was meant
 [[nodiscard]] std::optional<Finding> implausible(const PlausibleRange& range, const Writing& written);
 
+/// The same with its place, an option, a key or words, before the text.
+[[nodiscard]] std::optional<Finding> implausible_at(const std::string& place, const PlausibleRange& range,
+                                                    const Writing& written);
+
 /// The doubts about a quantity as text, "90 um", by its option. A text that is none gets no finding here.
 [[nodiscard]] std::vector<Finding> implausible_text(std::string_view option, const std::string& text);
 
@@ -52,6 +57,9 @@ struct Writing {
 
 /// The greatest critical velocity that the models here are meant for [m/s].
 inline constexpr double fastest_in_model = 500;
+
+/// A critical velocity beyond it, for a reader.
+[[nodiscard]] std::string outside_model_text();
 
 /// A critical velocity for a reader: @p text, or beyond fastest_in_model that it is outside of the model.
 [[nodiscard]] std::string critical_velocity_text(double velocity, const std::string& text);

@@ -89,10 +89,9 @@ Component component(const PhaseFraction& line, ResolvedPhase resolved, std::vect
                          " kg/m3, is used; the catalogue has " + to_tenths(catalogue) + " kg/m3 (" +
                          per_cent(*line.density / catalogue - 1) + ")"});
     result.phase.density = {.value = *line.density};
-    if (auto doubt = implausible(*plausible_range("density"), {*line.density})) {
-        doubt->text.insert(0, "density of " + in_quotes(line.name) + ": ");
+    if (auto doubt = implausible_at("density of " + in_quotes(line.name), *plausible_range("density"),
+                                    {*line.density}))
         notes.push_back(*std::move(doubt));
-    }
     return result;
 }
 

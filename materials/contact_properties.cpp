@@ -81,9 +81,8 @@ double sphere_density(double radius, double mass) {
 
 std::optional<Finding> implausible_mass(double radius, double mass) {
     if (!plausible_range("mass")->holds(mass)) return std::nullopt;
-    auto doubt = implausible(*plausible_range("density"), {sphere_density(radius, mass)});
-    if (doubt) doubt->text.insert(0, "density of the sphere: ");
-    return doubt;
+    return implausible_at("density of the sphere", *plausible_range("density"),
+                          {sphere_density(radius, mass)});
 }
 
 double work_of_adhesion(AdhesionRule rule, const SurfaceEnergies& energies) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/plausibility.hpp"
 #include "core/quantities/checks.hpp"
 #include "core/text/text.hpp"
 #include "materials/mixture_rules.hpp"
@@ -249,6 +250,9 @@ ModulusEstimate estimate_modulus(const Composition& composition, const ModulusOp
     estimate.density_uncertainty = uncertainties[1].standard_uncertainty;
     estimate.contributions = uncertainties[0].contributions;
     note_missing(composition, estimate.notes);
+    if (auto doubt =
+            implausible_at("Young's modulus", *plausible_range("young_modulus"), {estimate.young_modulus}))
+        estimate.notes.push_back(*std::move(doubt));
     note_dominant(estimate.contributions, estimate.notes);
     if (options.porosity)
         if (const std::string outside = porosity_warning(*options.porosity); !outside.empty())

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 
@@ -204,6 +206,11 @@ std::optional<PrintedNumber> NumberMarks::read(std::string_view cell, std::size_
         const bool is_point = marks == Marks::decimal_point ||
                               (marks == Marks::point_may_group && is_decimal('.', number, column)) ||
                               (marks == Marks::comma_may_group && !is_decimal(',', number, column));
+        if (decimal_ && !of_sheet_ &&
+            marks == (*decimal_ == DecimalMark::point ? Marks::decimal_comma : Marks::decimal_point))
+            throw InputError(fmt::format("{} has no decimal {}, which is stated for the table",
+                                         in_quotes(number), name_of(*decimal_)),
+                             "the decimal mark of the table; without it the numbers themselves decide");
         if (marks != Marks::none) {
             std::erase(number, is_point ? ',' : '.');
             std::ranges::replace(number, ',', '.');

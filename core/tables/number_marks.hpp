@@ -33,8 +33,11 @@ struct TableOptions {
 /// Blanks and apostrophes between digits group them: "1 234", "1'234,5".
 class NumberMarks {
   public:
-    /// @param decimal the mark that the user states; then it decides between two readings
-    explicit NumberMarks(std::optional<DecimalMark> decimal = {}) : decimal_(decimal) {}
+    /// @param decimal the mark that the user states: it decides between two readings, and a number with the
+    /// other one is refused @param of_sheet whether the file is a spreadsheet, most of whose numbers have no
+    /// mark
+    explicit NumberMarks(std::optional<DecimalMark> decimal = {}, bool of_sheet = false)
+        : decimal_(decimal), of_sheet_(of_sheet) {}
 
     /// States, before its cells are seen, that numbers of a column may be thousands: "1.234" alone, or beside
     /// whole numbers, then has two readings. Of other columns, as of fractions or of velocities in m/s, it is
@@ -44,8 +47,8 @@ class NumberMarks {
     void stays_below_thousand(std::size_t column) { columns_[column].below_thousand = true; }
     /// Takes the numbers of a cell into account. @param column of the cell, any number
     void see(std::string_view cell, std::size_t column);
-    /// Reads a cell as read_number(). @throws InputError with both readings where nothing decides, and for an
-    /// uncertainty in per cent of a value that is not: "12.3 ± 3 %"
+    /// Reads a cell as read_number(). @throws InputError with both readings where nothing decides, for a mark
+    /// other than the stated one, and for an uncertainty in per cent of a value that is not: "12.3 ± 3 %"
     [[nodiscard]] std::optional<PrintedNumber> read(std::string_view cell, std::size_t column) const;
 
   private:
@@ -61,6 +64,7 @@ class NumberMarks {
     [[nodiscard]] bool is_decimal(char mark, std::string_view number, std::size_t column) const;
 
     std::optional<DecimalMark> decimal_;
+    bool of_sheet_;
     std::map<std::size_t, Column> columns_{};
     bool has_decimal_point_ = false;
     bool has_decimal_comma_ = false;

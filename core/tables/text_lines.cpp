@@ -108,7 +108,7 @@ std::string at_cell(std::size_t line, std::size_t column) {
     return at_line(line) + ", cell " + std::to_string(column + 1);
 }
 
-TextLines::TextLines(std::string_view raw, const TextLimits& limits) {
+TextLines::TextLines(std::string_view raw, const TextLimits& limits) : of_sheet_(limits.of_sheet) {
     const std::string decoded = is_utf16(raw) ? decoded_utf16(raw) : std::string();
     std::string_view bytes = decoded.empty() ? raw : decoded;
     if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);

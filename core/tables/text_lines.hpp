@@ -23,6 +23,7 @@ struct TextLimits {
     std::string_view content = "a table";       ///< named in messages, such as "an XRD result"
     std::size_t bytes = std::size_t{16} << 20;  ///< greatest length of the file [byte]
     std::size_t lines = 100'000;                ///< greatest number of lines
+    bool of_sheet = false;                      ///< whether it is a sheet of a workbook
 };
 
 /// A text file in uniform encoding: UTF-8 without byte-order mark, lines without CR.
@@ -42,11 +43,14 @@ class TextLines {
 
     /// Whether the bytes were not valid UTF-8 and were read as Latin-1.
     [[nodiscard]] bool was_latin1() const { return was_latin1_; }
+    /// Whether the lines are a sheet of a workbook.
+    [[nodiscard]] bool of_sheet() const { return of_sheet_; }
 
   private:
     std::string text_;
     std::vector<TextLine> lines_;
     bool was_latin1_ = false;
+    bool of_sheet_;
 };
 
 /// "line N" for the place of an error.

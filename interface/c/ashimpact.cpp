@@ -198,7 +198,10 @@ std::optional<SphereImpacts> sphere_impacts(const ashimpact_model& model) {
     const auto is_given = [&](const LawParameter& parameter) {
         return model[parameter_named(parameter.name)].has_value();
     };
-    if ((!density && !model[Parameter::mass]) || parameter_fault(parameters_of(law, damping_law), is_given))
+    if ((!density && !model[Parameter::mass]) ||
+        (law.uses_work_of_adhesion() && !model[Parameter::work_of_adhesion]) ||
+        (law.is_plastic() && !model[Parameter::yield_pressure]) ||
+        parameter_fault(parameters_of(law, damping_law), is_given))
         return std::nullopt;
     SphereImpacts spheres{.impacts = {law, detachment, damping_law},
                           .contact = contact_of(model),

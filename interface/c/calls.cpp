@@ -147,7 +147,7 @@ void find_failure(std::size_t first, std::size_t size, bool only_one, const Solv
 /// @param needed besides the contact
 template <class Solve>
 void in_chunks(const Call& call, std::initializer_list<Parameter> needed, const Solve& solve) {
-    call.parameters.require_contact();
+    call.parameters.require_contact(call.choice.law);
     for (const Parameter parameter : needed) call.parameters.require(parameter);
     const auto solve_part = [&](std::size_t first, std::size_t size) {
         ColumnReader& reader = reader_of_this_thread();
@@ -221,7 +221,10 @@ void Parameters::set(Parameter parameter, Strided source) {
     sources_[place_of(parameter)] = source;
 }
 
-void Parameters::require_contact() const {
+void Parameters::require_contact(Law law) const {
+    require(Parameter::contact_modulus);
+    if (law.uses_work_of_adhesion()) require(Parameter::work_of_adhesion);
+    if (law.is_plastic()) require(Parameter::yield_pressure);
     if (!has(Parameter::effective_radius)) require(Parameter::diameter);
     if (has(Parameter::mass)) return;
     require(Parameter::density);
@@ -232,7 +235,7 @@ void Parameters::require_contact() const {
 void Parameters::require(Parameter parameter) const {
     if (has(parameter)) return;
     throw InputError(std::string(name_of(parameter)) + " is missing",
-                     "a parameter of the model or a column of the call");
+                     "numbers for it, as a parameter or a column");
 }
 
 ModelChoice choice_named(const char* law, const char* detachment, const char* damping_law) {

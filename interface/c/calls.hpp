@@ -78,8 +78,8 @@ class Parameters {
         return sources_[place_of(parameter)];
     }
     [[nodiscard]] bool has(Parameter parameter) const { return (*this)[parameter].values != nullptr; }
-    /// @throws InputError naming what is missing: a radius, mass or density
-    void require_contact() const;
+    /// @throws InputError naming what the law needs and is missing: a modulus, a radius, a mass ...
+    void require_contact(Law law) const;
     /// @throws InputError if the parameter is not set
     void require(Parameter parameter) const;
 

@@ -211,7 +211,7 @@ struct OxideColumn {
 /// A table of oxides as text, cut into samples.
 class OxideTable {
   public:
-    OxideTable(const TextLines& file, std::optional<DecimalMark> decimal) : marks_(decimal) {
+    OxideTable(const TextLines& file, std::optional<DecimalMark> decimal) : marks_(decimal, file.of_sheet()) {
         const std::vector<TextLine> lines = lines_with_content(file);
         constexpr std::size_t most_lines = 5000;
         constexpr std::size_t longest_cell = 1000;

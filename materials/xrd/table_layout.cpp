@@ -601,7 +601,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
                 .headings = {},
                 .rows = {},
                 .separator = separator_of(lines[*heading].text),
-                .marks = NumberMarks(decimal)};
+                .marks = NumberMarks(decimal, file.of_sheet())};
     TableRow headings = cut_row(lines[*heading], table.separator);
     std::size_t first = *heading + 1;  // of the rows
     const auto is_unit = [](std::string_view whole) {

@@ -353,8 +353,8 @@ void Command::add_damping_parameter_options() {
 }
 
 void Command::add_damping_law_option() {
-    add("--damping-law", "NAME", joined(names_of<DampingLaw>()) + "; the unit of the damping goes with it",
-        std::string(name_of(DampingLaw::constant)));
+    add("--damping-law", "NAME",
+        joined(names_of<DampingLaw>()) + "; the unit of the damping goes with it; default: constant");
 }
 
 void Command::add_damping_option() {

@@ -219,6 +219,10 @@ void run_damping_command(const CommandOptions& options, std::ostream& out) {
         return;
     }
     const ContactChoice choice = read_contact(options);
+    if (!options.has("--velocity"))
+        throw InputError("neither is given",
+                         "the velocity of one impact with its --restitution, or a file of impacts")
+            .at("--velocity, --impacts");
     const DampingProblem problem{.law = choice.law,
                                  .detachment = choice.detachment,
                                  .damping_law = read_damping_law(options),

@@ -128,7 +128,7 @@ std::string result_text(const CriticalVelocityProblem& problem, const CriticalVe
     if (scheme)
         list.add("by the paper's scheme", fmt::format("{}, time step {}", value_text(scheme->velocity, "m/s"),
                                                       readable(scheme->time_step, "s")));
-    if (result.verdict == CaptureVerdict::finite) {
+    if (result.verdict == CaptureVerdict::finite && !outside_model(*result.value)) {
         list.add("contact time",
                  result.contact_time
                      ? readable(*result.contact_time, "s")
@@ -160,18 +160,23 @@ void run_critical_velocity_command(const CommandOptions& options, std::ostream& 
     const auto angle = read_angle(options);
     std::optional<ByScheme> scheme;
     if (result.value) {
-        scheme = by_scheme(options, choice.impact(problem.damping, *result.value));
-        if (const auto doubt = outside_model(*result.value)) {
+        if (const auto doubt = outside_model(*result.value / std::cos(angle.value_or(0)))) {
             warn_of({*doubt});
             doubts.push_back(*doubt);
         }
-        const Regime regime =
-            regime_of(choice.impact(problem.damping, *result.value), result.maximum_overlap.value_or(0));
-        warn_of(regime.warnings);
-        regime_at_capture = regime_text(regime);
+        if (!outside_model(*result.value)) {  // beyond, the numbers of the impact mean nothing
+            const Impact critical = choice.impact(problem.damping, *result.value);
+            scheme = by_scheme(options, critical);
+            const Regime regime = regime_of(critical, result.maximum_overlap.value_or(0));
+            warn_of(regime.warnings);
+            regime_at_capture = regime_text(regime);
+        }
     } else if (angle) {
         warn_idle("--angle", "there is no critical velocity");
     }
+    if (!scheme && read_explicit_step(options, choice.impact(problem.damping, 1)))
+        warn_idle("--method", result.value ? "the critical velocity is outside the model"
+                                           : "there is no critical velocity");
     if (options.has("--json")) {
         Json json{{"law", problem.law.name()}};
         json.update(critical_velocity_json(law_critical_velocity(problem), problem.damping.law));
@@ -259,7 +264,8 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
     typed.text_of("--law") = "jkr";  // W_s is that of a JKR contact; all laws share the other properties
     typed.text_of("--contact-modulus") = shortest(read_contact_modulus(options));
     typed.text_of("--work-of-adhesion") = shortest(read_work_of_adhesion(options));
-    const ContactPair pair = read_contact(typed).contact;
+    const ContactChoice contact = read_contact(typed);
+    const ContactPair& pair = contact.contact;
     const AdhesiveContact adhesive{.work_of_adhesion = pair.work_of_adhesion,
                                    .effective_radius = pair.effective_radius,
                                    .contact_modulus = pair.contact_modulus};
@@ -271,7 +277,17 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
         options.has("--damping") || choice.requested || is_damped(choice.damping, pair.parameters);
     const auto soft = read_softening(options, pair, damped ? std::optional(choice.damping) : std::nullopt);
     std::vector<Finding> doubts = options.doubts();
-    if (const auto doubt = outside_model(velocity)) doubts.push_back(*doubt);
+    std::vector<Finding> computed;
+    const auto doubt_computed = [&](const char* option, const char* name, double value) {
+        if (options.has(option)) return;
+        if (const auto doubt = implausible_at(name, *plausible_range(name), {value}))
+            computed.push_back(*doubt);
+    };
+    doubt_computed("--contact-modulus", "contact_modulus", pair.contact_modulus);
+    doubt_computed("--work-of-adhesion", "work_of_adhesion", pair.work_of_adhesion);
+    if (const auto doubt = outside_model(velocity)) computed.push_back(*doubt);
+    warn_of(computed);
+    doubts.insert(doubts.end(), computed.begin(), computed.end());
     TextList list;
     list.add("E*, contact modulus", readable(pair.contact_modulus, "Pa"));
     list.add("R*, effective radius", readable(pair.effective_radius, "m"));
@@ -285,7 +301,7 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
     if (damped) add_damping_lines(list, choice.damping, pair);
     if (soft) add_softened(list, *soft);
     Json at_rest = Json::object();
-    add_static_contacts(options, pair, at_rest, list);
+    add_static_contacts(options, contact, at_rest, list);
     if (options.has("--json")) {
         Json json{{"contact_modulus", quantity_json(pair.contact_modulus, Dimension::pressure)},
                   {"effective_radius", quantity_json(pair.effective_radius, Dimension::length)},

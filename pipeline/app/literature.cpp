@@ -48,17 +48,15 @@ class LawOfSizes {
         return std::log(*above / *below) / std::log((1 + step) / (1 - step));
     }
 
-    /// Warns if the law is outside of its range at a size.
-    void warn_of_range(double diameter) const {
+    /// The doubts if the law is outside of its range at a size.
+    [[nodiscard]] std::vector<Finding> doubts_at(double diameter) const {
         const CriticalVelocityProblem at = problem(diameter);
         const CriticalVelocity critical = critical_velocity(at);
-        if (!critical.value || !critical.maximum_overlap) return;
-        if (const auto doubt = outside_model(*critical.value))
-            return warn_of({*doubt}, readable(diameter, "m"));
-        warn_of(regime_of({at.law, at.detachment, at.damping, at.contact, *critical.value},
-                          *critical.maximum_overlap)
-                    .warnings,
-                readable(diameter, "m"));
+        if (!critical.value || !critical.maximum_overlap) return {};
+        if (const auto doubt = outside_model(*critical.value)) return {*doubt};
+        return regime_of({at.law, at.detachment, at.damping, at.contact, *critical.value},
+                         *critical.maximum_overlap)
+            .warnings;
     }
 
   private:
@@ -184,10 +182,16 @@ void run_literature_command(const CommandOptions& options, std::ostream& out) {
     else
         refuse_material(options, "--law");
     std::set<double> sizes;
+    std::vector<Finding> notes = options.doubts();
     for (const LiteratureSource& source : sources)
-        for (const LiteratureVelocity& each : source.velocities)
-            if (law && each.diameter && sizes.insert(*each.diameter).second)
-                law->warn_of_range(*each.diameter);
+        for (const LiteratureVelocity& each : source.velocities) {
+            if (!law || !each.diameter || !sizes.insert(*each.diameter).second) continue;
+            for (Finding doubt : law->doubts_at(*each.diameter)) {
+                doubt.text.insert(0, readable(*each.diameter, "m") + ": ");
+                warn_of({doubt});
+                if (doubt.code == outside_model_code) notes.push_back(std::move(doubt));
+            }
+        }
     if (options.has("--output")) {
         const auto format = report::format_of(options["--output"]);
         std::vector<LawBySize> lines;
@@ -201,7 +205,9 @@ void run_literature_command(const CommandOptions& options, std::ostream& out) {
     if (options.has("--json")) {
         Json list = Json::array();
         for (const LiteratureSource& source : sources) list.push_back(source_json(source, law));
-        out << write_json({{"sources", list}}, Digits::seventeen);
+        Json json{{"sources", list}};
+        add_notes(json, notes);
+        out << write_json(json, Digits::seventeen);
         return;
     }
     out << (law ? beside_law_text(sources, *law) : velocities_text(sources));

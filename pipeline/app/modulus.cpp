@@ -121,7 +121,8 @@ std::optional<Porosity> porosity_of(const CommandOptions& options, double true_d
                                     std::vector<Finding>& findings) {
     if (!options.has("--porosity-law")) {
         if (options.has("--porosity") || options.has("--porosity-coefficient"))
-            throw InputError("is missing", "the law by which pores soften, see docs/materials.md")
+            throw InputError("is missing",
+                             "the law by which pores soften: " + joined(names_of<PorosityLaw>()))
                 .at("--porosity-law");
         return std::nullopt;
     }
@@ -144,7 +145,8 @@ std::optional<Porosity> porosity_of(const CommandOptions& options, double true_d
         throw InputError("neither is given", "the porosity, or the density from which it follows")
             .at("--porosity, --particle-density");
     }
-    at_place("--porosity", [&] { require_valid(porosity); });
+    const bool known = options.has("--porosity") && !options.has("--porosity-coefficient");
+    at_place(known ? "--porosity" : "--porosity, --porosity-coefficient", [&] { require_valid(porosity); });
     return porosity;
 }
 

@@ -187,6 +187,7 @@ constexpr auto how_to_state =
 std::vector<Phase> phases_of(const std::vector<Sample>& samples, const View& document,
                              const PhaseCatalogue& catalogue, std::vector<SampleFinding>& findings) {
     std::vector<Phase> phases;
+    std::map<std::string, std::string> notes;  // by the names of components
     const auto nodes = document.at("samples").elements();
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const View place = nodes[i].at("composition");
@@ -195,8 +196,14 @@ std::vector<Phase> phases_of(const std::vector<Sample>& samples, const View& doc
                 .composition;
         });
         for (const Component& component : composition.components) {
-            const auto [phase, note] = catalogue.resolve(component.name);
-            if (!note.empty()) findings.push_back({samples[i].name, {"phase", Severity::remark, note}});
+            const auto [noted, is_new] = notes.try_emplace(component.name);
+            const std::optional<ResolvedPhase> resolved =
+                is_new ? std::optional(catalogue.resolve(component.name)) : std::nullopt;
+            if (resolved) noted->second = resolved->note;
+            if (!noted->second.empty())
+                findings.push_back({samples[i].name, {"phase", Severity::remark, noted->second}});
+            if (!resolved) continue;
+            const Phase& phase = resolved->phase;
             auto known = std::find_if(phases.begin(), phases.end(),
                                       [&name = phase.name](const Phase& p) { return p.name == name; });
             if (known == phases.end()) known = phases.insert(phases.end(), phase);

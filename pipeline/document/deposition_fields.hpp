@@ -77,6 +77,7 @@ void fields(auto& io, Is<DepositionTotal> auto& total) {
     rebound_fields(io, total.rebound);
     io("half_angle", total.half_angle, Dimension::angle);
     io("supported_fraction", total.supported_fraction, Dimension::fraction);
+    io.unless_empty("outside_model_fraction", total.outside_model, Dimension::fraction);
     io("deposition_flux", total.deposition_flux, AnyUnit{});
     io("least_deposition_flux", total.least_flux, AnyUnit{});
     io("greatest_deposition_flux", total.greatest_flux, AnyUnit{});

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/plausibility.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
 #include "materials/composition.hpp"
@@ -140,6 +141,13 @@ void set_roughness(const Stated& roughness, const std::string& sample, SampleCon
     if (const auto doubt = roughness_doubt(radius, roughness.value())) record.note(*doubt, sample);
 }
 
+/// Notes the doubt about a computed value; those about stated values are of the case.
+void note_implausible(const char* name, const Stated& value, const std::string& sample, StageRecord& record) {
+    if (value.origin != Origin::computed) return;
+    if (const auto doubt = implausible_at(name, *plausible_range(name), {value.value()}))
+        record.note(*doubt, sample);
+}
+
 SampleContact contact_of(const Sample& sample, const Case& data, const SampleModulus& modulus,
                          StageRecord& record) {
     SampleContact contact{.name = sample.name, .radius = radius_of(sample.diameter)};
@@ -153,6 +161,9 @@ SampleContact contact_of(const Sample& sample, const Case& data, const SampleMod
     if (data.partner) set_partner(*data.partner, contact);
     if (data.roughness && data.roughness->value() > 0)
         set_roughness(*data.roughness, sample.name, contact, record);
+    note_implausible("contact_modulus", contact.contact_modulus, sample.name, record);
+    note_implausible("density", contact.density, sample.name, record);
+    note_implausible("work_of_adhesion", contact.work_of_adhesion, sample.name, record);
     contact.yield_pressure = sample.yield_pressure;
     contact.parameters = sample.parameters;
     contact.pair = pair_of(contact);

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "core/plausibility.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
@@ -27,6 +28,7 @@ constexpr double interception = 0.05;      ///< particle over tube, from which i
 /// A row with numbers that order: infinite if everything is captured, 0 if nothing is.
 struct VelocityRow {
     double diameter, value, lower, upper;
+    double outside;  ///< 1 where v_c is outside the model, else 0
 };
 
 std::vector<VelocityRow> rows_of(const std::vector<SizeVelocity>& all, SizeBasis basis) {
@@ -36,7 +38,8 @@ std::vector<VelocityRow> rows_of(const std::vector<SizeVelocity>& all, SizeBasis
         const double otherwise =
             row.verdict == SizeVerdict::never_captured ? 0 : std::numeric_limits<double>::infinity();
         const double value = row.velocity.value_or(otherwise);
-        rows.push_back({row.diameter, value, value, value});
+        const double outside = row.verdict == SizeVerdict::outside_model ? 1 : 0;
+        rows.push_back({row.diameter, value, value, value, outside});
         if (row.interval && row.velocity) {
             rows.back().lower = row.interval->lower.value_or(0);
             rows.back().upper = row.interval->upper.value_or(std::numeric_limits<double>::infinity());
@@ -68,7 +71,8 @@ VelocityRow row_at(const std::vector<VelocityRow>& rows, double diameter) {
     VelocityRow row{.diameter = diameter,
                     .value = on_power_law(a, b, &VelocityRow::value, diameter),
                     .lower = on_power_law(a, b, &VelocityRow::lower, diameter),
-                    .upper = on_power_law(a, b, &VelocityRow::upper, diameter)};
+                    .upper = on_power_law(a, b, &VelocityRow::upper, diameter),
+                    .outside = on_power_law(a, b, &VelocityRow::outside, diameter)};
     // Intervals of rows with and without one do not mix into an interval without the value.
     row.lower = std::min(row.lower, row.value);
     row.upper = std::max(row.upper, row.value);
@@ -239,6 +243,15 @@ void note_limits(const TubeConditions& tube, const std::vector<ClassImpaction>& 
 
 }  // namespace
 
+bool is_outside_model(double critical_velocity) {
+    return std::isfinite(critical_velocity) && critical_velocity > fastest_in_model;
+}
+
+std::string outside_model_words(double share) {
+    return fmt::format("of {:.3g} % of the mass that arrives v_c is {}; that it stays is no result",
+                       100 * share, outside_model_text());
+}
+
 DepositingAsh ash_of_run(const Run& run, std::vector<SizeClass> classes,
                          const std::optional<SizeBasis>& basis, double fastest) {
     const ComparisonResult& comparison = run.comparison;
@@ -258,6 +271,7 @@ DepositingAsh ash_of_run(const Run& run, std::vector<SizeClass> classes,
             velocities.value.push_back(row.value);
             velocities.lower.push_back(row.lower);
             velocities.upper.push_back(row.upper);
+            velocities.outside.push_back(row.outside > 0 || is_outside_model(row.value));
         }
         ash.assumptions.push_back(std::move(velocities));
     }
@@ -327,6 +341,13 @@ DepositionResult deposition_on(const TubeConditions& tube, const DepositingAsh& 
     total.least_flux = flux(total.impaction_efficiency * span.least);
     total.greatest_flux = flux(total.impaction_efficiency * span.greatest);
     total.half_angle = half_angle(arcs);
+    double outside = 0;
+    for (std::size_t i = 0; i < classes.size(); ++i)
+        if (answer.outside[i]) outside += classes[i].size.share * classes[i].impaction.efficiency();
+    if (outside > 0) {
+        total.outside_model = outside / total.impaction_efficiency;
+        record.note({outside_model_code, Severity::doubt, outside_model_words(*total.outside_model)});
+    }
     Rebounds rebounds;
     for (const ArcImpaction& arc : arcs) rebounds.add(arc.rebounds, 1);
     total.rebound = rebound_means(rebounds);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "pipeline/run/results/deposition.hpp"
@@ -16,6 +17,7 @@ namespace ashimpact {
 struct ClassVelocities {
     SizeBasis basis = SizeBasis::adhesion;
     std::vector<double> value{}, lower{}, upper{};  ///< with the ends of the interval, where it is known
+    std::vector<bool> outside{};                    ///< whether v_c is above fastest_in_model
 };
 
 /// Particles as the deposition takes them.
@@ -28,6 +30,12 @@ struct DepositingAsh {
         restitutions{};                   ///< of the classes, under the assumption of the answer
     std::optional<SizeRange> measured{};  ///< sizes with a measured v_c
 };
+
+/// Whether a v_c of ClassVelocities is above fastest_in_model.
+[[nodiscard]] bool is_outside_model(double critical_velocity);
+
+/// What a share of the mass that arrives means whose v_c is above fastest_in_model.
+[[nodiscard]] std::string outside_model_words(double share);
 
 /// The tube as the solver takes it.
 [[nodiscard]] inline CrossedTube crossed_tube(const TubeConditions& tube) {

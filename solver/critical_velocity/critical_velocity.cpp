@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/plausibility.hpp"
 #include "core/quantities/checks.hpp"
 #include "core/text/error.hpp"
 #include "solver/critical_velocity/backward_orbit.hpp"
@@ -32,8 +33,7 @@ struct Search {
             if (const auto verdict = verdict_without_adhesion(problem.damping, problem.contact))
                 return {*verdict};
         }
-        if (damped())  // beyond the range of numbers there is no verdict to be had
-            require_positive("the velocity that this damping captures", scale.velocity, Dimension::velocity);
+        if (damped()) require_computable(scale.velocity);
         return critical_impacts(motion);
     }
     [[nodiscard]] CriticalImpacts operator()(const PlasticMotion<Extended>& motion) const {
@@ -42,7 +42,17 @@ struct Search {
     [[nodiscard]] CriticalImpacts operator()(const CohesiveMotion& motion) const {
         const bool costs_nothing = problem.detachment == Detachment::zero_overlap;
         if (!damped() && costs_nothing) return {CaptureVerdict::never_captured};
+        require_computable(std::max(scale.velocity, velocity_of_damping(problem.damping, problem.contact)));
         return critical_impacts(motion);
+    }
+
+  private:
+    /// Refuses a velocity beyond the range of numbers, where there is no verdict to be had.
+    static void require_computable(double velocity) {
+        if (velocity > greatest_computable)
+            throw InputError("the critical velocity is " + outside_model_text() + ", beyond the range of numbers",
+                             "less damping");
+        require_positive("the velocity that this damping captures", velocity, Dimension::velocity);
     }
 };
 

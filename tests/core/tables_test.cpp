@@ -467,7 +467,10 @@ TEST_CASE("marks in numbers have one reading, by the other numbers of the table,
     CHECK(by_comma.read("1,234", 0)->value == 1.234);
     CHECK(by_comma.read("1.234", 0)->value == 1234);
     CHECK(by_comma.read("1.234,5", 0)->value == 1234.5);
-    CHECK(by_comma.read("12.5", 0)->value == 12.5);
+    CHECK(contains(input_error_of([&] { static_cast<void>(by_comma.read("12.5", 0)); }),
+                   "\"12.5\" has no decimal comma, which is stated for the table"));
+    CHECK_THROWS_AS(static_cast<void>(NumberMarks(DecimalMark::point).read("12,5", 0)), InputError);
+    CHECK(NumberMarks(DecimalMark::comma, true).read("12.5", 0)->value == 12.5);  // a cell of a spreadsheet
     const NumberMarks marks;
     CHECK(marks.read("12,3 \u00b1 0,4", 0)->standard_uncertainty == 0.4);
     CHECK(marks.read("(12.3 \u00b1 0.4) %", 0)->standard_uncertainty == 0.4);

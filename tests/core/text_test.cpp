@@ -409,6 +409,12 @@ TEST_CASE("a value far from what ash has is doubted; a thousand times beyond, it
           {"--cohesive-stress", "1e13 Pa", "--cohesive-stress: 1e+04 GPa is outside"},
           {"--cohesion-range", "0.4", "did you mean 0.4 nm?", true},
           {"--pixel-size", "2", "did you mean 2 um?", true},
+          {"--tangential-velocity", "-5000 m/s",
+           "--tangential-velocity: -5000 m/s is outside of what is plausible, 1e-6 to 2,000 m/s"},
+          {"--tangential-velocity", "-2 m/s", ""},
+          {"--spin", "-1e12 rad/s",
+           "--spin: -1e+12 rad/s is outside of what is plausible, 0.01 to 1e9 rad/s"},
+          {"--spin", "1e20", "--spin: 1e+20 has no unit and is 1e+20 rad/s; allowed: 0.01", true},
           {"--velocity", "junk", ""},  // refused by whoever needs it
           {"--damping", "1e30", ""}}) {
         CAPTURE(each.option);

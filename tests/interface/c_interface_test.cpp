@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -248,6 +249,17 @@ TEST_CASE("C interface: what is wrong, in one line with what is allowed") {
     const ashimpact_column velocity{"velocity", s.velocity.data(), 1};
     const ashimpact_output restitution_output{"restitution", &e};
     const ashimpact_column diameter{"diameter", s.diameter.data(), 1};
+    const std::array adhesive{modulus, ashimpact_parameter{"density", 2160.0},
+                              ashimpact_parameter{"work_of_adhesion", 0.3}};
+    for (const auto& [law, count, said] : {std::tuple{"jkr", 2, "work_of_adhesion is missing"},
+                                           {"thornton-ning", 3, "yield_pressure is missing"}}) {
+        ashimpact_model* model = nullptr;
+        REQUIRE(ashimpact_open(law, nullptr, nullptr, adhesive.data(), static_cast<std::size_t>(count),
+                               &model, nullptr) == ASHIMPACT_OK);
+        CHECK(ashimpact_restitution(model, 1e-6, 1.0, &e, &error) == ASHIMPACT_INPUT_ERROR);
+        CHECK(std::string(error.message).find(said) == 0);
+        ashimpact_close(model);
+    }
     struct RefusedCall {
         std::vector<ashimpact_column> columns;
         std::vector<ashimpact_output> outputs;

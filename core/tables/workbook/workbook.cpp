@@ -26,7 +26,8 @@ std::string named_sheets(const std::vector<const Sheet*>& sheets) {
     return joined(names);
 }
 
-std::unique_ptr<TextLines> lines_of(const Sheet& sheet, const TextLimits& limits) {
+std::unique_ptr<TextLines> lines_of(const Sheet& sheet, TextLimits limits) {
+    limits.of_sheet = true;
     return std::make_unique<TextLines>(sheet.as_text(), limits);
 }
 

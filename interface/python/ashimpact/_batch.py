@@ -193,7 +193,7 @@ def flat_arrays(arguments: Mapping[str, NumbersLike]) -> tuple[dict[str, Numbers
 def _warn_of_doubts(arrays: Mapping[str, Numbers]) -> None:
     """Warns the caller of impacts() and the like of numbers that are far from what particles of ash and walls have."""
     for name, array in arrays.items():
-        positive = array[array > 0.0]
+        positive = np.abs(array[array != 0.0])
         for value in {positive.min(), positive.max()} if positive.size else ():
             if doubt := _core.doubt_about(name, value):
                 warnings.warn(doubt, UserWarning, stacklevel=5)
@@ -275,8 +275,8 @@ def _call(arguments: dict[str, Any], *numbers: str) -> tuple[_core.Call, tuple[i
         _require_one(given, "partner_density", "partner_mass")
     elif "partner_density" in given or "partner_mass" in given:
         raise _core.InputError("partner_radius is not given; allowed: a radius [m] for the second sphere")
-    needed = ("contact_modulus", "work_of_adhesion", *numbers)
-    own = [name for name in _core.law_parameters() if name in given]
+    needed = ("contact_modulus", *numbers)
+    own = [name for name in ("work_of_adhesion", *_core.law_parameters()) if name in given]
     spheres = [name for name in ("density", "mass", "partner_radius", "partner_density", "partner_mass") if name in given]
     arrays, shape = flat_arrays({name: arguments[name] for name in ("radius", *needed, *spheres, *own)})
     _warn_of_doubts(arrays)
@@ -332,7 +332,7 @@ def impacts(
     diameter: Optional[NumbersLike] = None,
     density: Optional[NumbersLike] = None,
     mass: Optional[NumbersLike] = None,
-    work_of_adhesion: NumbersLike = 0.0,
+    work_of_adhesion: Optional[NumbersLike] = None,
     damping: NumbersLike = 0.0,
     partner_radius: Optional[NumbersLike] = None,
     partner_diameter: Optional[NumbersLike] = None,
@@ -358,7 +358,7 @@ def impacts(
         velocity: of approach, normal to the wall, > 0; with an angle that of the sphere [m/s].
         density: of the sphere [kg/m3]; or
         mass: of the sphere [kg].
-        work_of_adhesion: energy to separate unit area, not a surface energy [J/m2].
+        work_of_adhesion: energy to separate unit area, not a surface energy; needed with adhesion, 0 for none [J/m2].
         damping: coefficient of the damping law [{damping units}].
         partner_radius: of a second sphere in place of the wall; or its partner_diameter. Velocities are then relative [m].
         partner_density: of the second sphere [kg/m3]; or
@@ -414,7 +414,7 @@ def critical_velocities(
     diameter: Optional[NumbersLike] = None,
     density: Optional[NumbersLike] = None,
     mass: Optional[NumbersLike] = None,
-    work_of_adhesion: NumbersLike = 0.0,
+    work_of_adhesion: Optional[NumbersLike] = None,
     damping: NumbersLike = 0.0,
     partner_radius: Optional[NumbersLike] = None,
     partner_diameter: Optional[NumbersLike] = None,
@@ -449,7 +449,7 @@ def dampings(
     diameter: Optional[NumbersLike] = None,
     density: Optional[NumbersLike] = None,
     mass: Optional[NumbersLike] = None,
-    work_of_adhesion: NumbersLike = 0.0,
+    work_of_adhesion: Optional[NumbersLike] = None,
     partner_radius: Optional[NumbersLike] = None,
     partner_diameter: Optional[NumbersLike] = None,
     partner_density: Optional[NumbersLike] = None,

@@ -164,7 +164,7 @@ std::string calibration_text(const Case& data, const CalibrationSummary& summary
     for (const auto* rows : {&velocities, &times})
         for (const Row& row : *rows)
             residuals.add({row.sample, row.law, readable(row.residual.observed, row.unit),
-                           readable(row.residual.predicted, row.unit),
+                           value_text(row.residual.predicted, row.unit),
                            fmt::format("{:+.2f} %", 100 * row.residual.relative_difference()),
                            fmt::format("{:+.1f}", std::log(row.residual.predicted / row.residual.observed) /
                                                       row.residual.relative_uncertainty)});

@@ -29,9 +29,11 @@ namespace {
 
 /// The radius by either option of a sphere [m]; @p prefix begins the name of each.
 double read_radius(const CommandOptions& options, const std::string& prefix) {
-    if (!options.has(prefix + "diameter")) return options.positive(prefix + "radius", Dimension::length);
-    if (options.has(prefix + "radius"))
-        throw InputError("both are given", "one of the two").at(prefix + "diameter, " + prefix + "radius");
+    const bool by_diameter = options.has(prefix + "diameter");
+    if (options.has(prefix + "radius") == by_diameter)
+        throw InputError(by_diameter ? "both are given" : "neither is given", "one of the two")
+            .at(prefix + "diameter, " + prefix + "radius");
+    if (!by_diameter) return options.positive(prefix + "radius", Dimension::length);
     return 0.5 * options.positive(prefix + "diameter", Dimension::length);
 }
 
@@ -243,13 +245,12 @@ void refuse_contact_options(const CommandOptions& options) {
         options,
         {"--radius", "--diameter", "--density", "--mass", "--partner-radius", "--partner-diameter",
          "--partner-density", "--partner-mass", "--roughness", "--contact-modulus", "--work-of-adhesion",
-         "--yield-pressure", "--damping", "--damping-restitution", "--detachment"},
+         "--yield-pressure", "--damping-law", "--damping", "--damping-restitution", "--detachment"},
         problem, allowed);
-    if (options.has("--damping-law") && options["--damping-law"] != name_of(DampingLaw::constant))
-        throw InputError(problem, allowed).at("--damping-law");
 }
 
 ContactChoice read_contact(const CommandOptions& options) {
+    if (!options.has("--law")) throw InputError("is missing", law_names()).at("--law");
     const Law law = at_place("--law", [&] { return Law::named(options["--law"]); });
     const Detachment detachment = read_detachment(options["--detachment"], law);
     const SphereBody sphere = read_sphere(options, "--");
@@ -285,14 +286,15 @@ void refuse_size_dependent(const CommandOptions& options, const std::string& pro
 MaterialChoice read_material(CommandOptions options) {
     refuse_size_dependent(options, "goes with the size, and several sizes are asked for");
     options.text_of("--diameter") = fmt::format("{} m", reference_diameter);
-    return {read_contact(options), options.positive("--density", Dimension::density)};
+    const double density = options.positive("--density", Dimension::density);
+    return {read_contact(options), density};
 }
 
 void refuse_material(const CommandOptions& options, const std::string& without) {
-    refuse_given(
-        options,
-        {"--law", "--density", "--contact-modulus", "--work-of-adhesion", "--yield-pressure", "--damping"},
-        "is given without " + without, "with " + without);
+    refuse_given(options,
+                 {"--law", "--density", "--contact-modulus", "--work-of-adhesion", "--yield-pressure",
+                  "--damping-law", "--damping"},
+                 "is given without " + without, "with " + without);
 }
 
 DampingLaw read_damping_law(const CommandOptions& options) {
@@ -302,21 +304,17 @@ DampingLaw read_damping_law(const CommandOptions& options) {
 }
 
 Damping read_damping(const CommandOptions& options, const ContactPair& contact) {
-    const DampingLaw law = read_damping_law(options);
-    if (!options.has("--damping")) {
-        const bool acts = options.has("--damping-restitution") || is_damped({law, 0}, contact.parameters);
-        if (law != DampingLaw::constant && !acts) {
-            warn_idle("--damping-law", "there is no damping");
-            for (const LawParameter& parameter : parameters_of(law))
-                if (contact.parameters.has(parameter)) warn_idle(option_of(parameter), "there is no damping");
-        }
-        return {law, 0};
+    Damping damping{read_damping_law(options), 0};
+    if (options.has("--damping")) {
+        damping.coefficient = options.number("--damping", dimension_of(damping.law));
+        at_place("--damping",
+                 [&] { require_not_negative("damping", damping.coefficient, dimension_of(damping.law)); });
     }
-    const double coefficient = options.number("--damping", dimension_of(law));
-    return at_place("--damping", [&] {
-        require_not_negative("damping", coefficient, dimension_of(law));
-        return Damping{law, coefficient};
-    });
+    if (options.has("--damping-restitution") || is_damped(damping, contact.parameters)) return damping;
+    if (options.has("--damping-law")) warn_idle("--damping-law", "there is no damping");
+    for (const LawParameter& parameter : parameters_of(damping.law))
+        if (contact.parameters.has(parameter)) warn_idle(option_of(parameter), "there is no damping");
+    return damping;
 }
 
 void add_further_damping(Json& json, const Damping& damping, const ContactPair& contact) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/app/contact/static_contact.hpp"
 
+#include <algorithm>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -62,11 +63,14 @@ void add_static_options(Command& command) {
     command.add("--pressure", "FILE", "p(r) of that contact (Eqs. 3, 17) as CSV");
 }
 
-void add_static_contacts(const CommandOptions& options, const ContactPair& pair, Json& json, TextList& list) {
+void add_static_contacts(const CommandOptions& options, const ContactChoice& contact, Json& json,
+                         TextList& list) {
+    const ContactPair& pair = contact.contact;
     const bool by_force = options.has("--force");
     if (!by_force && !options.has("--contact-radius")) {
         if (options.has("--pressure"))
-            throw InputError("of which contact", "--contact-radius").at("--pressure");
+            throw InputError("belongs to a contact at rest", "with --contact-radius or --force")
+                .at("--pressure");
         return;
     }
     if (by_force && options.has("--contact-radius"))
@@ -74,7 +78,14 @@ void add_static_contacts(const CommandOptions& options, const ContactPair& pair,
     const bool adhesive = pair.work_of_adhesion > 0;
     const StaticCurve curve(adhesive ? Law::of<Jkr>() : Law::of<Hertz>(), pair);
     json["static"] = Json::array();
+    const double sphere = std::min(contact.sphere.radius, contact.partner.value_or(contact.sphere).radius);
     for (const double radius : read_radii(options, curve, pair)) {
+        if (radius > sphere)
+            throw InputError(
+                fmt::format("the contact has a radius of {}, which is more than that of the sphere",
+                            readable(radius, "m")),
+                "a contact radius up to " + readable(sphere, "m"))
+                .at(by_force ? "--force" : "--contact-radius");
         const StaticPoint point = curve.at_contact_radius(radius);
         const PressureProfile profile = jkr_pressure(pair, radius);
         const bool stable = json["static"].empty();

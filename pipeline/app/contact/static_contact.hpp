@@ -3,8 +3,8 @@
 
 #include "core/json/document.hpp"
 #include "pipeline/app/command.hpp"
+#include "pipeline/app/contact/single_contact.hpp"
 #include "pipeline/present/text/layout.hpp"
-#include "solver/contact/pair.hpp"
 
 namespace ashimpact {
 
@@ -13,8 +13,8 @@ namespace ashimpact {
 void add_static_options(Command& command);
 
 /// Adds the contacts at rest that the options name to a JSON object, as `static`, and to a list; writes the
-/// file of
-/// --pressure. @throws InputError naming the option
-void add_static_contacts(const CommandOptions& options, const ContactPair& pair, Json& json, TextList& list);
+/// file of --pressure. @throws InputError naming the option, for a contact larger than a sphere too
+void add_static_contacts(const CommandOptions& options, const ContactChoice& contact, Json& json,
+                         TextList& list);
 
 }  // namespace ashimpact

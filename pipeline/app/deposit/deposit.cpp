@@ -117,6 +117,7 @@ DepositingAsh ash_of_options(const CommandOptions& options, const TubeConditions
         return critical.value.value_or(std::numeric_limits<double>::infinity());
     });
     velocities.lower = velocities.upper = velocities.value;
+    for (const double value : velocities.value) velocities.outside.push_back(is_outside_model(value));
     ReboundingSizes rebounding{.diameters = {}, .critical = velocities.value, .fastest = tube.velocity};
     for (const SizeClass& size : classes) rebounding.diameters.push_back(size.diameter());
     std::vector<double> densities(classes.size(), density);
@@ -196,12 +197,14 @@ Json options_json(const CommandOptions& options) {
                                    "--damping-restitution",
                                    "--at"};
     for (const LawParameter& parameter : law_parameters()) names.push_back(option_of(parameter));
-    for (const std::string& name : names)
-        if (options.has(name)) json[name.substr(2)] = options[name];
-    if (options.has("run")) {
-        json["run"] = options["run"];
-        json.erase("damping-law");
+    const bool by_law = !options.has("run");
+    for (const std::string& name : names) {
+        if (options.has(name))
+            json[name.substr(2)] = options[name];
+        else if (by_law && name == "--damping-law")
+            json[name.substr(2)] = name_of(DampingLaw::constant);
     }
+    if (!by_law) json["run"] = options["run"];
     return json;
 }
 
@@ -224,8 +227,7 @@ Deposition write_deposition(const CommandOptions& options, const TableOptions& t
     TubeConditions tube = read_tube(options);
     std::vector<Finding> doubts = options.doubts();
     if (options["--ash-load"].find("Nm3") != std::string::npos)  // a unit that no other quantity has
-        if (auto doubt = implausible(*plausible_range("ash_load"), {*tube.load})) {
-            doubt->text.insert(0, "--ash-load: ");
+        if (auto doubt = implausible_at("--ash-load", *plausible_range("ash_load"), {*tube.load})) {
             warn_of({*doubt});
             doubts.push_back(*std::move(doubt));
         }

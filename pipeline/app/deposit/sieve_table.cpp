@@ -63,7 +63,7 @@ bool is_size(SieveColumn column) {
 /// A table with its numbers in SI, cumulative or by classes.
 class SieveTable {
   public:
-    SieveTable(const TextLines& file, std::optional<DecimalMark> decimal) : marks_(decimal) {
+    SieveTable(const TextLines& file, std::optional<DecimalMark> decimal) : marks_(decimal, file.of_sheet()) {
         std::vector<TextLine> lines = lines_with_content(file);
         const auto heading = std::ranges::find_if(lines, [&](const TextLine& line) { return take(line); });
         if (heading == lines.end())

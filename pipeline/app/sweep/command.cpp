@@ -134,9 +134,10 @@ void remove_leftovers(const SweepFiles& files) {
 std::string summary(const Json& artifact, const SweepFiles& files, const SweepPlan& plan) {
     std::string text;
     for (const Json& law : artifact.at("result").at("laws"))
-        text += fmt::format("{}: {} impacts, {} captured ({:.4g} %)\n", law.at("law").get<std::string>(),
+        text += fmt::format("{}: {} impacts, {} captured ({:.4g} %{})\n", law.at("law").get<std::string>(),
                             law.at("impacts").get<std::uint64_t>(), law.at("captured").get<std::uint64_t>(),
-                            100 * law.at("capture_fraction").at("value").get<double>());
+                            100 * law.at("capture_fraction").at("value").get<double>(),
+                            report::captures_words(law));
     text += files.result.string();
     if (!plan.spec().table.empty()) text += fmt::format(", {}: {} rows", files.table.string(), plan.rows());
     return text +
@@ -200,7 +201,8 @@ class LawResult {
               std::uint64_t failed)
         : plan_(plan), sums_(sums), counts_(counts), failed_(failed) {}
 
-    [[nodiscard]] Json json(const LawChoice& choice) const {
+    /// @param outside share of the captures whose v_c is outside the model
+    [[nodiscard]] Json json(const LawChoice& choice, double outside) const {
         Json law{{"law", choice.law.name()},
                  {"detachment", name_of(choice.detachment)},
                  {"method", name_of(plan_.wanted(choice.law).method)},
@@ -209,6 +211,8 @@ class LawResult {
                  {"not_converged", failed_},
                  {"capture_fraction", with_error(whole(0).mean, Dimension::fraction, error_of_mean(0))},
                  {"observables", Json::array()}};
+        if (outside > 0)
+            law["captured_outside_model"] = quantity_json(outside * whole(0).mean, Dimension::fraction);
         for (std::size_t i = 1; i < plan_.spec().statistics.size(); ++i)
             law["observables"].push_back(observable(i));
         if (plan_.with_sensitivity()) law["sensitivity"] = sensitivity();
@@ -341,6 +345,9 @@ void run_sweep_command(const CommandOptions& options, MpiSession& session, const
         text = read_file(options["spec"]);
         const SweepPlan checked = at_place(FileName{options["spec"]}, [&] { return SweepPlan(text); });
         for (const std::string& warning : checked.spec().warnings) spdlog::warn("warning: {}", warning);
+        for (const std::string& warning :
+             warnings_of_captures(checked.spec(), captures_outside_model(checked.spec())))
+            spdlog::warn("warning: {}", warning);
         check_outputs(SweepFiles::beside(options["--output"]), options["spec"], checked,
                       !options.has("--no-report"));
     }
@@ -370,6 +377,7 @@ void run_sweep_command(const CommandOptions& options, MpiSession& session, const
 
 Json sweep_artifact(const SweepPlan& plan, const SweepProgress& progress, const InputFile& spec) {
     const SweepSums sums = progress.sums.total();
+    const std::vector<double> outside = captures_outside_model(plan.spec());
     Json result{{"points", plan.design().points()},
                 {"impacts", plan.impacts()},
                 {"damping_law", name_of(plan.spec().damping_law)},
@@ -377,9 +385,11 @@ Json sweep_artifact(const SweepPlan& plan, const SweepProgress& progress, const 
     for (std::size_t i = 0; i < plan.spec().laws.size(); ++i)
         result["laws"].push_back(
             LawResult(plan, sums.laws[i], progress.counts[i], progress.failed.counts.at(i))
-                .json(plan.spec().laws[i]));
+                .json(plan.spec().laws[i], outside[i]));
     result["not_converged"] = failures_json(plan, progress.failed);
     std::vector<std::string> warnings = plan.spec().warnings;
+    for (std::string& warning : warnings_of_captures(plan.spec(), outside))
+        warnings.push_back(std::move(warning));
     if (progress.failed.total() > 0)
         warnings.push_back(std::to_string(progress.failed.total()) + " of " + std::to_string(plan.impacts()) +
                            " impacts did not converge; they are left out, see /result/not_converged");

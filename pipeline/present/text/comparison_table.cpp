@@ -11,6 +11,7 @@
 #include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/document/results_json.hpp"
+#include "pipeline/present/text/layout.hpp"
 #include "pipeline/present/text/result_text.hpp"
 #include "pipeline/run/comparison/temperature.hpp"
 
@@ -30,7 +31,7 @@ std::string wrapped_line(const std::string& text, std::size_t width, std::size_t
 std::string glass_text(const ComparisonResult& result, std::size_t width) {
     std::string text;
     const auto change = [](const WithEitherGlass& pair, std::string_view unit) {
-        return readable(pair.catalogue, unit) + " -> " + readable(pair.from_chemistry, unit);
+        return value_text(pair.catalogue, unit) + " -> " + value_text(pair.from_chemistry, unit);
     };
     for (const SampleComparison& sample : result.samples) {
         if (!sample.glass) continue;
@@ -245,22 +246,20 @@ struct Kind {
     std::string file;
     std::string kind;
     std::string first;
-    std::vector<std::string> samples{};
-    std::vector<std::string> laws{};
+    NameList samples{};
+    NameList laws{};
     Severity severity = Severity::remark;
     std::size_t count = 0;
 };
 
-void add_once(std::vector<std::string>& names, const std::string& name) {
-    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-}
-
 /// " (fine; dmt, jkr)": the samples of a kind, "all samples" where it is all of several, and the laws.
 std::string of_what(const Kind& kind, std::size_t samples) {
-    if (kind.samples.empty()) return {};
-    const bool all = samples > 1 && kind.samples.size() == samples;
-    return fmt::format(" ({}{}{})", all ? "all samples" : joined(kind.samples), kind.laws.empty() ? "" : "; ",
-                       joined(kind.laws));
+    const auto& names = kind.samples.names();
+    const auto& laws = kind.laws.names();
+    if (names.empty()) return {};
+    const bool all = samples > 1 && names.size() == samples;
+    return fmt::format(" ({}{}{})", all ? "all samples" : joined(names), laws.empty() ? "" : "; ",
+                       joined(laws));
 }
 
 }  // namespace
@@ -363,8 +362,8 @@ std::vector<RemarkLine> remark_lines(const std::vector<Remark>& remarks, std::si
                 kinds.end(),
                 {.file = remark.file, .kind = kind, .first = note.text, .severity = note.severity});
         ++found->count;
-        add_once(found->samples, note.sample);
-        if (note.law) add_once(found->laws, std::string(note.law->name()));
+        found->samples.add(note.sample);
+        if (note.law) found->laws.add(std::string(note.law->name()));
     }
     std::vector<RemarkLine> lines;
     lines.reserve(kinds.size());

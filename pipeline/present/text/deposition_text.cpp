@@ -10,6 +10,7 @@
 #include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/present/text/result_text.hpp"
+#include "pipeline/run/deposition.hpp"
 
 namespace ashimpact {
 
@@ -174,11 +175,12 @@ std::vector<std::string> deposition_sentences(const DepositionResult& result) {
                               : "",
                         plain_number(total.deposition_rate->value * grams_an_hour)));
     sentences.push_back(
-        fmt::format("Of the mass that flies at the tube {} % arrives, and {} % of that stays{}.",
+        fmt::format("Of the mass that flies at the tube {} % arrives, and {} % of that stays{}{}.",
                     share_text(total.impaction_efficiency), share_text(total.stick_fraction.value),
                     spans ? fmt::format(" ({} to {} %{})", share_text(least), share_text(greatest),
                                         total.deposition_flux ? "" : std::string(" ") + span_words)
-                          : ""));
+                          : "",
+                    total.outside_model ? "; " + outside_model_words(*total.outside_model) : ""));
     if (total.rebound.restitution)
         sentences.push_back(
             fmt::format("The rest rebounds with a mean restitution of {:.2g}, at {} normal to the wall ({}).",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,6 +51,19 @@ class TextTable {
 
     std::vector<std::vector<std::string>> rows_;
     std::size_t keys_;
+};
+
+/// Names in the order in which they are first added, without empty ones.
+class NameList {
+  public:
+    void add(const std::string& name) {
+        if (!name.empty() && known_.insert(name).second) names_.push_back(name);
+    }
+    [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+
+  private:
+    std::set<std::string> known_;
+    std::vector<std::string> names_;
 };
 
 /// "name   value" lines with the values in one column.

@@ -81,8 +81,9 @@ struct DepositionTotal {
     double impaction_efficiency = 0;  ///< share of what flies at the tube that meets it [1]
     SpannedShare stick_fraction{};    ///< of what arrives [1]
     ReboundMeans rebound{};
-    double half_angle = 0;          ///< from the front, within which half of what stays lies [rad]
-    double supported_fraction = 0;  ///< of the mass that arrives, of sizes that were measured [1]
+    double half_angle = 0;                  ///< from the front, within which half of what stays lies [rad]
+    double supported_fraction = 0;          ///< of the mass that arrives, of sizes that were measured [1]
+    std::optional<double> outside_model{};  ///< the same, of sizes whose v_c is outside the model; none: 0
     std::optional<Quantity> deposition_flux{}, least_flux{},
         greatest_flux{};                        ///< mean over the circumference
     std::optional<Quantity> deposition_rate{};  ///< per length of tube

@@ -88,8 +88,8 @@ class TableCells {
   public:
     /// @param lines of the table below its heading
     TableCells(const MeasurementHeading& heading, std::span<const TextLine> lines, char separator,
-               std::optional<DecimalMark> decimal)
-        : heading_(heading), marks_(decimal) {
+               NumberMarks marks)
+        : heading_(heading), marks_(std::move(marks)) {
         std::vector<bool> holds_numbers(heading.columns, false);
         for (const auto* all : {&heading.value, &heading.uncertainty})
             for (const auto& column : *all)
@@ -607,11 +607,8 @@ void add_implausible(const MeasuredColumn& column, MeasurementSet& set) {
     const Measurement& point = *found;
     Writing written{point.velocity};
     if (!column.unit_given) written.number = point.velocity;
-    const std::string place = at_line(point.line);
-    if (auto doubt = at_place(place, [&] { return implausible(range, written); })) {
-        doubt->text.insert(0, place + ": v_in: ");
+    if (auto doubt = implausible_at(at_line(point.line) + ": v_in", range, written))
         set.warnings.insert(set.warnings.begin(), *std::move(doubt));
-    }
 }
 
 MeasurementSet read_table(const TextLines& file, std::string_view name, std::optional<DecimalMark> decimal) {
@@ -634,12 +631,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
     for (Finding& note : take_notes(lines, first, separator, impacts_code))
         set.warnings.push_back(std::move(note));
     const std::span rows = std::span<const TextLine>(lines).subspan(first);
-    const auto texts = texts_beside(file, std::span<const TextLine>(lines).subspan(place));
-    require_agreeing_units(texts, heading);
-    require_coverage_in_headings(texts, heading.coverages, rows, separator);
-    for (Finding& note : coverage_findings(impacts_code, heading.coverages, rows, separator))
-        set.warnings.push_back(std::move(note));
-    const TableCells cells(heading, rows, separator, decimal);
+    const TableCells cells(heading, rows, separator, NumberMarks(decimal, file.of_sheet()));
     const RowLabels labels(heading, rows, separator);
     if (place > 0)
         set.warnings.push_back(

@@ -336,7 +336,8 @@ class Impacts(unittest.TestCase):
             (dict(velocity=[[1.0], [1.0, 2.0]]), "velocity holds list"),
             (dict(velocity=[True, 2.0]), "velocity holds bool"),
             (dict(velocity=10**400), "velocity is no number"),
-            (dict(work_of_adhesion=None), "work_of_adhesion holds NoneType"),
+            (dict(work_of_adhesion=None), "work_of_adhesion is missing"),
+            (dict(law="thornton-ning"), "yield_pressure is missing"),
         )
         for change, expected in cases:
             with self.subTest(change=change), self.assertRaises(ValueError) as caught:

@@ -23,6 +23,7 @@ void write_files(const Sandbox& sandbox) {
     sandbox.write("quick.csv", "v_in [km/s],e_n\n1,0.2\n3,0.3\n3,0.3\n");
     sandbox.write("small.csv", "d [nm],v_c [m/s]\n5.0,1.2\n20.0,0.4\n");
     sandbox.write("soft.csv", "phase,wt%,density [kg/m3]\nquartz,40,2.65\nglass,60,2500\n");
+    sandbox.write("stiff.csv", "phase,wt%\nquartz,100\n");
     sandbox.write("phases.json", R"([{"name": "soft", "density": "2 g/cm3", "young_modulus": 70}])");
     sandbox.write("sweep.json",
                   R"({"impact": {"laws": ["hertz"], "radius": 44, "density": 2300, "contact_modulus": 9e10},
@@ -101,6 +102,13 @@ TEST_CASE("with its unit it counts, and is warned of before anything else") {
                        "--gas-temperature '900 C' -o tube --ash-load '10 kg/Nm3'") +
                usual_contact,
            "warning: --ash-load: 2.328 kg/m3 is outside of what is plausible"},
+          {"modulus stiff.csv --amorphous-fraction none --porosity-law spriggs --porosity 0.2 "
+           "--porosity-coefficient 300",
+           "warning: stiff.csv: Young's modulus: "},
+          {"contact --diameter '88 um' --density '2300 kg/m3' --contact-modulus '90 GPa' --adhesion-rule "
+           "dupre "
+           "--surface-energy '15 J/m2' --wall-surface-energy '15 J/m2' --interfacial-energy '1e-4 J/m2'",
+           "warning: work_of_adhesion: 30 J/m2 is outside of what is plausible"},
           {"calibrate --sizes small.csv --uncertainty '10 %' --law jkr --density '2300 kg/m3' "
            "--contact-modulus '90 GPa' --free work_of_adhesion",
            "warning: small.csv: 5 nm is outside of what is plausible, 10 nm to 5 mm"},
@@ -124,6 +132,45 @@ TEST_CASE("with its unit it counts, and is warned of before anything else") {
 
 TEST_CASE("a critical velocity above 500 m/s is outside the model; JSON keeps the number, with a note") {
     const Sandbox sandbox;
+    const std::string sphere = std::string(" --diameter '88 um'") + usual_contact;
+    for (const auto& [options, rest] :
+         {std::pair{"jkr --damping '1e6 kg/s' --angle '60 deg'", "at 60 degrees"},
+          {"dmt --damping '0.02 kg/s' --angle '89.9999 deg'", "at 90 degrees"},
+          {"brach-dunn --damping '100 kg/s'", "damping"}}) {
+        CAPTURE(options);
+        const auto text =
+            test::succeeded(sandbox, std::string("critical-velocity --law ") + options + sphere);
+        CHECK(text.err == containing("the critical velocity is above 500 m/s, outside the model"));
+        const auto last = text.out.rfind(rest);
+        REQUIRE(last != std::string::npos);
+        CHECK(text.out.find("above 500 m/s, outside the model") != std::string::npos);
+        CHECK(text.out.find("e+") == std::string::npos);
+    }
+    for (const char* law : {"jkr", "maugis-dugdale --tabor 1"})
+        check_refused(
+            sandbox, std::string("critical-velocity --damping '1e30 kg/s' --law ") + law + sphere,
+            "--damping: the critical velocity is above 500 m/s, outside the model, beyond the range of numbers");
+    const auto stuck = test::succeeded(
+        sandbox, std::string("deposit --law jkr --damping '10 kg/s' --sizes '20 um' --tube-diameter '38 mm' "
+                             "--gas-velocity 12 --gas-temperature '900 C' -o tube") +
+                     usual_contact);
+    CHECK(stuck.err ==
+          containing("of 100 % of the mass that arrives v_c is above 500 m/s, outside the model"));
+    CHECK(test::lines_of(stuck.out)[0] == containing("100 % of that stays; of 100 % of the mass"));
+    CHECK(sandbox.json("tube/deposit.json")["result"]["total"]["outside_model_fraction"]["value"] == 1);
+    CHECK(sandbox.read("tube/deposit-by-size.csv") == containing("\"above 500 m/s, outside the model\""));
+
+    write_files(sandbox);
+    Json sweep = sandbox.json("sweep.json");
+    sweep["impact"].update({{"radius", "44 um"}, {"damping", "100 kg/s"}});
+    sandbox.write("sweep.json", sweep.dump());
+    const auto swept = test::succeeded(sandbox, "sweep sweep.json -o out.json");
+    CHECK(swept.err == containing("hertz: of 100 % of the captures v_c is above 500 m/s, outside the model"));
+    CHECK(swept.out ==
+          containing("2 captured (100 %: 100 % with v_c above 500 m/s, outside the model, 0 % within"));
+    CHECK(sandbox.json("out.json")["result"]["laws"][0]["captured_outside_model"]["value"] == 1);
+    CHECK(sandbox.read("out.html") == containing("100 % with v_c above 500 m/s, outside the model"));
+
     const std::string command =
         std::string("critical-velocity --law hertz --diameter '88 um' --damping '100 kg/s'") + usual_contact;
     const auto text = test::succeeded(sandbox, command);

@@ -196,6 +196,8 @@ TEST_CASE("an option that changes nothing is said or refused") {
            "warning: --damping-exponent: there is no damping, so it changes nothing"},
           {std::string("impact --law dmt --velocity 2 --damping-law tsuji") + adhesive_sphere,
            "warning: --damping-law: there is no damping, so it changes nothing"},
+          {std::string("impact --law dmt --velocity 2 --damping-law tsuji --damping 0") + adhesive_sphere,
+           "warning: --damping-law: there is no damping, so it changes nothing"},
           {std::string("critical-velocity --law hertz --angle '60 deg'") + elastic_sphere,
            "warning: --angle: there is no critical velocity, so it changes nothing"},
           {std::string(of_sizes) + "--sizes sizes.csv --uncertainty '50 %'",
@@ -253,6 +255,7 @@ TEST_CASE("run names what changes nothing in a case, calibrate too") {
           "1 x 0-case.json: /particle/tabor changes no impact, as hertz does not use it",
           "1 x 0-case.json: /work_of_adhesion changes no impact, as hertz does not use it"})
         CHECK(run.err == containing(says));
+    CHECK(sandbox.read("out/report.html") == containing("No sample has impacts, so there is nothing to show."));
     document["samples"][0]["published"] = {{"critical_velocity", {{"hertz", 1}}},
                                            {"critical_damping", {{"hertz", 0.01}}}};
     sandbox.write("case.json", document.dump());

@@ -373,10 +373,13 @@ TEST_CASE("contact lists the JKR contact at rest under a force or of a radius, w
     CHECK(std::stod(line.substr(2)) ==
           doctest::Approx(number(both[0]["hertz_pressure"]) - number(both[0]["rim_tension"])));
     CHECK(printed(sandbox, pair + "0 --force '1 mN'")["static"][0]["attractive_force"]["value"] == 0);
-    for (const auto& [options, message] : {std::pair{"--force '-1 mN'", "tears the contact off"},
-                                           std::pair{"--contact-radius '1 nm'", "below the fold"},
-                                           std::pair{"--contact-radius '1 um' --force 0", "both are given"},
-                                           std::pair{"--pressure p.csv", "of which contact"}}) {
+    for (const auto& [options, message] :
+         {std::pair{"--force '-1 mN'", "tears the contact off"},
+          std::pair{"--contact-radius '1 nm'", "below the fold"},
+          std::pair{"--contact-radius '1 um' --force 0", "both are given"},
+          std::pair{"--contact-radius '1 mm'", "the contact has a radius of 1 mm, which is more"},
+          std::pair{"--force '1 kN'", "which is more than that of the sphere"},
+          std::pair{"--pressure p.csv", "belongs to a contact at rest"}}) {
         const auto result = ashimpact_program(sandbox, pair + "'0.3 J/m2' " + options);
         CHECK(result.status == 2);
         CHECK(result.err == containing(message));

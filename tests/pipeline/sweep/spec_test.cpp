@@ -276,14 +276,21 @@ TEST_CASE("one constant damping for sizes far apart is doubted, unless the spec 
     CHECK(warnings().empty());
 }
 
-TEST_CASE("small sizes with a v_c outside of the model are named by law") {
+TEST_CASE("captures with a v_c outside of the model are counted by law, of one size too") {
     Json json = full_spec(512);
     json["impact"]["damping_over_sizes"] = "same";
+    const auto shares = [&] { return captures_outside_model(read_sweep_spec(json.dump()).spec); };
     json["variables"]["radius"] = {{"values", {"5 um", "44 um"}}};
-    const auto warnings = read_sweep_spec(json.dump()).spec.warnings;
-    REQUIRE(warnings.size() == 2);
-    CHECK(warnings[0] == test::containing("dmt: v_c of spheres with a radius of 5 um is above 500 m/s"));
-    CHECK(warnings[1] == test::containing("jkr: v_c of spheres with a radius of 5 um is above 500 m/s"));
+    for (const double share : shares()) CHECK((share > 0 && share <= 1));
+    json["variables"]["radius"] = {{"values", {"5 um", "5.1 um"}}};
+    CHECK(shares() == std::vector<double>{1, 1});
+    const SweepSpec spec = read_sweep_spec(json.dump()).spec;
+    CHECK(warnings_of_captures(spec, {0.25, 0}) ==
+          std::vector<std::string>{
+              "dmt: of 25 % of the captures v_c is above 500 m/s, outside the model; they, "
+              "and shares that count them, are no result"});
+    json["variables"]["radius"] = {{"values", {"44 um", "45 um"}}};
+    CHECK(shares() == std::vector<double>{0, 0});
 }
 
 TEST_CASE("damping as a power of the radius is that of each impact") {

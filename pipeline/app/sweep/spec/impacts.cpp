@@ -7,15 +7,19 @@
 #include <limits>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "core/plausibility.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
 #include "pipeline/app/contact/single_contact.hpp"
+#include "solver/batch/parallel.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/statistics/design.hpp"
+#include "solver/surrogate/rebound_table.hpp"
 
 namespace ashimpact {
 
@@ -132,6 +136,21 @@ std::vector<double> captured(const SweepSpec& spec, const Values& values, const 
     return flags;
 }
 
+/// At most as many points as take no time to solve, scattered so that they follow no side of a grid.
+Values some_of(const Values& values) {
+    constexpr std::size_t most = 1024;
+    constexpr double golden = 0.6180339887498949;
+    const std::size_t all = values.front().size();
+    if (all <= most) return values;
+    Values some(values.size());
+    for (std::size_t i = 0; i < most; ++i) {
+        const double place = std::fmod(golden * static_cast<double>(i), 1.0) * static_cast<double>(all);
+        for (std::size_t k = 0; k < values.size(); ++k)
+            some[k].push_back(values[k][static_cast<std::size_t>(place)]);
+    }
+    return some;
+}
+
 std::vector<CaptureShare> shares_of(const std::vector<double>& variable, const std::vector<double>& flags) {
     std::vector<std::size_t> order(variable.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -207,41 +226,55 @@ ImpactColumns::Values ImpactColumns::keep(Eigen::ArrayXd values) {
 
 std::vector<std::string> warnings_of_sizes(const SweepSpec& spec) {
     const auto radius = std::ranges::find(spec.variables, ImpactInput::radius, &SweepVariable::input);
-    if (radius == spec.variables.end() || !is_given(spec, ImpactInput::damping)) return {};
+    if (radius == spec.variables.end() || !is_given(spec, ImpactInput::damping) ||
+        spec.damping_law != DampingLaw::constant || spec.damping_over_sizes)
+        return {};
     constexpr double similar_sizes = 1.1;  // greatest ratio of radii that one damping may serve
     std::array shares{0.05, 0.5, 0.95};
     to_quantiles(radius->distribution, shares);
     const auto [small, middle, large] = shares;
     if (large <= similar_sizes * small) return {};
-    std::vector<std::string> warnings;
-    if (spec.damping_law == DampingLaw::constant && !spec.damping_over_sizes)
-        warnings.push_back("damping: one coefficient for radii of " + readable(small, "m") + " to " +
-                           readable(large, "m") +
-                           "; with it v_c of small spheres grows without bound. State "
-                           "\"damping_over_sizes\": \"same\", or a "
-                           "power of the radius, or choose another damping_law");
-    Values medians(spec.variables.size());
-    for (std::size_t i = 0; i < medians.size(); ++i) {
-        std::array half{0.5};
-        to_quantiles(spec.variables[i].distribution, half);
-        medians[i] = {spec.variables[i].input == ImpactInput::radius ? small : half[0]};
-    }
-    const ImpactColumns impacts(spec, medians, 1);
-    for (const LawChoice& choice : spec.laws) {
-        const Impact impact = impact_at({choice.law, choice.detachment, spec.damping_law}, impacts, 0);
+    return {
+        "damping: one coefficient for radii of " + readable(small, "m") + " to " + readable(large, "m") +
+        "; with it v_c of small spheres grows without bound. State \"damping_over_sizes\": \"same\", or a "
+        "power of the radius, or choose another damping_law"};
+}
+
+std::vector<double> captures_outside_model(const SweepSpec& spec) {
+    std::vector<double> shares(spec.laws.size(), 0.0);
+    if (spec.variables.empty()) return shares;
+    const Values values = some_of(variable_values(spec));
+    const ImpactColumns impacts(spec, values, values.front().size());
+    for (std::size_t k = 0; k < spec.laws.size(); ++k) {
+        const ImpactModel model{spec.laws[k].law, spec.laws[k].detachment, spec.damping_law};
         try {
-            validate(impact);
-            const CriticalVelocity critical =
-                tabulated_critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
-            if (critical.value && outside_model(*critical.value))
-                warnings.push_back(std::string(choice.law.name()) + ": v_c of spheres with a radius of " +
-                                   readable(small, "m") + " is " +
-                                   critical_velocity_text(*critical.value, "") +
-                                   "; their captures, and shares that count them, are no result");
+            const std::vector<double> flags = captured(spec, values, spec.laws[k]);
+            std::vector<std::size_t> captures;
+            for (std::size_t i = 0; i < flags.size(); ++i)
+                if (flags[i] > 0) captures.push_back(i);
+            const std::vector<int> outside = in_parallel(captures, [&](std::size_t i) {
+                const Impact impact = impact_at(model, impacts, i);
+                const auto critical =
+                    quick_critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
+                return critical.value && outside_model(*critical.value) ? 1 : 0;
+            });
+            if (!captures.empty())
+                shares[k] = static_cast<double>(std::ranges::count(outside, 1)) /
+                            static_cast<double>(captures.size());
         } catch (const InputError&) {  // reported where the impact itself is solved
         } catch (const ConvergenceError&) {
         }
     }
+    return shares;
+}
+
+std::vector<std::string> warnings_of_captures(const SweepSpec& spec, const std::vector<double>& shares) {
+    std::vector<std::string> warnings;
+    for (std::size_t k = 0; k < spec.laws.size(); ++k)
+        if (shares[k] > 0)
+            warnings.push_back(fmt::format(
+                "{}: of {:.3g} % of the captures v_c is {}; they, and shares that count them, are no result",
+                spec.laws[k].law.name(), 100 * shares[k], outside_model_text()));
     return warnings;
 }
 

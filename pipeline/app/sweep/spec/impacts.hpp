@@ -58,8 +58,16 @@ struct ImpactModel {
 };
 
 /// What to doubt where sizes vary: a constant damping that is the same for all of them without the spec
-/// stating so, and laws by which the small ones have a critical velocity outside of the model.
+/// stating so.
 [[nodiscard]] std::vector<std::string> warnings_of_sizes(const SweepSpec& spec);
+
+/// By law, the share of captures whose critical velocity is above fastest_in_model, from at most 1024
+/// impacts.
+[[nodiscard]] std::vector<double> captures_outside_model(const SweepSpec& spec);
+
+/// The doubts about such captures. @param shares of captures_outside_model()
+[[nodiscard]] std::vector<std::string> warnings_of_captures(const SweepSpec& spec,
+                                                            const std::vector<double>& shares);
 
 /// Results wanted in addition to the restitution (others stay empty), and the method to compute them.
 struct WantedResults {

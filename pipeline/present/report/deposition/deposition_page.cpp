@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/plausibility.hpp"
 #include "core/quantities/quantity.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
@@ -63,7 +64,10 @@ Figure deposited_sizes_figure(const DepositionResult& result) {
         line_of("arrives, mean v_n", 0, result.sizes, x,
                 [](const DepositedSize& size) { return size.normal_velocity.value_or(std::nan("")); }),
         line_of("v_c", 2, result.sizes, x,
-                [](const DepositedSize& size) { return size.critical_velocity.value_or(std::nan("")); }),
+                [](const DepositedSize& size) {
+                    const double velocity = size.critical_velocity.value_or(std::nan(""));
+                    return velocity <= fastest_in_model ? velocity : std::nan("");
+                }),
         line_of("rebounds, mean v_n", 3, result.sizes, x,
                 [](const DepositedSize& size) { return size.rebound.velocity.value_or(std::nan("")); })};
     if (result.measured) {
@@ -73,7 +77,7 @@ Figure deposited_sizes_figure(const DepositionResult& result) {
     for (const DepositedSize& size : result.sizes)
         figure.numbers.rows.push_back(
             {size.diameter, size.from, size.to, size.mass_fraction, size.stokes, size.effective_stokes,
-             size.impaction_efficiency, cell_of(size.critical_velocity), cell_of(size.normal_velocity),
+             size.impaction_efficiency, critical_cell(size.critical_velocity), cell_of(size.normal_velocity),
              size.stick_fraction.value, size.stick_fraction.span.least, size.stick_fraction.span.greatest,
              cell_of(size.rebound.restitution), cell_of(size.rebound.velocity),
              cell_of(grams(size.arrival_flux)), cell_of(grams(size.deposition_flux))});

@@ -118,17 +118,13 @@ RowItem velocity_mark(double value, const Look& look, const std::string& name, c
     return {RowItem::Kind::mark, value, value, look, fmt::format("{}: {}", name, text), legend};
 }
 
-/// A critical velocity in a table of numbers [m/s].
-Cell critical_cell(double value) {
-    return value > fastest_in_model ? Cell(critical_velocity_text(value, "")) : Cell(value);
-}
-
 /// The interval of a value; an open end is drawn a factor 1.5 away.
 RowItem velocity_interval(double value, const Bounds& bounds, const Look& look, const std::string& name) {
     const double from = bounds.lower && *bounds.lower > 0 ? *bounds.lower : value / 1.5;
     const double to = bounds.upper.value_or(value * 1.5);
     return {RowItem::Kind::interval, from, to, look,
-            fmt::format("{}: from {:.3g} to {:.3g} m/s", name, from, to)};
+            fmt::format("{}: from {:.3g} to {}", name, from,
+                        critical_velocity_text(to, fmt::format("{:.3g} m/s", to)))};
 }
 
 /// A velocity with its interval where there is one, in the row and in the table.
@@ -256,6 +252,10 @@ Cell cell_of(const std::optional<double>& value) {
     return value ? Cell(*value) : Cell(std::string());
 }
 
+Cell critical_cell(const std::optional<double>& value) {
+    return value && outside_model(*value) ? Cell(outside_model_text()) : cell_of(value);
+}
+
 std::string display_name(std::string_view law) {
     const bool spelled = law.find_first_of("aeiou") == std::string_view::npos;  // an abbreviation
     std::string name;
@@ -350,7 +350,7 @@ Figure critical_velocity_figure(const RunData& run) {
         // Beside an analytic velocity far below the others, the intervals of these could not be seen.
         if (analytic > 0 && analytic < slowest / 3) {
             far = true;
-            row.label = fmt::format("analytic: {:.3g} m/s", analytic);
+            row.label = "analytic: " + critical_velocity_text(analytic, fmt::format("{:.3g} m/s", analytic));
         } else if (analytic > 0) {
             row.items.push_back(
                 velocity_mark(analytic, Look::plain(2, true), sample.name() + ", analytic", row.label));

@@ -139,6 +139,8 @@ struct FigureMaker {
 
 /// A number of a table, or an empty cell.
 [[nodiscard]] Cell cell_of(const std::optional<double>& value);
+/// A critical velocity of a table [m/s], in words where it is outside the model.
+[[nodiscard]] Cell critical_cell(const std::optional<double>& value);
 
 /// A bar of the total Sobol index, its standard error, a mark of the first order. @param name begins readouts
 [[nodiscard]] Row sobol_row(const std::string& label, const std::string& name, const Look& look, double first,

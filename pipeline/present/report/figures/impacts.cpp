@@ -60,6 +60,21 @@ std::string extrapolation_sentence(const RunData& run) {
     return {};
 }
 
+/// Adds the panel of a sample, unless there is nothing to see in it.
+void add_panel(Figure& figure, XyPanel panel) {
+    const auto is_drawn = [](const Series& series) {
+        return !series.line.empty() || !series.marks.empty() || !series.band.empty();
+    };
+    if (!panel.regions.empty() || !panel.rules.empty() || std::ranges::any_of(panel.series, is_drawn))
+        figure.panels.emplace_back(std::move(panel));
+}
+
+/// Gives the panels of a figure one axis y, and one axis x if asked for.
+void finish(Figure& figure, bool one_x) {
+    if (figure.panels.empty()) figure.caption += " No sample has impacts, so there is nothing to show.";
+    share_axes(figure.panels, one_x, true);
+}
+
 // Restitution.
 
 /// The velocities below which impacts are captured by every law; ends at the least critical velocity.
@@ -381,8 +396,8 @@ Figure restitution_figure(const RunData& run) {
         .numbers = {.columns = {"sample", "law", "origin", "v_in [m/s]", "e_n", "v_in, lower end [m/s]",
                                 "v_in, upper end [m/s]"}}};
     for (const SampleData& sample : run.samples())
-        figure.panels.emplace_back(restitution_panel(sample, figure.numbers));
-    share_axes(figure.panels, false, true);
+        add_panel(figure, restitution_panel(sample, figure.numbers));
+    finish(figure, false);
     return figure;
 }
 
@@ -408,13 +423,13 @@ Figure damping_figure(const RunData& run) {
         XyPanel panel = inverted_panel(sample, shown, figure.numbers);
         panel.rules = boundaries(sample);
         any_boundary = any_boundary || !panel.rules.empty();
-        figure.panels.emplace_back(std::move(panel));
+        add_panel(figure, std::move(panel));
     }
     figure.caption += any_boundary ? " Dashed verticals: where the falling part ends and the flat and the "
                                      "rising part begin, by the first law that has them."
                                    : " These data hold the falling part alone.";
     figure.caption += origin_sentence(run);
-    share_axes(figure.panels, false, true);
+    finish(figure, false);
     return figure;
 }
 
@@ -435,8 +450,8 @@ Figure damping_fit_figure(const RunData& run) {
                       extrapolation_sentence(run) + origin_sentence(run),
                   .numbers = damping_table(run)};
     for (const SampleData& sample : run.samples())
-        figure.panels.emplace_back(inverted_panel(sample, shown, figure.numbers));
-    share_axes(figure.panels, true, true);
+        add_panel(figure, inverted_panel(sample, shown, figure.numbers));
+    finish(figure, true);
     return figure;
 }
 
@@ -476,11 +491,11 @@ Figure contact_time_figure(const RunData& run) {
                 figure.numbers.rows.push_back(
                     {sample.name(), name, "published", printed.velocity.value, printed.contact_time.value});
             }
-        figure.panels.emplace_back(std::move(panel));
+        add_panel(figure, std::move(panel));
     }
     if (published) figure.caption += " Crosses: published values, at about the velocity printed.";
     figure.caption += origin_sentence(run);
-    share_axes(figure.panels, false, true);
+    finish(figure, false);
     return figure;
 }
 

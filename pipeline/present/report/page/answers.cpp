@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/page.hpp"
+#include "pipeline/present/text/layout.hpp"
 #include "pipeline/present/text/result_text.hpp"
 #include "pipeline/run/comparison/temperature.hpp"
 
@@ -290,18 +292,17 @@ std::string with_ranges(const std::vector<std::string>& texts) {
 class Grouped {
   public:
     void add(const std::string& key, const std::string& text, const std::string& where) {
-        auto entry = std::ranges::find(entries_, key, &Entry::key);
-        if (entry == entries_.end()) entry = entries_.insert(entry, {key, {}, {}});
-        entry->texts.push_back(text);
-        if (!where.empty() && std::ranges::find(entry->where, where) == entry->where.end())
-            entry->where.push_back(where);
+        const auto [place, is_new] = places_.try_emplace(key, entries_.size());
+        if (is_new) entries_.emplace_back();
+        entries_[place->second].texts.push_back(text);
+        entries_[place->second].where.add(where);
     }
     [[nodiscard]] bool empty() const { return entries_.empty(); }
     [[nodiscard]] std::string html() const {
         std::vector<std::string> notes;
         for (const Entry& entry : entries_) {
             std::string names;
-            for (const std::string& name : entry.where)
+            for (const std::string& name : entry.where.names())
                 names += (names.empty() ? "" : "; ") + html_name(name);
             notes.push_back(with_ranges(entry.texts) +
                             (names.empty() ? "" : " <span class=\"where\">(" + names + ")</span>"));
@@ -311,10 +312,10 @@ class Grouped {
 
   private:
     struct Entry {
-        std::string key;
         std::vector<std::string> texts;
-        std::vector<std::string> where;
+        NameList where;
     };
+    std::map<std::string, std::size_t> places_;  ///< of entries, by key
     std::vector<Entry> entries_;
 };
 

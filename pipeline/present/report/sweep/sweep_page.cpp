@@ -7,6 +7,7 @@
 
 #include "core/json/document.hpp"
 #include "core/json/view.hpp"
+#include "core/plausibility.hpp"
 #include "core/quantities/quantity.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
@@ -155,14 +156,23 @@ std::string sweep_answers(const Json& result) {
         const Quantity fraction = shown_quantity(law.at("capture_fraction"));
         const auto& u = fraction.standard_uncertainty;
         html += fmt::format(
-            "<li>By {} <span class=\"value\">{:#.4g} %</span>{} of {} impacts are captured.</li>\n",
+            "<li>By {} <span class=\"value\">{:#.4g} %</span>{} of {} impacts are captured{}.</li>\n",
             escaped(display_name(law.at("law").get<std::string>())), 100 * fraction.value,
-            u ? fmt::format(" (± {:#.2g} %)", 100 * *u) : "", law.at("impacts").get<std::uint64_t>());
+            u ? fmt::format(" (± {:#.2g} %)", 100 * *u) : "", law.at("impacts").get<std::uint64_t>(),
+            captures_words(law));
     }
     return html + "</ul>\n";
 }
 
 }  // namespace
+
+std::string captures_words(const Json& law) {
+    const auto outside = law.find("captured_outside_model");
+    if (outside == law.end()) return {};
+    const double share = shown_quantity(*outside).value;
+    return fmt::format(": {:.3g} % with v_c {}, {:.3g} % within it", 100 * share, outside_model_text(),
+                       100 * (shown_quantity(law.at("capture_fraction")).value - share));
+}
 
 std::string sweep_page(const Json& artifact, const CaptureFractions& captured, const std::string& name) {
     const Json& result = artifact.at("result");

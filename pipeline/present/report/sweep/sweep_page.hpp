@@ -36,6 +36,10 @@ struct CaptureFractions {
     std::vector<CaptureVariable> variables{};
 };
 
+/// What the share of captures of a law's result rests on: ": 88 % with v_c above 500 m/s, outside the model,
+/// 2.4 % within it"; empty if all of it is within the model.
+[[nodiscard]] std::string captures_words(const Json& law);
+
 /// Report of a sweep as one HTML file: capture fractions, histograms, sensitivity. The same result gives the
 /// same bytes. @param artifact the whole of a sweep's result
 [[nodiscard]] std::string sweep_page(const Json& artifact, const CaptureFractions& captured,
