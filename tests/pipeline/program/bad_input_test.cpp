@@ -238,7 +238,7 @@ TEST_CASE("wrong options: exit 2, one line that names the option") {
              Wrong{"critical-velocity --law hertz --damping 1e-40" + contact,
                    "--damping: the velocity that this damping captures is "},
              Wrong{"critical-velocity --law hertz --damping 1e30" + contact,
-                   "--damping: the velocity that this damping captures is "},
+                   "--damping: the critical velocity is above 500 m/s, outside the model, beyond the range"},
              Wrong{"impact --law dmt --velocity 2 --radius '44 um' --density 2600 --contact-modulus 9e10 "
                    "--work-of-adhesion '1e300 J/m2'",
                    "--work-of-adhesion: work of adhesion is 1e+300 J/m2; allowed: 0, or 1e-40 to 1e40"},

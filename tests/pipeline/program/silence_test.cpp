@@ -255,7 +255,8 @@ TEST_CASE("run names what changes nothing in a case, calibrate too") {
           "1 x 0-case.json: /particle/tabor changes no impact, as hertz does not use it",
           "1 x 0-case.json: /work_of_adhesion changes no impact, as hertz does not use it"})
         CHECK(run.err == containing(says));
-    CHECK(sandbox.read("out/report.html") == containing("No sample has impacts, so there is nothing to show."));
+    CHECK(sandbox.read("out/report.html") ==
+          containing("No sample has impacts, so there is nothing to show."));
     document["samples"][0]["published"] = {{"critical_velocity", {{"hertz", 1}}},
                                            {"critical_damping", {{"hertz", 0.01}}}};
     sandbox.write("case.json", document.dump());

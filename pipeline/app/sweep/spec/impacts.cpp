@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 
 #include <fmt/format.h>
@@ -15,11 +16,9 @@
 #include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
 #include "pipeline/app/contact/single_contact.hpp"
-#include "solver/batch/parallel.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/statistics/design.hpp"
-#include "solver/surrogate/rebound_table.hpp"
 
 namespace ashimpact {
 
@@ -125,11 +124,9 @@ Values variable_values(const SweepSpec& spec) {
 }
 
 /// 1 for each impact that is captured.
-std::vector<double> captured(const SweepSpec& spec, const Values& values, const LawChoice& choice) {
-    const ImpactColumns impacts(spec, values, values.front().size());
+std::vector<double> captured(const ImpactModel& model, const ImpactColumns& impacts) {
     const ImpactBatchResult result =
-        solve_impacts(batch_of({choice.law, choice.detachment, spec.damping_law}, impacts),
-                      {.threads = 0, .turning_point = false});
+        solve_impacts(batch_of(model, impacts), {.threads = 0, .turning_point = false});
     std::vector<double> flags(static_cast<std::size_t>(result.restitution.size()));
     for (std::size_t i = 0; i < flags.size(); ++i)
         flags[i] = result.restitution[static_cast<Eigen::Index>(i)] > 0 ? 0 : 1;
@@ -244,23 +241,21 @@ std::vector<double> captures_outside_model(const SweepSpec& spec) {
     std::vector<double> shares(spec.laws.size(), 0.0);
     if (spec.variables.empty()) return shares;
     const Values values = some_of(variable_values(spec));
-    const ImpactColumns impacts(spec, values, values.front().size());
+    const std::size_t count = values.front().size();
+    const ImpactColumns impacts(spec, values, count);
+    ImpactColumns fast(spec, values, count);  // without yielding a slower impact is captured as well
+    std::vector<double> velocities(fast.velocity.begin(), fast.velocity.end());
+    for (double& velocity : velocities) velocity = std::max(velocity, fastest_in_model);
+    fast.velocity = velocities;
+    fast.yield_pressure = {&infinite, 1};
     for (std::size_t k = 0; k < spec.laws.size(); ++k) {
         const ImpactModel model{spec.laws[k].law, spec.laws[k].detachment, spec.damping_law};
         try {
-            const std::vector<double> flags = captured(spec, values, spec.laws[k]);
-            std::vector<std::size_t> captures;
-            for (std::size_t i = 0; i < flags.size(); ++i)
-                if (flags[i] > 0) captures.push_back(i);
-            const std::vector<int> outside = in_parallel(captures, [&](std::size_t i) {
-                const Impact impact = impact_at(model, impacts, i);
-                const auto critical =
-                    quick_critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
-                return critical.value && outside_model(*critical.value) ? 1 : 0;
-            });
-            if (!captures.empty())
-                shares[k] = static_cast<double>(std::ranges::count(outside, 1)) /
-                            static_cast<double>(captures.size());
+            const std::vector<double> captures = captured(model, impacts);
+            const double all = std::accumulate(captures.begin(), captures.end(), 0.0);
+            if (all == 0) continue;
+            const std::vector<double> still = captured(model, fast);
+            shares[k] = std::inner_product(captures.begin(), captures.end(), still.begin(), 0.0) / all;
         } catch (const InputError&) {  // reported where the impact itself is solved
         } catch (const ConvergenceError&) {
         }
@@ -318,8 +313,10 @@ report::CaptureFractions capture_fractions(const SweepSpec& spec) {
              .unit = std::string(si_unit(dimension_of(variable.input, spec.damping_law)))});
     if (spec.variables.empty()) return fractions;
     const Values values = variable_values(spec);
+    const ImpactColumns impacts(spec, values, values.front().size());
     for (const LawChoice& choice : spec.laws) {
-        const std::vector<double> flags = captured(spec, values, choice);
+        const std::vector<double> flags =
+            captured({choice.law, choice.detachment, spec.damping_law}, impacts);
         for (std::size_t i = 0; i < values.size(); ++i)
             fractions.variables[i].curves.push_back({choice.law, shares_of(values[i], flags)});
     }
