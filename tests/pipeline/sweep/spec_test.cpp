@@ -252,6 +252,11 @@ TEST_CASE("an input that no law uses is said, not refused") {
     REQUIRE(spec.warnings.size() == 1);
     CHECK(spec.warnings[0] ==
           test::containing("work_of_adhesion: hertz does not use it, so it changes nothing"));
+    json["impact"].erase("work_of_adhesion");
+    json["impact"].update({{"damping_law", "tsuji"}, {"damping", 0}, {"damping_over_sizes", "same"}});
+    CHECK(read_sweep_spec(json.dump()).spec.warnings ==
+          std::vector<std::string>{"damping_law: there is no damping, so it changes nothing",
+                                   "damping_over_sizes: there is no damping, so it changes nothing"});
 }
 
 TEST_CASE("one constant damping for sizes far apart is doubted, unless the spec states it") {

@@ -70,6 +70,15 @@ void warn_idle(SweepSpec& spec) {
             is_given(spec, input) ? idle_reason(laws, spec.damping_law, name_of(input)) : std::nullopt;
         if (reason) spec.warnings.push_back(std::string(name_of(input)) + ": " + idle_words(*reason));
     }
+    const bool coefficient = is_given(spec, ImpactInput::damping) &&
+                             spec.fixed[static_cast<std::size_t>(ImpactInput::damping)] != 0.0;
+    if (coefficient || std::ranges::any_of(parameters_of(spec.damping_law), [&](const LawParameter& own) {
+            return is_given(spec, input_of(own));
+        }))
+        return;
+    const std::string idle = ": " + idle_words("there is no damping");
+    if (spec.damping_law != DampingLaw::constant) spec.warnings.push_back("damping_law" + idle);
+    if (spec.damping_over_sizes) spec.warnings.push_back("damping_over_sizes" + idle);
 }
 
 /// The mass of a sphere stands in the sweep as such, or as its density.
