@@ -51,9 +51,9 @@ typedef struct {
 /* A constant of a model by its name:
  *   density            of the particle [kg/m3]; needed by every function that takes a diameter
  *   contact_modulus    E*, 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 of particle and wall [Pa]; required
- *   work_of_adhesion   w, energy to separate unit area, not a surface energy [J/m2]; 0 unless given
+ *   work_of_adhesion   w, energy to separate unit area, not a surface energy [J/m2]; needed with adhesion, 0 for none
  *   damping            coefficient of the damping law [unit of that law]; 0 unless given
- *   yield_pressure     p_y, for laws that yield (thornton-ning) [Pa]; never yields unless given
+ *   yield_pressure     p_y, needed by laws that yield (thornton-ning) [Pa]
  *   ...                a law's own parameters; `ashimpact impact --help` lists them, with hyphens [SI]
  *   friction, tangential_velocity, spin   of impacts at an angle, in ashimpact_solve_impacts()
  *   effective_radius, mass   R* [m] and m* [kg] instead of diameter and density, in functions that take
