@@ -165,6 +165,7 @@ TEST_CASE("the summary shows what a verdict compares, and marks a velocity that 
     SampleComparison sample{
         .name = "fine",
         .reported = ReportedVelocity{Law::of<Jkr>(), estimated, estimated.interval, "why"},
+        .taken_as_exact = {"diameter"},
         .measured = Stated{.quantity = {.value = 0.832, .unit = "m/s"}, .origin = Origin::measured},
         .measured_interval = Bounds{0.558, 1.1}};
     sample.laws.set(Law::of<Hertz>(), {.verdict = LawVerdict::finite,
@@ -203,6 +204,9 @@ TEST_CASE("the summary shows what a verdict compares, and marks a velocity that 
     CHECK_MESSAGE(
         same.find("fine    all        0.700  0.652 to 0.725  0.400 to 0.650\n") != std::string::npos, same);
     CHECK_MESSAGE(same.find("verdict") == std::string::npos, same);
+    CHECK_MESSAGE(same.find("Taken as exact") == std::string::npos, same);
+    CHECK_MESSAGE(same.find("v_c of measured impacts needs no property of the particle") != std::string::npos,
+                  same);
 }
 
 TEST_CASE("the summary begins with what sticks, or with what is known of it") {

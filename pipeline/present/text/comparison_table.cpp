@@ -61,6 +61,7 @@ std::string glass_text(const ComparisonResult& result, std::size_t width) {
 std::string assumptions_text(const ComparisonResult& result, std::size_t width) {
     std::vector<std::pair<std::string, std::vector<std::string>>> assumptions;  // with their samples
     std::vector<std::string> exact;
+    bool of_impacts = false;
     for (const SampleComparison& sample : result.samples) {
         for (const AssumedProperty& assumed : sample.assumed) {
             const std::string text = fmt::format("{} {}, {}", assumed.quantity, readable(assumed.value),
@@ -71,6 +72,10 @@ std::string assumptions_text(const ComparisonResult& result, std::size_t width) 
                                            : *same)
                     .second;
             samples.push_back(sample.name);
+        }
+        if (sample.reported && is_of_impacts(*sample.reported)) {
+            of_impacts = true;
+            continue;
         }
         for (const std::string& name : sample.taken_as_exact)
             if (std::ranges::find(exact, name) == exact.end()) exact.push_back(name);
@@ -86,6 +91,11 @@ std::string assumptions_text(const ComparisonResult& result, std::size_t width) 
     if (!exact.empty())
         text += wrapped_line(
             "Taken as exact in the intervals, no uncertainty being stated: " + joined(exact) + ".", width);
+    if (of_impacts)
+        text += wrapped_line(
+            "v_c of measured impacts needs no property of the particle; diameter, density, modulus and work "
+            "of adhesion decide the damping and other sizes.",
+            width);
     return text.empty() ? text : text + "\n";
 }
 
