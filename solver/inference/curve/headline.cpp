@@ -202,18 +202,10 @@ std::optional<Finding> no_captures_note(const MeasurementSet& set) {
         "goes on as it does above it"};
 }
 
-/// Whether an interval covers most of a gap between a capture and a rebound, so that nothing rests on where
-/// in the gap the curve begins.
-bool fills(const Interval& interval, double capture, double rebound) {
-    constexpr double most = 2.0 / 3.0;  // of the gap, in ln v
-    const double covered = std::min(*interval.upper, rebound) / std::max(*interval.lower, capture);
-    return std::log(covered) > most * std::log(rebound / capture);
-}
-
-/// Notes on impacts around v_c: none between the fastest capture and a much faster rebound, a doubt where the
-/// curve decides; or no rebound between rest and a speed that the camera resolves.
-std::optional<Finding> onset_note(const Interval& velocity, const std::vector<RecordedImpact>& impacts,
-                                  double unit) {
+/// Notes on impacts around v_c: none between the fastest capture and a much faster rebound, a remark, as the
+/// outcomes alone make the interval span most of that gap; or no rebound between rest and a speed that the
+/// camera resolves.
+std::optional<Finding> onset_note(const std::vector<RecordedImpact>& impacts, double unit) {
     constexpr double wide = 1.5;
     constexpr double resolved = 2.5;  // in standard uncertainties
     double capture = 0.0;
@@ -229,14 +221,10 @@ std::optional<Finding> onset_note(const Interval& velocity, const std::vector<Re
         if (slowest == nullptr || impact.velocity < slowest->velocity) slowest = &impact;
         if (least == nullptr || impact.rebound < least->rebound) least = &impact;
     }
-    if (capture > 0.0 && slowest->velocity > wide * capture) {
-        const bool filled = fills(velocity, capture, slowest->velocity);
-        return Finding{"no-impacts-near-onset", filled ? Severity::remark : Severity::doubt,
+    if (capture > 0.0 && slowest->velocity > wide * capture)
+        return Finding{"no-impacts-near-onset", Severity::remark,
                        "no impact between " + shortest(capture) + " m/s, captured, and " +
-                           shortest(slowest->velocity) +
-                           (filled ? " m/s: the interval of v_c is as wide"
-                                   : " m/s: where v_c lies between them rests on the form of the curve")};
-    }
+                           shortest(slowest->velocity) + " m/s: the interval of v_c spans most of this gap"};
     // A sharp onset leaves the same gap.
     if (zero && least->rebound > resolved * unit * std::max(least->incident_u, least->rebound_u))
         return Finding{"no-slow-rebounds", Severity::doubt,
@@ -341,7 +329,7 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
          {slow_rebound_note(estimate.curve, curve, impacts),
           misfit_note(estimate.curve.scatter, set.has_noise()), particles_note(estimate.curve.scatter),
           no_captures_note(set), adhesion_note(model, found_velocity.value),
-          rising_note(estimate.curve.damping), onset_note(v, impacts, noise_known ? 1.0 : neighbours)})
+          rising_note(estimate.curve.damping), onset_note(impacts, noise_known ? 1.0 : neighbours)})
         if (note) estimate.findings.push_back(*note);
     if (grouped_without_noise) estimate.curve.scatter.noise *= neighbours;  // a velocity, as without groups
     return estimate;
