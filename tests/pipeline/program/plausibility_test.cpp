@@ -175,6 +175,8 @@ TEST_CASE("a critical velocity above 500 m/s is outside the model; JSON keeps th
     const auto text = test::succeeded(sandbox, command);
     CHECK(text.out == containing("above 500 m/s, outside the model"));
     CHECK(text.err == containing("warning: the critical velocity is above 500 m/s, outside the model"));
+    for (const char* absurd : {"contact time", "maximum overlap", "greatest pressure"})
+        CHECK(text.out.find(absurd) == std::string::npos);
     const Json json = Json::parse(test::succeeded(sandbox, command + " --json").out);
     CHECK(json["critical_velocity"]["value"].get<double>() > 500);
     CHECK(json["notes"].dump() == containing("above 500 m/s, outside the model"));
