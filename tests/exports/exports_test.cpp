@@ -291,7 +291,7 @@ TEST_CASE("a code refuses what it cannot do, with the reason") {
     refused(liggghts_folder, two, "edinburgh");
     two.exponent = 2;
     refused(lammps_folder, two, "--damping-exponent 0");
-    refused(yade_folder, damped(ash("dmt"), DampingLaw::tsuji, 0.5), "`en` with `gamma`");
+    CHECK_FALSE(yade_folder(damped(ash("dmt"), DampingLaw::tsuji, 0.5)).empty());
     two = two_spheres("dmt");
     two.sizes.front().damping = {{{0, 0.0035}, {1, 0.002}}};
     refused(lammps_folder, two, "velocity of approach");

@@ -139,7 +139,7 @@ def cases():
         yield "lammps", law + "-slow-tsuji", options + ["--damping-law", "tsuji", "--damping", damping]
     for law, options in (("hertz", HERTZ), ("brach-dunn", BRACH_DUNN), ("sjkr", SJKR)):
         yield "yade", law, options + CONSTANT
-    yield "yade", "tsuji", HERTZ + ["--damping-law", "tsuji", "--damping", "0.5"]
+    yield "yade", "tsuji", DMT + ["--damping-law", "tsuji", "--damping", "0.5"]
     yield "yade", "hunt-crossley", HERTZ + HUNT_CROSSLEY
     yield "yade", "brach-dunn-damping", DMT + TWO_TERMS
     yield "yade", "contact-radius", DMT + ["--damping-law", "contact-radius", "--damping", "2000 Pa s"]

@@ -287,13 +287,7 @@ constexpr DemModel betan{
 
 /// Whether betan is the whole contact, else Hertz with added forces. @throws InputError if neither can
 bool takes_betan(const ExportSubject& subject) {
-    const bool damped = !subject.is_undamped();
     const bool tsuji = subject.damping_law == betan.damping;
-    if (tsuji && subject.law.is_adhesive() && damped)
-        throw InputError(
-            "YADE: Tsuji's damping with attraction is its `en` with `gamma`, whose restitution is off "
-            "by a tenth (0.559 for 0.498) for a cause not known",
-            "--damping-law constant or contact-radius, or law hertz");
     if (tsuji && subject.law.name() == betan.law && subject.detachment == betan.end) {
         if (subject.exponent != 0)
             throw InputError("YADE: one `betan` is for every size", "--damping-exponent 0");
