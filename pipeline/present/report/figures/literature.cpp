@@ -24,8 +24,10 @@ std::vector<Series> source_series(const LiteratureSource& source, std::size_t po
         if (!each.diameter) continue;
         const double lower = each.lower.value_or(each.upper / length_of_bound);
         Series series{.name = fmt::format("{}, {}", source.key, each.name),
-                      .legend = fmt::format("{}, {} on {}", source.key, each.particle, each.wall),
+                      .legend = fmt::format("{}, {} on {}{}", source.key, each.particle, each.wall,
+                                            each.lower ? "" : ", upper bound"),
                       .look = Look::of(position, each.basis != VelocityBasis::measured || !each.lower)};
+        series.look.dash = 0;
         series.marks.push_back({*each.diameter, each.upper});
         if (lower < each.upper) series.line = {{*each.diameter, lower}, {*each.diameter, each.upper}};
         all.push_back(std::move(series));
@@ -79,14 +81,12 @@ Figure literature_figure(const std::vector<LawBySize>& laws) {
         .id = "critical-velocity-by-size",
         .title = "Critical velocity against size: what others measured",
         .caption =
-            "Marks are published critical velocities, each of its own particles and wall, without the "
-            "uncertainties, which no source states. A filled mark was measured; a hollow one is an upper "
-            "bound "
-            "(with a line below it), a model's or second-hand. Glass at 0.15 m/s is held by charge. SiO2, "
-            "ice and "
-            "the ash of Hu et al. are missing: they were read without a diameter. Fine lines are contact "
-            "laws "
-            "with one set of constants; d^-0.83 is the exponent of JKR without damping. ",
+            "Marks are published critical velocities, each of its own particles and wall; what was read "
+            "states no uncertainties. A filled mark was measured, that of silver with impact velocities "
+            "from a model of the flow; a hollow one is an upper bound (with a line below it), a model's or "
+            "second-hand. Charge holds the glass at 0.15 m/s. SiO2, ice and the ash of Hu et al. were read "
+            "without a diameter and are missing. Fine lines are contact laws with one set of constants; "
+            "without damping JKR has d^-0.83. ",
         .numbers = {.columns = {"what", "diameter [m]", "v_c [m/s]", "lower [m/s]", "upper [m/s]",
                                 "exponent of the line"}},
         .columns = 1,
@@ -158,15 +158,12 @@ Figure critical_velocity_by_size_figure(const RunData& run) {
     const ComparisonResult& comparison = run.run().comparison;
     Figure figure = literature_figure(comparison.laws_by_size);
     figure.caption +=
-        "Here they have the constants of this run's particles, and beyond its sizes those of the nearest "
-        "sample: "
-        "they are no prediction for the other materials, and a mark on one of them is no test of it. They "
-        "have "
-        "no "
-        "damping, which raises v_c; of them JKR is the highest, and holds for large and soft spheres alone. "
-        "Thick "
-        "lines are the assumptions on damping of the figure which-sizes, over the sizes for which it has "
-        "them.";
+        "Here they have the constants of this run's particles, beyond its sizes those of the nearest "
+        "sample, and no damping, which raises v_c: no prediction for other materials, and a mark on one of "
+        "them is no test of it. JKR is the highest of the elastic ones, and holds for large and soft "
+        "spheres alone. Thick lines are the assumptions on damping of the figure which-sizes, over the "
+        "sizes for which it has them. Velocities of this run and published ones of the same impacts agree "
+        "by calibration.";
     auto& panel = std::get<XyPanel>(figure.panels.front());
     for (const SizeBasis basis : all_values<SizeBasis>) {
         if (basis == SizeBasis::adhesion || basis == SizeBasis::measured) continue;
@@ -174,11 +171,13 @@ Figure critical_velocity_by_size_figure(const RunData& run) {
         series.band.clear();
         if (!series.line.empty()) panel.series.push_back(std::move(series));
     }
+    std::vector<Series> samples;  // below the other marks, which may be of the same impacts
     for (const SampleData& sample : run.samples()) {
         const auto& reported = sample.comparison->reported;
         if (reported && reported->velocity && sample.comparison->diameter)
-            panel.series.push_back(sample_series(sample, *reported, figure.numbers));
+            samples.push_back(sample_series(sample, *reported, figure.numbers));
     }
+    panel.series.insert(panel.series.begin(), samples.begin(), samples.end());
     return figure;
 }
 
