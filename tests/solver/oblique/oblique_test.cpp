@@ -319,19 +319,21 @@ TEST_CASE("oblique: alumina on glass as Kharaz, Gorham & Salman 2001 measured it
     const double limit = std::atan(3.5 * mu * (1 + e)) * 180 / std::numbers::pi;
     CHECK(limit == doctest::Approx(32.5).epsilon(0.002));
     double farthest = 0;
-    std::size_t sliding = 0;
+    std::vector<double> frictions;  // of each sliding point, by 1 - e_t = mu (1 + e)/tan A
     for (const auto& [angle, value] : measured("e_t")) {
         const double e_t =
             rebound_at(angle).after.velocity / (3.9 * std::sin(angle * std::numbers::pi / 180));
         if (angle > limit) {
             CHECK(std::abs(e_t - value) < 0.01);
-            ++sliding;
+            frictions.push_back((1 - value) * std::tan(angle * std::numbers::pi / 180) / (1 + e));
         } else {
             CHECK(e_t == doctest::Approx(5.0 / 7.0));
             farthest = std::max(farthest, std::abs(e_t - value));
         }
     }
-    CHECK(sliding == 8);
+    CHECK(frictions.size() == 8);
+    CHECK(std::ranges::min(frictions) == doctest::Approx(0.081).epsilon(0.005));
+    CHECK(std::ranges::max(frictions) == doctest::Approx(0.123).epsilon(0.005));
     // Below it the elastic tangential contact, which a rigid sphere lacks, takes and gives back motion.
     CHECK(farthest == doctest::Approx(0.117).epsilon(0.01));
     for (const auto& [angle, value] : measured("spin"))
