@@ -482,8 +482,8 @@ TEST_CASE("columns of uncertainties by the name before them") {
         CHECK(result.samples.front().analysis.phases.front().standard_uncertainty.value() ==
               doctest::Approx(0.003));
     }
-    for (const char* heading : {"rel. error", "3 esd", "max. error", "Corundum (std)", "Mullite esd",
-                                "u(Glass)", "Unsicherheit Mullit"}) {
+    for (const char* heading :
+         {"rel. error", "max. error", "Corundum (std)", "Mullite esd", "u(Glass)", "Unsicherheit Mullit"}) {
         CAPTURE(heading);
         const std::string refusal = input_error_of([&] {
             return read_xrd("Sample;Quartz;" + std::string(heading) + ";Glass\nA;20;5;75\n", "t.csv");
@@ -492,6 +492,9 @@ TEST_CASE("columns of uncertainties by the name before them") {
                                             "\" may hold standard uncertainties of \"Quartz\", other ones"),
                       refusal);
     }
+    const XrdResult thrice = read_xrd("Sample;Quartz;3 esd;Glass\nA;20;0.6;80\n", "t.csv");
+    CHECK(thrice.samples.front().analysis.phases.front().standard_uncertainty.value() ==
+          doctest::Approx(0.002));
     const XrdResult samples = read_xrd(
         "Phase;FA1;u(FA1);FA2;u(FA2);NWG\nQuartz;20;0.3;30;0.4;1\n"
         "Glass;80;1;70;1;1\n",
