@@ -119,7 +119,7 @@ std::vector<Finding> coverage_findings(std::string_view code, const UncertainCol
     for (std::size_t k = 0; k < columns.size(); ++k)
         if (columns[k] && (columns[k]->coverage.factor != 1 || !columns[k]->coverage.problem.empty()))
             stated[k] = columns[k];
-    if (std::ranges::none_of(stated, [](const auto& column) { return column.has_value(); })) return {};
+    if (!std::ranges::any_of(stated, [](const auto& column) { return column.has_value(); })) return {};
     for_each_uncertain(stated, rows, separator, [&](std::size_t k, std::string_view) {
         stated[k]->is_uncertainty = true;
         return std::ranges::all_of(stated, [](const auto& each) { return !each || each->is_uncertainty; });
