@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "solver/batch/lanes/equation-inl.hpp"
 #include "solver/batch/tables/law_tables.hpp"
@@ -134,9 +135,8 @@ template <bool with_time>
         double z = 0.0;
         Polynomials polynomials;
     };
-    constexpr std::size_t slots = 512;
-    thread_local std::array<Slot, slots> kept;
-    Slot& slot = kept[reinterpret_cast<std::uintptr_t>(&piece) / sizeof(piece) % slots];
+    thread_local std::vector<Slot> kept(512);  // megabytes: in the storage of threads, none of them would start
+    Slot& slot = kept[reinterpret_cast<std::uintptr_t>(&piece) / sizeof(piece) % kept.size()];
     if (slot.piece != &piece || slot.z != z) {
         contract(piece.content().get(), &Polynomials::restitution_squared, z,
                  slot.polynomials.restitution_squared);
