@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "solver/batch/parallel.hpp"
@@ -228,7 +229,7 @@ std::optional<Finding> onset_note(const std::vector<RecordedImpact>& impacts, do
     // A sharp onset leaves the same gap.
     if (zero && least->rebound > resolved * unit * std::max(least->incident_u, least->rebound_u))
         return Finding{"no-slow-rebounds", Severity::doubt,
-                       "no rebound slower than " + shortest(least->rebound) +
+                       "no rebound slower than " + readable_number(least->rebound, 3) +
                            " m/s is recorded: if slower ones were taken for captures, v_c is lower"};
     return std::nullopt;
 }

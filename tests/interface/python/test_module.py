@@ -255,7 +255,6 @@ class Impacts(unittest.TestCase):
         self.assertEqual(everything.method, "integration")
         self.assertIsNotNone(everything.maximum_overlap)
         for without in (
-            dict(law="maugis-dugdale", tabor=1.0),
             dict(law="thornton-ning", yield_pressure=5e9),
             dict(damping_law="brach-dunn-damping", damping=0.2, adhesion_damping=0.1),
         ):
@@ -264,6 +263,11 @@ class Impacts(unittest.TestCase):
                 self.assertEqual(ashimpact.impacts(**one).method, "integration")
                 with self.assertRaisesRegex(ashimpact.InputError, "has no table; allowed: integration"):
                     ashimpact.impacts(method="table", **one)
+
+        zone = {**ASH, "law": "maugis-dugdale", "tabor": 1.0, "damping": 1e-5, "radius": 22e-6, "velocity": 2.0}
+        one, by_table = (ashimpact.impacts(turning_point=False, method=method, **zone) for method in ("integration", "table"))
+        self.assertEqual(by_table.method, "table")
+        self.assertAlmostEqual(float(by_table.restitution), float(one.restitution), delta=1e-9)
 
     def test_dampings_come_back(self):
         radius = np.geomspace(5e-6, 50e-6, 20)
