@@ -163,9 +163,11 @@ void run_critical_velocity_command(const CommandOptions& options, std::ostream& 
         if (const auto doubt = outside_model(*result.value / std::cos(angle.value_or(0)))) {
             warn_of({*doubt});
             doubts.push_back(*doubt);
-        } else {
-            const Regime regime =
-                regime_of(choice.impact(problem.damping, *result.value), result.maximum_overlap.value_or(0));
+        }
+        if (!outside_model(*result.value)) {  // beyond, the numbers of the impact mean nothing
+            const Impact critical = choice.impact(problem.damping, *result.value);
+            scheme = by_scheme(options, critical);
+            const Regime regime = regime_of(critical, result.maximum_overlap.value_or(0));
             warn_of(regime.warnings);
             regime_at_capture = regime_text(regime);
         }

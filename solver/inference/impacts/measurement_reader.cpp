@@ -631,6 +631,11 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
     for (Finding& note : take_notes(lines, first, separator, impacts_code))
         set.warnings.push_back(std::move(note));
     const std::span rows = std::span<const TextLine>(lines).subspan(first);
+    const auto texts = texts_beside(file, std::span<const TextLine>(lines).subspan(place));
+    require_agreeing_units(texts, heading);
+    require_coverage_in_headings(texts, heading.coverages, rows, separator);
+    for (Finding& note : coverage_findings(impacts_code, heading.coverages, rows, separator))
+        set.warnings.push_back(std::move(note));
     const TableCells cells(heading, rows, separator, NumberMarks(decimal, file.of_sheet()));
     const RowLabels labels(heading, rows, separator);
     if (place > 0)
