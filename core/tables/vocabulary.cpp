@@ -79,6 +79,8 @@ struct Statement {
 
 /// Searches a heading. The second group of the expression is the statement, the third one its number.
 std::optional<Statement> found(const std::string& heading, const std::regex& expression) {
+    constexpr std::size_t longest = 4000;  // matching calls itself once a character, on the stack
+    if (heading.size() > longest) return std::nullopt;
     std::smatch match;
     if (!std::regex_search(heading, match, expression)) return std::nullopt;
     std::string number = match.str(3);

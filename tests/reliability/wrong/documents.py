@@ -102,7 +102,7 @@ def cases():
             particle={"density": "2300 kg/m3", "poisson_ratio": 0.2, "yield_pressure": "5 GPa",
                       "cohesion_energy_density": "10 MJ/m3", "tabor": 2.0},
             laws=["hertz", "dmt", "jkr", "maugis-dugdale"], detachments={"jkr": "pull-off", "hertz": "zero-force"},
-            histories={"points": 20, "critical_excess": 0.01},
+            histories={"points": 20, "critical_excess": 0.01}, paper_explicit={"time_step": "1 ns"},
             fit={"order": 2, "direct_order": 3, "robust": False, "flatness": 0.25, "outlier": 4, "size_scatter": 0.1,
                  "velocity_scale_uncertainty": 0.03},
             uncertainty={"samples": 16, "replicates": 2, "seed": 1, "damping": "held"},
