@@ -229,6 +229,23 @@ class NextEvent {
     Mask approaching_;
 };
 
+/// n (n - 1) ... of so many factors.
+[[nodiscard]] constexpr double falling(int n, int count) {
+    double product = 1.0;
+    for (int i = 0; i < count; ++i) product *= n - i;
+    return product;
+}
+
+/// A derivative of a Taylor polynomial at a distance @p h. @param c coefficients in ascending powers
+template <int derivative, std::size_t count>
+[[nodiscard]] HWY_INLINE Lanes series_value(const std::array<Lanes, count>& c, Lanes h) {
+    constexpr int order = static_cast<int>(count) - 1;
+    Lanes sum = c[order] * Lanes(falling(order, derivative));
+    for (int n = order - 1; n >= derivative; --n)
+        sum = multiply_add(sum, h, c[n] * Lanes(falling(n, derivative)));
+    return sum;
+}
+
 /// The motion about a state as Taylor series in pseudo-time, for the last part of the way to an event.
 template <class F, int order>
 class LaneSeries {
@@ -250,11 +267,11 @@ class LaneSeries {
     }
 
     /// v = dq/dtheta
-    [[nodiscard]] HWY_INLINE Lanes velocity_at(Lanes h) const { return value<1>(position_, h); }
-    [[nodiscard]] HWY_INLINE Lanes acceleration_at(Lanes h) const { return value<2>(position_, h); }
-    [[nodiscard]] HWY_INLINE Lanes position_at(Lanes h) const { return value<0>(position_, h); }
-    [[nodiscard]] HWY_INLINE Lanes jerk_at(Lanes h) const { return value<3>(position_, h); }
-    [[nodiscard]] HWY_INLINE Lanes time_at(Lanes h) const { return value<0>(time_, h); }
+    [[nodiscard]] HWY_INLINE Lanes velocity_at(Lanes h) const { return series_value<1>(position_, h); }
+    [[nodiscard]] HWY_INLINE Lanes acceleration_at(Lanes h) const { return series_value<2>(position_, h); }
+    [[nodiscard]] HWY_INLINE Lanes position_at(Lanes h) const { return series_value<0>(position_, h); }
+    [[nodiscard]] HWY_INLINE Lanes jerk_at(Lanes h) const { return series_value<3>(position_, h); }
+    [[nodiscard]] HWY_INLINE Lanes time_at(Lanes h) const { return series_value<0>(time_, h); }
 
   private:
     static constexpr PowerSet all_powers(const Symbol& p) {
@@ -294,19 +311,6 @@ class LaneSeries {
             if constexpr (power == 0) return n == 0 ? rest + factor : rest;
             return multiply_add(factor, power == 1 ? position_[n] : power_[power][n], rest);
         }
-    }
-    /// Value of the derivative of that order.
-    template <int derivative>
-    [[nodiscard]] HWY_INLINE static Lanes value(const Coefficients& c, Lanes h) {
-        Lanes sum = c[order] * Lanes(falling(order, derivative));
-        for (int n = order - 1; n >= derivative; --n)
-            sum = multiply_add(sum, h, c[n] * Lanes(falling(n, derivative)));
-        return sum;
-    }
-    static constexpr double falling(int n, int count) {
-        double product = 1.0;
-        for (int i = 0; i < count; ++i) product *= n - i;
-        return product;
     }
 
     Coefficients position_;

@@ -480,11 +480,13 @@ class LaneSeries<ZoneForm, order> {
         }
     }
 
-    [[nodiscard]] HWY_INLINE Lanes velocity_at(Lanes h) const { return value<1>(position_, h); }
-    [[nodiscard]] HWY_INLINE Lanes acceleration_at(Lanes h) const { return value<2>(position_, h); }
-    [[nodiscard]] HWY_INLINE Lanes position_at(Lanes h) const { return start_ + value<0>(position_, h); }
-    [[nodiscard]] HWY_INLINE Lanes jerk_at(Lanes h) const { return value<3>(position_, h); }
-    [[nodiscard]] HWY_INLINE Lanes time_at(Lanes h) const { return value<0>(time_, h); }
+    [[nodiscard]] HWY_INLINE Lanes velocity_at(Lanes h) const { return series_value<1>(position_, h); }
+    [[nodiscard]] HWY_INLINE Lanes acceleration_at(Lanes h) const { return series_value<2>(position_, h); }
+    [[nodiscard]] HWY_INLINE Lanes position_at(Lanes h) const {
+        return start_ + series_value<0>(position_, h);
+    }
+    [[nodiscard]] HWY_INLINE Lanes jerk_at(Lanes h) const { return series_value<3>(position_, h); }
+    [[nodiscard]] HWY_INLINE Lanes time_at(Lanes h) const { return series_value<0>(time_, h); }
 
   private:
     /// Coefficients of a polynomial of the piece by powers of the distance from t.
@@ -506,18 +508,6 @@ class LaneSeries<ZoneForm, order> {
         Lanes sum = c[1] * position_[n];
         for (int k = 2; k <= n; ++k) sum = multiply_add(c[k], power_[k][n], sum);
         return sum;
-    }
-    template <int derivative>
-    [[nodiscard]] HWY_INLINE static Lanes value(const Coefficients& c, Lanes h) {
-        Lanes sum = c[order] * Lanes(falling(order, derivative));
-        for (int n = order - 1; n >= derivative; --n)
-            sum = multiply_add(sum, h, c[n] * Lanes(falling(n, derivative)));
-        return sum;
-    }
-    static constexpr double falling(int n, int count) {
-        double product = 1.0;
-        for (int i = 0; i < count; ++i) product *= n - i;
-        return product;
     }
 
     Lanes start_;
