@@ -13,8 +13,8 @@ namespace {
 using Vector = OnsetCurve::Vector;
 using Matrix = Eigen::Matrix<double, OnsetCurve::size, OnsetCurve::size>;
 
-/// Normal prior of the coefficients: a, q and the tilt b_1 are hardly known, further bends fall with their
-/// order squared.
+/// Normal prior of the coefficients: a and the tilt b_1 are hardly known, q and further bends, which fall
+/// with their order squared, spread as in the curves of known laws (docs/uncertainty.md).
 struct CoefficientPrior {
     Vector mean;
     Vector deviation;
@@ -22,9 +22,9 @@ struct CoefficientPrior {
 const CoefficientPrior& coefficient_prior() {
     static const CoefficientPrior prior = [] {
         CoefficientPrior result{Vector::Zero(), Vector::Zero()};
-        result.mean.head<2>() << -0.8, 0.9;
-        result.deviation.head<3>() << 1.0, 0.5, 1.0;
-        for (int k = 2; k <= OnsetCurve::bends; ++k) result.deviation[1 + k] = 0.5 * 4.0 / (k * k);
+        result.mean.head<2>() << -0.8, 0.75;
+        result.deviation.head<3>() << 1.0, 0.4, 1.0;
+        for (int k = 2; k <= OnsetCurve::bends; ++k) result.deviation[1 + k] = 0.3 * 4.0 / (k * k);
         return result;
     }();
     return prior;
@@ -42,15 +42,18 @@ constexpr double slow_restitution = 0.05;
 constexpr double stated_freedom = 12.0;
 constexpr double unstated_freedom = 0.5;
 
-/// Scatter of ln v_c between particles, with the weights of a log-normal prior.
+/// Scatter of ln v_c between particles, with the weights of a log-normal prior. Where it is wide, the two
+/// ways in which particles may differ are as likely.
 struct ScatterPrior {
     double threshold;
+    bool fades;
     double stated;    ///< weight where the noise is stated
     double unstated;  ///< weight where it is not: particles are assumed to differ more
 };
-constexpr std::array scatters{ScatterPrior{0.003, 0.55, 0.25}, ScatterPrior{0.02, 0.28, 0.3},
-                              ScatterPrior{0.06, 0.11, 0.22}, ScatterPrior{0.15, 0.04, 0.14},
-                              ScatterPrior{0.4, 0.02, 0.09}};
+constexpr std::array scatters{ScatterPrior{0.003, false, 0.55, 0.25}, ScatterPrior{0.02, false, 0.28, 0.3},
+                              ScatterPrior{0.06, false, 0.055, 0.11}, ScatterPrior{0.06, true, 0.055, 0.11},
+                              ScatterPrior{0.15, false, 0.02, 0.07},  ScatterPrior{0.15, true, 0.02, 0.07},
+                              ScatterPrior{0.4, false, 0.01, 0.045},  ScatterPrior{0.4, true, 0.01, 0.045}};
 
 double square(double x) {
     return x * x;
@@ -75,6 +78,14 @@ struct AboveBound {
         deviation = std::sqrt(std::max(1e-4, 1.0 - mean * (mean - bound)));
     }
 };
+
+/// ln(v/v_c) at which the median particle keeps the restitution of this one, if they differ in the energy
+/// that captures: v_eff^2 - v_c^2 = v^2 - v_own^2, with v_own the critical velocity of this one.
+/// @param above ln(v/v_own) @param offset ln(v_own/v_c)
+double place_by_energy(double above, double offset) {
+    const double along = above + offset;
+    return along + 0.5 * std::log(std::exp(-2.0 * along) - std::expm1(-2.0 * above));
+}
 
 /// The record of one impact: its probability, and how the expected reading moves with the coefficients.
 struct RecordFit {
@@ -107,19 +118,30 @@ RecordFit fit_of(const OnsetCurve& curve, const Scatter& scatter, const Recorded
     const double rebound_u = scatter.noise * impact.rebound_u * std::sqrt(1.0 - square(impact.correlation));
     double mean = 0.0;
     double half = 0.0;
+    double half_y = 0.0;
+    double half_log = 0.0;  // of e
+    double middle = 0.0;    // of y
     RecordFit fit{};
     for (const double side : {-1.0, 1.0}) {
         const double shift = (rebounds.mean + side * rebounds.deviation) * width;
-        const double y = impact.log_velocity + shift - curve.log_critical_velocity();
-        const Vector terms = OnsetCurve::terms(std::max(1e-6, y));
+        const double above = impact.log_velocity + shift - curve.log_critical_velocity();
+        const double y = std::max(
+            1e-6, scatter.fades ? place_by_energy(std::max(1e-6, above), (share - 1.0) * shift) : above);
+        const Vector terms = OnsetCurve::terms(y);
         const double incident = impact.velocity * std::exp(share * shift);
-        const double r = incident * std::exp(std::min(1.0, terms.dot(curve.coefficients())));
+        const double log_restitution = terms.dot(curve.coefficients());
+        const double r = incident * std::exp(std::min(1.0, log_restitution));
+        middle += 0.5 * y;
+        half_y += 0.5 * side * y;
+        half_log += 0.5 * side * log_restitution;
         const double reading = r + along * (impact.velocity - incident);
         mean += 0.5 * reading;
         half += 0.5 * side * reading;
         fit.slope += 0.5 * r * terms;
     }
-    const double by_incident = (mean - along * impact.velocity) * width;
+    // At an equal v/v_own noise of v_in moves the place on the curve only where the difference fades.
+    const double moved = scatter.fades ? half_log / std::max(half_y, 1e-9) * -std::expm1(-2.0 * middle) : 0.0;
+    const double by_incident = (mean * (1.0 + moved) - along * impact.velocity) * width;
     fit.variance = square(rebound_u) + square(half) + share * (1.0 - share) * square(by_incident) +
                    square(form_error * mean) + square(addition * impact.velocity);
     fit.by_noise =
@@ -170,20 +192,20 @@ double log_probability(const OnsetCurve& curve, const Scatter& scatter, const Re
     return std::log(fit_of(curve, scatter, impact).probability);
 }
 
-LikeliestCurve CurvePosterior::fitted(double log_critical_velocity, double threshold) const {
+LikeliestCurve CurvePosterior::fitted(double log_critical_velocity, const Scatter& start) const {
     // Deviations of the readings, as shares of v_in, are added at first, so that no impact passes for an
     // outlier.
     constexpr std::array additions{0.4,  0.3,  0.2, 0.14, 0.1, 0.07, 0.05, 0.035,
                                    0.02, 0.01, 0.0, 0.0,  0.0, 0.0,  0.0,  0.0};
     const CoefficientPrior& prior = coefficient_prior();
     const double freedom = prior_.noise_known ? stated_freedom : unstated_freedom;
-    const double expected_noise = prior_.noise_known ? 1.0 : prior_.noise;
+    const double expected_noise = start.noise;
     Vector coefficients = prior.mean;
-    double noise = expected_noise;
+    Scatter scatter = start;
+    double& noise = scatter.noise;
     double log_density = 0.0;
     for (const double addition : additions) {
         const OnsetCurve curve(log_critical_velocity, coefficients);
-        const Scatter scatter{noise, threshold};
         const Vector off = coefficients - prior.mean;
         Matrix precision = prior.deviation.cwiseAbs2().cwiseInverse().asDiagonal();
         Vector gradient = -(precision * off);
@@ -220,14 +242,15 @@ LikeliestCurve CurvePosterior::fitted(double log_critical_velocity, double thres
             noise = std::sqrt((square(noise) * squares + freedom * square(expected_noise)) /
                               (std::max(noise_weight * (1.0 - taken / std::max(count, 1.0)), 0.0) + freedom));
     }
-    return {OnsetCurve(log_critical_velocity, coefficients), {noise, threshold}, log_density};
+    return {OnsetCurve(log_critical_velocity, coefficients), scatter, log_density};
 }
 
 LikeliestCurve CurvePosterior::at(double log_critical_velocity) const {
     std::optional<LikeliestCurve> best;
     double sum = 0.0;
-    const auto add = [&](double threshold, double weight) {
-        LikeliestCurve curve = fitted(log_critical_velocity, threshold);
+    const auto add = [&](double threshold, bool fades, double weight) {
+        const double noise = prior_.noise_known ? 1.0 : prior_.noise;
+        LikeliestCurve curve = fitted(log_critical_velocity, {noise, threshold, fades});
         curve.log_density += std::log(weight);
         const bool better = !best || curve.log_density > best->log_density;
         const double most = better ? curve.log_density : best->log_density;
@@ -235,10 +258,10 @@ LikeliestCurve CurvePosterior::at(double log_critical_velocity) const {
         if (better) best = curve;
     };
     if (prior_.scatter)
-        add(*prior_.scatter, 1.0);
+        add(*prior_.scatter, false, 1.0);
     else
         for (const ScatterPrior& scatter : scatters)
-            add(scatter.threshold, prior_.noise_known ? scatter.stated : scatter.unstated);
+            add(scatter.threshold, scatter.fades, prior_.noise_known ? scatter.stated : scatter.unstated);
     best->log_density += std::log(sum);
     return *best;
 }

@@ -41,6 +41,9 @@ class OnsetCurve {
 struct Scatter {
     double noise;      ///< factor on the uncertainties of both velocities
     double threshold;  ///< standard deviation of ln v_c between particles
+    /// Whether particles differ in the energy that captures, which fast rebounds hardly notice, as where w
+    /// differs; else their whole curves are shifted along ln v, as where size or damping do.
+    bool fades = false;
 };
 
 /// ln of the probability of a recorded capture, or of the probability density of a reading [s/m], over the
@@ -77,7 +80,7 @@ class CurvePosterior {
     [[nodiscard]] double log_outcomes(double log_critical_velocity) const;
 
   private:
-    [[nodiscard]] LikeliestCurve fitted(double log_critical_velocity, double threshold) const;
+    [[nodiscard]] LikeliestCurve fitted(double log_critical_velocity, const Scatter& start) const;
 
     const std::vector<RecordedImpact>* impacts_;
     CurvePrior prior_;

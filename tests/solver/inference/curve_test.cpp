@@ -13,6 +13,7 @@
 #include "solver/inference/critical_velocity_uncertainty.hpp"
 #include "solver/inference/curve/headline.hpp"
 #include "solver/inference/curve/recorded_impacts.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
 #include "solver/statistics/moments.hpp"
 #include "solver/statistics/propagation.hpp"
 #include "solver/surrogate/cohesive_velocity_map.hpp"
@@ -55,9 +56,12 @@ TEST_CASE("what can be recorded of an impact has probability one in all") {
     OnsetCurve::Vector coefficients = OnsetCurve::Vector::Zero();
     coefficients.head<2>() << -0.5, 1.0;
     const OnsetCurve curve(std::log(1.3), coefficients);
-    const Scatter scatter{.noise = 1.0, .threshold = 0.02};
-    for (const double v : {1.1, 1.28, 1.35, 1.6, 3.0}) {
+    for (int i = 0; i < 10; ++i) {
+        const double v = std::array{1.1, 1.28, 1.35, 1.6, 3.0}[i / 2];
+        const Scatter scatter = i % 2 == 0 ? Scatter{.noise = 1.0, .threshold = 0.02}
+                                           : Scatter{.noise = 1.0, .threshold = 0.15, .fades = true};
         CAPTURE(v);
+        CAPTURE(scatter.fades);
         RecordedImpact impact{.recorded = Recorded::zero,
                               .velocity = v,
                               .log_velocity = std::log(v),
@@ -73,6 +77,46 @@ TEST_CASE("what can be recorded of an impact has probability one in all") {
             sum += step * std::exp(log_probability(curve, scatter, impact));
         CHECK(std::abs(sum - 1.0) < 0.03);
     }
+}
+
+TEST_CASE("particles of other adhesion: readings scatter as over all particles and errors of v_in") {
+    OnsetCurve::Vector coefficients = OnsetCurve::Vector::Zero();
+    coefficients.head<3>() << -1.5, 1.0, 1.0;
+    const OnsetCurve curve(std::log(1.3), coefficients);
+    constexpr double width = 0.08;  // of ln v_c, and of ln v_in by its noise
+    for (const bool fades : {false, true})
+        for (const double v : {2.0, 4.0, 8.0}) {
+            CAPTURE(fades);
+            CAPTURE(v);
+            std::vector<double> rebounds;
+            constexpr int parts = 60;
+            for (int i = 0; i < parts * parts; ++i) {
+                const double z = gsl::normal_quantile((i % parts + 0.5) / parts);
+                const double incident = v * std::exp(width * gsl::normal_quantile((i / parts + 0.5) / parts));
+                const double critical = 1.3 * std::exp(width * z);
+                const double like = fades ? std::sqrt(incident * incident - critical * critical + 1.3 * 1.3)
+                                          : incident * 1.3 / critical;
+                rebounds.push_back(incident * curve.restitution(std::log(like)));
+            }
+            const Moments truth = Moments::of(rebounds);
+            RecordedImpact impact{.recorded = Recorded::rebound,
+                                  .velocity = v,
+                                  .log_velocity = std::log(v),
+                                  .rebound = 0.0,
+                                  .incident_u = width * v,
+                                  .rebound_u = 0.01,
+                                  .resolution = 0.0};
+            const Scatter scatter{.noise = 1.0, .threshold = width, .fades = fades};
+            double square = 0.0;
+            const double step = 0.002 * v;
+            for (; impact.rebound < 1.5 * v; impact.rebound += step) {
+                const double density = std::exp(log_probability(curve, scatter, impact)) - 0.02 / (1.5 * v);
+                square += step * density / 0.98 * std::pow(impact.rebound - truth.mean, 2);
+            }
+            // The form of the curve adds 4 % of the reading.
+            const double form = std::pow(0.04 * truth.mean, 2);
+            CHECK(relative_difference(square, truth.variance() + form + 1e-4) < 0.03);
+        }
 }
 
 TEST_CASE("rebounds on a smooth curve without scatter: the interval holds where the curve begins") {
