@@ -9,7 +9,9 @@
 #include "core/text/error.hpp"
 #include "solver/batch/problems.hpp"
 #include "solver/batch/tables/law_tables.hpp"
+#include "solver/batch/tables/zone_velocities.hpp"
 #include "solver/contact/dmt.hpp"
+#include "solver/motion/branches/cohesive_motion.hpp"
 #include "solver/motion/regime.hpp"
 #include "solver/motion/scale.hpp"
 
@@ -217,16 +219,32 @@ std::int64_t invert(const Problems& chunk, batch::RestitutionTable* table, doubl
 
 using Answer = std::optional<CriticalVelocity>;
 
-/// Critical velocities of a law that is not self-similar have a number more than their table.
-bool has_critical_table(Law law, DampingLaw damping_law) {
-    return law.self_similar() && batch::has_kernels(law, damping_law);
+/// Reads problems with a cohesive zone from the tables of its spans; undecided beyond them.
+void look_up_zones(const Problems& problems, PieceState* state, double* value) {
+    auto& tables = batch::ZoneVelocities::of(problems.detachment, problems.damping_law);
+    batch::find_transition_parameters(problems.inputs, problems.count, value);
+    for (std::size_t i = 0; i < problems.count; ++i) {
+        state[i] = PieceState::undecided;
+        if (std::isnan(value[i])) continue;
+        const ContactPair contact = problems.contact(i);
+        const Scale scale = Scale::of(contact, maugis_velocity(contact));
+        const batch::ZoneVelocity found = tables.at(value[i], scale.damping_number(problems.damping(i)));
+        state[i] = found.state;
+        value[i] = found.value * scale.velocity;
+    }
 }
 
 /// Reads problems from the table of their law; undecided where it has none.
 void look_up(const Problems& problems, PieceState* state, double* value) {
     const auto& [law, detachment, damping_law, count, inputs] = problems;
-    if (!law.is_adhesive() || detachment == Detachment::zero_force || !has_critical_table(law, damping_law)) {
+    const bool scales = law.self_similar() || law.has_cohesive_zone();
+    if (!scales || !law.is_adhesive() || !batch::has_kernels(law, damping_law) ||
+        detachment == Detachment::zero_force) {
         std::fill_n(state, count, PieceState::undecided);
+        return;
+    }
+    if (law.has_cohesive_zone()) {
+        look_up_zones(problems, state, value);
         return;
     }
     batch::kernels_of(law, damping_law)
@@ -268,6 +286,12 @@ BatchMethod method_of_many(Law law, DampingLaw damping_law, std::uint64_t impact
     constexpr std::uint64_t zone_table_pays = 2'000'000;
     const bool pays = !law.has_cohesive_zone() || impacts >= zone_table_pays;
     return pays && has_tables(law, damping_law) ? BatchMethod::table : BatchMethod::integration;
+}
+
+BatchMethod method_of_many_velocities(Law law, std::uint64_t velocities) {
+    constexpr std::uint64_t zone_table_pays = 10'000;
+    const bool pays = !law.has_cohesive_zone() || velocities >= zone_table_pays;
+    return pays ? BatchMethod::table : BatchMethod::integration;
 }
 
 std::vector<ParameterColumn> single_columns(const ParameterValues<double>& values) {
@@ -344,7 +368,7 @@ std::optional<CriticalVelocity> critical_velocity_without_integration(
     inputs.damping = {&damping.coefficient, 1};
     PieceState state = PieceState::undecided;
     double value = 0.0;
-    look_up({law, detachment, damping.law, 1, inputs}, &state, &value);
+    if (law.self_similar()) look_up({law, detachment, damping.law, 1, inputs}, &state, &value);
     return read(state, value);
 }
 
@@ -354,7 +378,8 @@ CriticalVelocity tabulated_critical_velocity(const CriticalVelocityProblem& prob
     return known ? *known : critical_velocity(problem);
 }
 
-CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& batch, int threads) {
+CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& batch, int threads,
+                                                BatchMethod method) {
     const Problems problems = batch::problems_of(batch.law, batch.detachment, batch.damping_law,
                                                  batch.contact, {{&Inputs::damping, batch.damping}});
     CriticalVelocityBatchResult result;
@@ -364,7 +389,10 @@ CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& bat
         std::array<PieceState, most_impacts> state;  // look_up() fills what is used
         CaptureVerdict* const verdict = result.verdict.data() + first;
         double* const value = result.value.data() + first;
-        look_up(chunk, state.data(), value);
+        if (method == BatchMethod::table)
+            look_up(chunk, state.data(), value);
+        else
+            std::fill_n(state.data(), chunk.count, PieceState::undecided);
         std::int64_t integrated = 0;
         for (std::size_t i = 0; i < chunk.count; ++i) {
             Answer answer = read(state[i], value[i]);

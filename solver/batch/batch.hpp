@@ -113,11 +113,14 @@ struct CriticalVelocityBatchResult {
     std::int64_t scalar = 0;  ///< how many were left to critical_velocity(): beyond the tables, or plastic
 };
 
-/// Critical velocities as tabulated_critical_velocity() gives them.
+/// Critical velocities, from tables as tabulated_critical_velocity() gives them; with a cohesive zone to
+/// 1e-9.
 /// @param threads 0: one for each core; no bit of a result depends on it
+/// @param method table: where the law has none, as critical_velocity() gives them
 /// @throws InputError for inadmissible input, naming the first place it concerns
 [[nodiscard]] CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& batch,
-                                                              int threads = 1);
+                                                              int threads = 1,
+                                                              BatchMethod method = BatchMethod::table);
 
 /// Verdict and v_c [m/s] without the other results of critical_velocity(), in microseconds; relative
 /// difference below 1e-10. With adhesion v_c depends on one number, over which batch::CriticalTable tabulates

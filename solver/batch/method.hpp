@@ -31,5 +31,7 @@ struct Names<BatchMethod> {
 /// The method for many impacts of a contact law: table where there is one. That of a cohesive zone, made of
 /// dearer impacts, pays only where it is known that there are @p impacts enough.
 [[nodiscard]] BatchMethod method_of_many(Law law, DampingLaw damping_law, std::uint64_t impacts = 0);
+/// The same for critical velocities: those of a cohesive zone are tabulated from so many @p velocities on.
+[[nodiscard]] BatchMethod method_of_many_velocities(Law law, std::uint64_t velocities);
 
 }  // namespace ashimpact
