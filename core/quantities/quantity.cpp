@@ -106,6 +106,12 @@ Quantity read_text(const std::string& text, Dimension expected) {
     const double uncertainty =
         relative ? std::abs(value) * parse_quantity(right, Dimension::fraction)
                  : parse_quantity(right, expected) - parse_quantity("0" + right.substr(unit_at), expected);
+    if (expected == Dimension::fraction && !left_has_unit && right.ends_with('%') && std::abs(value) < 0.01 &&
+        uncertainty > std::abs(value))
+        throw InputError(
+            "in " + in_quotes(text) + " the value is " + left + " %, or " + left +
+                " with a relative uncertainty",
+            in_quotes(left + " % +- " + right) + ", or the uncertainty in the unit of the value");
     if (uncertainty < 0)
         throw InputError("the uncertainty of \"" + text + "\" is below zero", "zero or more");
     return make_quantity(value, expected, uncertainty);

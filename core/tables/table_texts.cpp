@@ -68,6 +68,20 @@ bool states_uncertainty(std::string_view cell) {
     return number && number->standard_uncertainty;
 }
 
+/// Whether a text states relative uncertainties, or may: "rel. Fehler", "errors relative", "errors in %".
+bool states_relative(std::string_view text) {
+    static const WordLists qualifiers("relative quantities");
+    constexpr std::size_t reach = 2;  // in words
+    const std::vector<std::string> words = words_in(text);
+    for (std::size_t i = 0; i < words.size(); ++i)
+        for (std::size_t k = i + 1; k < std::min(words.size(), i + 1 + reach); ++k)
+            if ((qualifiers.holds(words[i]) && is_uncertainty_word(words[k])) ||
+                (is_uncertainty_word(words[i]) &&
+                 (qualifiers.holds(words[k]) || (words[k] == "%" && (k == i + 1 || words[i + 1] == "in")))))
+                return true;
+    return false;
+}
+
 /// Calls @p visitor(column, cell, row) for each cell with an uncertainty until one returns true.
 template <class Visitor>
 void for_each_uncertain(const UncertainColumns& columns, std::span<const TextLine> rows, char separator,
@@ -87,6 +101,14 @@ void for_each_uncertain(const UncertainColumns& columns, std::span<const TextLin
 void require_coverage_in_headings(const std::vector<TextBeside>& texts, const UncertainColumns& columns,
                                   std::span<const TextLine> rows, char separator) {
     for (const TextBeside& each : texts) {
+        if (states_relative(each.text))
+            for (const auto& column : columns)
+                if (column && column->is_uncertainty && column->heading.find('%') == std::string::npos)
+                    refuse_line(each.line,
+                                in_quotes(each.text) +
+                                    " states relative uncertainties, or may, and the column " +
+                                    in_quotes(column->heading) + " does not",
+                                "one of the two: [%] in the heading, or a file without this text");
         const StatedCoverage coverage = read_coverage(each.text);
         if (coverage.stated.empty() || coverage.factor == 1) continue;
         const auto refuse = [&](const std::string& what, std::string_view heading) {

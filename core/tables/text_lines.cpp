@@ -204,10 +204,11 @@ std::vector<Finding> take_notes(std::vector<TextLine>& lines, std::size_t first,
 namespace {
 
 /// Whether a line is a comment. One that begins with an error value of a spreadsheet ("#N/A", "#DIV/0!",
-/// "#WERT!", "####") or with a number ("#1") is a row.
+/// "#WERT!", "####"), with a number ("#1") or with the cell "#" is a row.
 bool is_comment(std::string_view text) {
     if (!text.starts_with('#')) return false;
     const std::string_view word = text.substr(0, text.find_first_of(" \t;,"));
+    if (word.size() == 1 && text.size() > 1 && text[1] != ' ') return false;
     if (word.size() > 1 && (is_digit(word[1]) || word[1] == '#')) return false;
     const bool shouts = std::none_of(word.begin(), word.end(), [](char c) { return c >= 'a' && c <= 'z'; });
     return word != "#N/A" && word != "#NV" && !(shouts && (word.ends_with('!') || word.ends_with('?')));

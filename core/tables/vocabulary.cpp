@@ -94,7 +94,11 @@ std::optional<Statement> multiple_in(const std::string& heading) {
     constexpr auto flags = std::regex::icase | std::regex::ECMAScript;
     static const std::regex factor(R"((^|[^a-z])(k *= *(\d+(?:[.,]\d+)?)))", flags);
     static const std::regex sigmas(
-        "(^|[^a-z0-9.,])((\\d(?:[.,]\\d+)?) *[-*]? *(?:\u03c3|(?:sigma|sd|std|stdabw)(?![a-z])))", flags);
+        "(^|[^a-z0-9.,])((\\d(?:[.,]\\d+)?) *(?:[-*x]|\u00d7|times|-?fache[rn]?)? *"
+        "(?:\u03c3|(?:sigma|sd|std|stdabw|standard deviations?|standardabweichung(?:en)?)(?![a-z])))",
+        flags);
+    static const std::regex behind("(^|[^a-z])((?:esd|sd|sigma|\u03c3) *(?:[x*]|\u00d7) *(\\d(?:[.,]\\d+)?))",
+                                   flags);
     static const std::regex marked("((?:[(\\[]|\u00b1|\\+/?-) *)((\\d(?:[.,]\\d+)?) *s)(?![a-z0-9])", flags);
     static const std::regex esds(
         "((?:^|[(\\[=]|\u00b1|\\+/?-|\\b(?:are|as|is|sind) ) *)((\\d(?:[.,]\\d+)?) "
@@ -103,7 +107,7 @@ std::optional<Statement> multiple_in(const std::string& heading) {
     static const std::regex alone(R"(^( *)((\d(?:[.,]\d+)?) *s)(?= *(?:$|[(\[])))", flags);
     static const std::regex after_word(R"(([^ _()\[\],;]+)[ _,]+((\d(?:[.,]\d+)?) *s)(?= *(?:$|[(\[])))",
                                        flags);
-    for (const std::regex* expression : {&factor, &sigmas, &marked, &esds, &alone})
+    for (const std::regex* expression : {&factor, &sigmas, &behind, &marked, &esds, &alone})
         if (auto statement = found(heading, *expression)) return statement;
     std::smatch match;
     if (std::regex_search(heading, match, after_word) && is_uncertainty_word(match.str(1)))
@@ -143,6 +147,26 @@ std::string without(const std::string& heading, const Statement& statement) {
     std::string_view text = trimmed(rest);
     while (text.ends_with(',') || text.ends_with(';')) text = trimmed(text.substr(0, text.size() - 1));
     return std::string(text);
+}
+
+/// "FA1 error" of "FA1 % error", and "error" of "% error", "error %" and "Fehler in %"; none of other
+/// headings. The sign is the unit of the uncertainties, wherever it stands.
+std::optional<std::string> without_per_cent_of_error(std::string_view heading) {
+    const auto sign = heading.find('%');
+    if (sign == std::string_view::npos || heading.find('%', sign + 1) != std::string_view::npos ||
+        heading.size() > longest_heading)
+        return std::nullopt;
+    std::string_view before = trimmed(heading.substr(0, sign));
+    const std::string_view after = trimmed(heading.substr(sign + 1));
+    if (after.empty()) {
+        if (before.ends_with(" in")) before = trimmed(before.substr(0, before.size() - 3));
+        return is_uncertainty_word(before) ? std::optional(std::string(before)) : std::nullopt;
+    }
+    const std::string_view word = before.substr(before.rfind(' ') + 1);
+    const bool stands_alone = before.size() < sign || sign == 0;  // unlike that of "wt% error"
+    if (!stands_alone || (!before.empty() && is_number(word)) || !is_uncertainty_word(after))
+        return std::nullopt;
+    return std::string(before) + (before.empty() ? "" : " ") + std::string(after);
 }
 
 constexpr auto remedy = "write \"1 sigma\", \"2 sigma\" or \"k=2\" into the heading";
@@ -232,8 +256,21 @@ bool says_no_number(std::string_view text) {
            words.holds(trimmed(word.substr(0, word.find(limit))));
 }
 
-bool is_summary(std::string_view text) {
+namespace {
+
+const WordLists& summary_words() {
     static const WordLists words("summary rows");
+    return words;
+}
+
+}  // namespace
+
+bool is_total(std::string_view text) {
+    return summary_words().list_of(text) == "total";
+}
+
+bool is_summary(std::string_view text) {
+    const WordLists& words = summary_words();
     text = trimmed(text);
     if (words.holds(text)) return true;
     // "SD (n=3)", "n = 3", "Mean ± SD", "Mittel 1-5", but not "S (dry)" and "S 1", which may be samples.
@@ -260,6 +297,7 @@ std::string number_behind_plus_minus(std::string_view heading) {
         const auto at = heading.find(sign);
         if (at == std::string_view::npos) continue;
         const std::string_view rest = trimmed(heading.substr(at + sign.size()));
+        if (rest.find_first_of("0123456789") > 1) return {};  // "± %", and not "± .5"
         return std::string(rest.substr(0, std::min(rest.find_first_not_of("0123456789.,%"), rest.size())));
     }
     return {};
@@ -274,7 +312,11 @@ StatedCoverage read_coverage(std::string_view heading) {
                                                                                        {"\u3011", "]"},
                                                                                        {"\uff0c", ","}}};
     StatedCoverage coverage{.rest = replaced(heading, wide_marks), .stated = {}, .problem = {}};
+    if (const auto bare = without_per_cent_of_error(coverage.rest)) coverage.rest = *bare + " [%]";
     if (heading.size() > longest_heading || is_number(heading)) return coverage;
+    static const std::regex twice("\\b(?:two|twice the|zwei|doppelte) +(?=standard|sigma|sd\\b)",
+                                  std::regex::icase | std::regex::ECMAScript);
+    coverage.rest = std::regex_replace(coverage.rest, twice, "2 ");
     if (const auto multiple = multiple_in(coverage.rest)) {
         coverage.stated = coverage.rest.substr(multiple->begin, multiple->length);
         coverage.factor = whole_decimal(multiple->number).value_or(1);

@@ -55,6 +55,9 @@ inline constexpr std::string_view all_marks = " !\"#$%&'()*+,-./:;<=>?@[\\]^_`{|
 /// Whether a cell names a row that sums up others: "Mittel", "mean", "SD (n=3)", "Total".
 [[nodiscard]] bool is_summary(std::string_view text);
 
+/// Whether a cell names the sum of other rows: "Total", "Summe".
+[[nodiscard]] bool is_total(std::string_view text);
+
 /// The words of a text as word_key() writes them; "%" is one.
 [[nodiscard]] std::vector<std::string> words_in(std::string_view text);
 
@@ -83,7 +86,8 @@ struct StatedCoverage {
 
 /// Finds a multiple of the standard uncertainty (2s, 2 sigma, 2σ, 2 SD, k = 2), or a coverage (95 %) beside
 /// the name of an uncertainty or "±". A bare "2s" counts in brackets, after "±" or a word for an uncertainty,
-/// and alone. A confidence interval without "±" and an expanded uncertainty without k are problems.
+/// and alone. A confidence interval without "±" and an expanded uncertainty without k are problems. The rest
+/// of "% error" and "err%" is "error [%]".
 [[nodiscard]] StatedCoverage read_coverage(std::string_view heading);
 
 /// The number that follows "±", as in "v_in ± 0.03": one uncertainty for a whole column. Empty without one.

@@ -83,6 +83,22 @@ constexpr std::array<Spelling, 77> spellings{{
     {"·", "."},        {"\u00a0", " "},
 }};
 
+/// Capital letters of Latin-1 and Cyrillic as small ones, except "Ø", the sign of a mean.
+std::string with_small_letters(std::string text) {
+    for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+        const unsigned char second = byte_of(text[i + 1]);
+        const bool is_latin =
+            byte_of(text[i]) == 0xc3U && second <= 0x9eU && second != 0x97U && second != 0x98U;
+        const bool is_cyrillic = byte_of(text[i]) == 0xd0U && (second == 0x81U || second - 0x90U < 0x20U);
+        if (is_cyrillic && (second == 0x81U || second >= 0xa0U)) text[i] = '\xd1';
+        if (is_cyrillic)
+            text[i + 1] = static_cast<char>(second == 0x81U ? 0x91U : second ^ 0x20U);
+        else if (is_latin)
+            text[i + 1] = static_cast<char>(second | 0x20U);
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string_view trimmed(std::string_view text) {
@@ -175,11 +191,21 @@ std::string remedy_for_commas(std::string_view text) {
     return "write " + in_quotes(without_groups) + " or " + in_quotes(with_point);
 }
 
+namespace {
+
+/// Whether a sign stands between digits, as in "80-100".
+bool holds_range(std::string_view number) {
+    const auto sign = number.find_first_of("+-", 1);
+    return sign != std::string_view::npos && number[sign - 1] != 'e' && number[sign - 1] != 'E';
+}
+
+}  // namespace
+
 std::string remedy_for_number_in_quotes(std::string_view text) {
     const std::string_view number = trimmed(text);
     if (number.empty() || number.size() > 30 ||
         number.find_first_not_of("+-.,0123456789eE") != std::string_view::npos ||
-        number.find_first_of("0123456789") == std::string_view::npos)
+        number.find_first_of("0123456789") == std::string_view::npos || holds_range(number))
         return {};
     if (const std::string remedy = remedy_for_commas(number); !remedy.empty())
         return ", " + without('"', remedy) + " without quotes";
@@ -367,7 +393,8 @@ std::string transliterated(std::string_view text) {
 }
 
 std::string word_key(std::string_view text, std::string_view kept) {
-    std::string key = lower_case(transliterated(text));
+    std::string key = lower_case(is_ascii(text) ? std::string(text)
+                                                : transliterated(with_small_letters(std::string(text))));
     std::erase_if(key, [&](char c) {
         const bool is_letter_or_digit =
             (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || byte_of(c) >= 0x80U;

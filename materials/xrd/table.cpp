@@ -259,7 +259,7 @@ void warn_of_ignored(const Table& table, Layout layout, std::vector<Finding>& wa
     for (std::size_t k = 0; k < table.headings.size(); ++k) {
         const Heading& heading = table.headings[k];
         std::string column;
-        if (!heading.text.empty() && is_ignored(heading, layout)) column = in_quotes(heading.text);
+        if (!heading.text.empty() && is_ignored(heading, layout)) column = in_quotes(heading.written);
         const bool nameless = heading.text.empty() && heading.role == Role::other;
         if (nameless &&
             std::ranges::any_of(table.rows, [&](const TableRow& row) { return !row.cells[k].empty(); }))

@@ -32,6 +32,11 @@ Role role_of(const std::string& key) {
     if (plain != key)
         if (const auto role = meaning<Role>(words, plain + '%')) return *role;
     if (const auto role = meaning<Role>(words, plain)) return *role;
+    static const WordLists bases("bases");
+    const auto base = bases.list_of(plain).value_or("");
+    const bool is_share = plain != key || base.ends_with(" share");
+    if (is_share && base.starts_with("weight")) return Role::weight;
+    if (is_share && base.starts_with("volume")) return Role::volume;
     return is_uncertainty_word(plain) ? Role::uncertainty : Role::other;
 }
 
@@ -136,6 +141,7 @@ bool holds_letter(std::string_view text) {
 /// "Weight [wt.%]", "content, vol%" and "Gehalt in Mol-%" into text and unit.
 void split_unit(Heading& heading, std::string_view text) {
     heading.text = std::string(text);
+    if (fraction_unit(text) != nullptr) return;  // "m/m%"
     const auto split = [&](std::size_t end, std::string_view unit) {
         std::string_view name = trimmed(text.substr(0, end));
         while (name.ends_with(',') || name.ends_with(';') || name.ends_with('/'))
@@ -216,6 +222,13 @@ Heading read_heading(std::string_view text) {
     if (quotient != nullptr && heading.unit == heading.text)
         heading.role = quotient->states == HeadingUnit::volume ? Role::volume : Role::weight;
     if (heading.role == Role::weight && heading.states == HeadingUnit::volume) heading.role = Role::volume;
+    if (heading.role == Role::ratio && heading.states == HeadingUnit::weight)
+        heading.role = Role::weight;  // "RIR [wt%]": by the method of that name
+    if (heading.role == Role::other && heading.text.ends_with(')')) {  // "Phase ID (3)", "RIR (calc)"
+        const std::string name = heading.text.substr(0, heading.text.rfind('('));
+        const Role role = role_of(key_of(name));
+        if (role == Role::phase || role == Role::ratio || role == Role::intensity) heading.role = role;
+    }
     const HeadingUnit contrary = heading.role == Role::weight ? HeadingUnit::volume : HeadingUnit::weight;
     if ((heading.role == Role::weight || heading.role == Role::volume) &&
         (heading.states == HeadingUnit::other || heading.states == contrary))
@@ -236,7 +249,8 @@ Heading read_heading(std::string_view text) {
 
 RowMeaning meaning_of_row(std::string_view name) {
     static const WordLists words("XRD rows", "+");
-    return meaning<RowMeaning>(words, without_per_cent(key_of(name))).value_or(RowMeaning::phase);
+    const std::string key = without_per_cent(key_of(name));
+    return is_total(key) ? RowMeaning::total : meaning<RowMeaning>(words, key).value_or(RowMeaning::phase);
 }
 
 MarkedPhase read_phase_name(std::string_view text) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -110,7 +111,13 @@ bool is_uncertainty(const Heading& heading) {
 
 /// Leaves out uncertainties in another unit than the fractions, such as [rel.%].
 void check_units_of_uncertainties(Table& table) {
-    if (table.has(Role::intensity)) return;
+    if (table.has(Role::intensity)) {
+        for (std::size_t k = 1; k < table.headings.size(); ++k)
+            if (is_uncertainty(table.headings[k]) && table.headings[k].scale == Scale::per_cent &&
+                table.headings[k - 1].scale != Scale::per_cent)
+                table.headings[k].coverage.problem = "they are in another unit than the column before them";
+        return;
+    }
     const auto amounts = std::ranges::find_if(table.headings, [](const Heading& heading) {
         return heading.role == Role::weight || heading.role == Role::volume ||
                (heading.role == Role::other && !heading.unit.empty());
@@ -202,7 +209,7 @@ void refuse_mixed_per_cent(const std::optional<PrintedNumber>& amount, const Pri
 }
 
 /// One row a phase: phase and weight, or phase, intensity and RIR.
-std::vector<Entry> long_entries(const Table& table) {
+std::vector<Entry> long_entries(const Table& table, Layout layout) {
     std::vector<Entry> entries;
     for (const TableRow& row : table.rows) {
         const auto cell = [&](Role role) -> std::string {
@@ -237,9 +244,11 @@ std::vector<Entry> long_entries(const Table& table) {
         if (entry.uncertainty && *entry.uncertainty > 0 && !is_computable(*entry.uncertainty))
             refuse_line(row.line, "the uncertainty is " + shortest(*entry.uncertainty),
                         "0, or " + std::string(computable_range));
-        entry.intensity = number(Role::intensity);
-        entry.ratio = number(Role::ratio);
-        entry.ratio_uncertainty = plain(Role::ratio_uncertainty);
+        if (layout == Layout::peaks) {
+            entry.intensity = number(Role::intensity);
+            entry.ratio = number(Role::ratio);
+            entry.ratio_uncertainty = plain(Role::ratio_uncertainty);
+        }
         entry.standard = number(Role::standard);
         if (const auto column = table.column(Role::density)) entry.density = density_in(row, *column, table);
         entries.push_back(std::move(entry));
@@ -292,12 +301,18 @@ std::vector<Entry> wide_entries(const Table& table, Role row_role) {
                                .mark = phase.mark});
         }
     }
-    if (entries.empty())
+    if (entries.empty()) {
+        std::vector<std::string> unused;
+        for (const Heading& heading : table.headings)
+            if (&heading != &table.headings[label] && !heading.written.empty())
+                unused.push_back(in_quotes(heading.written));
         refuse_line(table.heading_line,
-                    "no column beside " + in_quotes(table.headings[label].written) + " has a heading",
+                    "no column beside " + in_quotes(table.headings[label].written) +
+                        (unused.empty() ? " has a heading" : " holds fractions: " + joined(unused)),
                     row_role == Role::sample
                         ? "the name of a phase above each column of fractions"
                         : "\"weight %\" or the name of a sample above each column of fractions");
+    }
     return entries;
 }
 
@@ -321,6 +336,8 @@ std::optional<StatedCoverage> coverage_of_row(std::string_view label, std::strin
     if (!sample.empty() && label.size() > sample.size() && label.starts_with(sample))
         label.remove_prefix(sample.size());
     StatedCoverage coverage = read_coverage(trimmed(label));
+    if (coverage.rest.find('%') != std::string::npos && coverage.problem.empty())
+        coverage.problem = "[%] may be of the whole or of the value";
     const bool bare = coverage.rest.empty() ? !coverage.stated.empty() : is_uncertainty_word(coverage.rest);
     return bare ? std::optional(coverage) : std::nullopt;
 }
@@ -341,9 +358,11 @@ void take_rows_of_uncertainties(std::vector<TableRow>& rows, std::size_t first, 
         TableRow& sample = rows[first + i];
         const TableRow& row = rows[first + 2 * i + 1];
         if (coverages[i].factor != 1 || !coverages[i].problem.empty()) {
-            warnings.push_back({code, Severity::remark,
-                                "the uncertainties in " + at_line(row.line) + " are not read, as " +
-                                    in_quotes(row.cells[label]) + " are no standard ones"});
+            warnings.push_back(
+                {code, Severity::remark,
+                 "the uncertainties in " + at_line(row.line) + " are not read, as " +
+                     in_quotes(row.cells[label]) +
+                     (coverages[i].problem.empty() ? " are no standard ones" : ": " + coverages[i].problem)});
             continue;
         }
         for (std::size_t k = 0; k < std::min(row.cells.size(), sample.cells.size()); ++k)
@@ -374,6 +393,36 @@ void drop_summaries(Table& table) {
                  at_line(row.line) + " is no sample and left out: " + in_quotes(row.cells[label])});
         return follows;
     });
+}
+
+/// Appends " (internal standard)" to the phase that a text beside the table calls so, unless it is marked:
+/// "spiked with 10 % Korund".
+void take_texts_on_phases(Table& table, const std::vector<TextBeside>& texts) {
+    static const WordLists marks("XRD marks", " ");
+    static const WordLists materials("internal standards", " ");
+    constexpr std::size_t shortest_mark = 4;  // unlike "is"
+    std::set<std::string_view> standards;
+    for (const TextBeside& text : texts) {
+        const std::vector<std::string> words = words_in(text.text);
+        const bool is_mark = std::ranges::any_of(mentions_in(words, marks), [&](const Mention& mention) {
+            return mention.list == "standard" && !mention.negated &&
+                   (mention.count > 1 || words[mention.first].size() >= shortest_mark);
+        });
+        if (!is_mark) continue;
+        for (const Mention& mention : mentions_in(words, materials)) standards.insert(mention.list);
+    }
+    if (standards.empty() || table.has(Role::standard)) return;
+    const auto take = [&](std::string& name) {
+        const MarkedPhase phase = read_phase_name(name);
+        const auto material = materials.list_of(phase.name);
+        if (material && standards.contains(*material) && phase.mark == PhaseMark::none)
+            name += " (internal standard)";
+    };
+    if (const auto label = table.column(Role::phase))
+        for (TableRow& row : table.rows) take(row.cells[*label]);
+    else
+        for (Heading& heading : table.headings)
+            if (heading.role == Role::other && !heading.text.empty()) take(heading.text);
 }
 
 /// Appends to the name of a phase the remark beside it, "internal standard", and the note below the table
@@ -491,13 +540,43 @@ void mark_sums(Table& table) {
     }
 }
 
-/// Leaves out the uncertainties of intensities where fractions are stated beside them.
+/// Leaves out fractions by volume beside those by weight, and the uncertainties of these and of intensities
+/// where fractions are stated beside them.
 void prefer_fractions(Table& table) {
-    if (!table.has(Role::intensity) || !(table.has(Role::weight) || table.has(Role::volume))) return;
-    for (std::size_t k = 0; k < table.headings.size(); ++k) {
-        const Role before = k == 0 ? Role::other : table.headings[k - 1].role;
-        if (table.headings[k].role == Role::uncertainty && before != Role::weight && before != Role::volume)
-            table.headings[k].role = Role::measure;
+    const Role preferred = table.has(Role::weight) ? Role::weight : Role::volume;
+    const bool has_others =
+        table.has(Role::intensity) || (preferred == Role::weight && table.has(Role::volume));
+    if (!table.has(Role::phase) || !table.has(preferred) || !has_others) return;
+    Role before = Role::other;
+    for (Heading& heading : table.headings) {
+        const Role role = heading.role;
+        if ((role == Role::volume && preferred == Role::weight) ||
+            (role == Role::uncertainty && before != preferred))
+            heading.role = Role::measure;
+        before = role;
+    }
+}
+
+/// An uncertainty behind the reference intensity ratios is theirs.
+void find_uncertainties_of_ratios(Table& table) {
+    for (std::size_t k = 1; k < table.headings.size(); ++k)
+        if (table.headings[k].role == Role::uncertainty && table.headings[k - 1].role == Role::ratio)
+            table.headings[k].role = Role::ratio_uncertainty;
+}
+
+/// Refuses uncertainties that may be of two columns: a second column of them behind one, and those behind a
+/// density. @throws InputError
+void require_owners_of_uncertainties(const Table& table) {
+    for (std::size_t k = 1; k < table.headings.size(); ++k) {
+        const Heading& heading = table.headings[k];
+        const Heading& before = table.headings[k - 1];
+        if (heading.role != Role::uncertainty || !heading.coverage.problem.empty()) continue;
+        const bool is_second = before.role == Role::uncertainty && before.coverage.problem.empty();
+        if (is_second || before.role == Role::density)
+            refuse_line(table.heading_line,
+                        "the uncertainties in column " + in_quotes(heading.written) + " stand behind " +
+                            in_quotes(before.written) + ": they may be of it, or of another column",
+                        "each column of uncertainties behind its amounts");
     }
 }
 
@@ -572,8 +651,24 @@ std::string_view stated_basis(const Table& table) {
 }
 
 /// Refuses a text beside the table that states what the headings do not: a basis of the fractions, or the
-/// coverage of the uncertainties. @param rows the lines below the heading @throws InputError
+/// coverage of the uncertainties. So do cells without a heading, and units in columns that are not used.
+/// @param rows the lines below the heading @throws InputError
 void require_agreeing_texts(Table& table, std::vector<TextBeside> texts, std::span<const TextLine> rows) {
+    const bool is_long = names_amounts(table.headings);
+    const auto is_beside = [&](std::string_view cell, std::size_t k) {
+        if (k >= table.headings.size() || cell.empty()) return false;
+        const Heading& heading = table.headings[k];
+        if (heading.role == Role::phase || (heading.role == Role::other && heading.written.empty()))
+            return true;                       // "Quartz (vol%)", and notes
+        constexpr std::size_t most_words = 3;  // of a unit
+        const bool is_unused = heading.role == Role::measure || (heading.role == Role::other && is_long);
+        return is_unused && words_in(cell).size() <= most_words &&
+               cell.find_first_of("0123456789") == std::string_view::npos;
+    };
+    for (const TextLine& row : rows)
+        for_each_cell(row, table.separator, [&](std::string_view cell, std::size_t k) {
+            if (is_beside(cell, k)) texts.push_back({row.number, std::string(cell)});
+        });
     UncertainColumns columns(table.headings.size());
     for (std::size_t k = 0; k < columns.size(); ++k) {
         const Heading& heading = table.headings[k];
@@ -622,7 +717,9 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     require_units_at_amounts(table);
     if (table.has(Role::phase) && !table.has(Role::sample)) mark_sums(table);
     prefer_fractions(table);
+    if (table.has(Role::intensity)) find_uncertainties_of_ratios(table);
     check_units_of_uncertainties(table);
+    require_owners_of_uncertainties(table);
     for (const Heading& each : table.headings)
         if (const std::string number = number_behind_plus_minus(each.coverage.rest);
             !number.empty() && each.role != Role::measure)
@@ -644,7 +741,8 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     for (Finding& each : take_notes(lines, first, table.separator, xrd_code))
         table.warnings.push_back(std::move(each));
     const std::span<const TextLine> kept(lines);
-    require_agreeing_texts(table, texts_beside(file, kept.subspan(*heading)), kept.subspan(first));
+    const std::vector<TextBeside> texts = texts_beside(file, kept.subspan(*heading));
+    require_agreeing_texts(table, texts, kept.subspan(first));
     for (std::size_t i = first; i < lines.size(); ++i) {
         table.rows.push_back(checked_row(lines[i], table));
         for (std::size_t k = 0; k < table.headings.size(); ++k)
@@ -661,6 +759,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
         take_notes_on_phases(table, std::span(all).subspan(lines.size()));
         drop_measures(table);
     }
+    take_texts_on_phases(table, texts);
     if (table.has(Role::sample) && !table.has(Role::phase)) {
         take_rows_of_uncertainties(table.rows, 0, *table.column(Role::sample), xrd_code, table.warnings);
         drop_summaries(table);
@@ -674,8 +773,6 @@ Layout layout_of(const Table& table) {
     refuse_repeated_roles(table);
     const std::size_t line = table.heading_line;
     const bool phase = table.has(Role::phase);
-    if (phase && table.has(Role::weight) && table.has(Role::volume))
-        refuse_line(line, "there are fractions by weight and by volume", "one of the two");
     if (phase && (table.has(Role::weight) || table.has(Role::volume))) return Layout::fractions;
     if (phase && table.has(Role::intensity) && table.has(Role::ratio)) return Layout::peaks;
     if (phase && table.has(Role::intensity))
@@ -691,6 +788,11 @@ Layout layout_of(const Table& table) {
             return !heading.text.empty() && !heading.sums_up && !may_name_sample(heading) &&
                    !(named && heading.role == Role::measure);
         });
+        if (other != table.headings.end() && bases_in(other->written, false).contains("mode"))
+            refuse_line(line,
+                        "the column " + in_quotes(other->written) +
+                            " may hold fractions by volume, as modes and areas are, or by weight",
+                        "\"vol%\" or \"wt%\" as its unit");
         if (other != table.headings.end())
             refuse_line(line,
                         "the column " + in_quotes(other->written) +
@@ -703,6 +805,11 @@ Layout layout_of(const Table& table) {
             only = &heading;
             ++columns;
         }
+        if (columns == 1 && table.has(Role::ratio))
+            refuse_line(line,
+                        "the column " + in_quotes(only->written) +
+                            " may hold intensities, beside reference intensity ratios, or fractions",
+                        "\"intensity\" or \"weight %\" as its heading");
         if (columns == 1 && only->states == HeadingUnit::none)
             refuse_line(line,
                         "the column " + in_quotes(only->written) +
@@ -755,7 +862,7 @@ bool by_volume(const Table& table, Layout layout) {
 std::vector<Entry> entries_of(const Table& table, Layout layout) {
     if (layout == Layout::one_column_a_phase) return wide_entries(table, Role::sample);
     if (layout == Layout::one_column_a_sample) return wide_entries(table, Role::phase);
-    return long_entries(table);
+    return long_entries(table, layout);
 }
 
 }  // namespace ashimpact::xrd

@@ -118,7 +118,12 @@ TEST_CASE("headings are found however umlauts and accents are spelled") {
     CHECK(xrd::read_heading("+").role == xrd::Role::uncertainty);
     CHECK(xrd::read_heading("Dichte").role == xrd::Role::density);
     CHECK(xrd::read_heading("Density (g/cm³)").unit == "g/cm³");
-    CHECK(xrd::meaning_of_row("Σ") == xrd::RowMeaning::total);
+    for (const char* label : {"Σ", "Gesamt", "合计", "Итого", "Toplam [%]"})
+        CHECK(xrd::meaning_of_row(label) == xrd::RowMeaning::total);
+    for (const char* heading : {"% error", "%err", "err%", "error %", "Fehler in %", "± %"})
+        CHECK(xrd::read_heading(heading).unit == "%");
+    CHECK(read_coverage("FA1 % error").rest == "FA1 error [%]");
+    CHECK(read_coverage("95 % error").factor == doctest::Approx(1.96).epsilon(1e-3));
     CHECK(xrd::meaning_of_row("Total crystalline [%]") == xrd::RowMeaning::crystalline_total);
     CHECK(xrd::meaning_of_row("sigma") == xrd::RowMeaning::phase);
     for (const char* cell : {"N.D.", "n. n.", "unter NWG", "Spuren (<1)", "< 0.5", "not detected"})
@@ -128,9 +133,9 @@ TEST_CASE("headings are found however umlauts and accents are spelled") {
 }
 
 TEST_CASE("labels of rows that sum up others, and of samples that look like them") {
-    for (const char* label :
-         {"Mittel", "Schnitt", "n=3", "n = 12", "SD (n=3)", "RSD %", "x\u0304", "Mean \u00b1 SD",
-          "Mittel 1-5", "\u00d8 1-5", "mean of 10", "Std. dev. (n = 4)", "\u5e73\u5747\u503c", "Max"}) {
+    for (const char* label : {"Mittel", "Schnitt", "n=3", "n = 12", "SD (n=3)", "RSD %", "x\u0304",
+                              "Mean \u00b1 SD", "Mittel 1-5", "\u00d8 1-5", "Promedio", "\u5408\u8ba1",
+                              "mean of 10", "Std. dev. (n = 4)", "\u5e73\u5747\u503c", "Max"}) {
         CAPTURE(label);
         CHECK(is_summary(label));
     }
@@ -338,6 +343,10 @@ TEST_CASE("a coverage beside the table, not in its headings, is refused") {
     CHECK(contains(xrd("", "\nall errors: 2 sigma\n"), "line 5: \"all errors: 2 sigma\" states"));
     for (const char* text : {"# 3 esd\n", "# uncertainty = 3 esd\n", "errors are 3 e.s.d.\n"})
         CHECK(contains(xrd(text, ""), "states \"3 e"));
+    for (const char* text : {"# Fehler: 2-fache Standardabweichung\n", "uncertainty = 2 \u00d7 SD\n",
+                             "error bars: two standard deviations\n", "esd x 3 (B\u00e9rar)\n",
+                             "Vertrauensbereich 95 %\n", "rel. Fehler in %\n"})
+        CHECK(contains(xrd(text, ""), "and the column \"esd\" does not"));
     CHECK(xrd("# Fly ash 2, sieved 2 s, 95 % below 45 um\n", "").empty());
     CHECK(xrd("# errors are 1 sigma\n", "").empty());
     const auto error = [](const std::string& text) {
@@ -377,18 +386,26 @@ TEST_CASE("what fractions are by counts wherever it stands, or the table is refu
     }
     CHECK(read_xrd("Phase;Fly ash;\n;FA1;FA2" + rows, "a.csv").samples.front().analysis.basis ==
           FractionBasis::weight);
+    for (const char* heading : {"Modal abundance (%)", "modal %", "FA1 pixels %", "Modalbestand"})
+        CHECK(contains(error("Phase;" + std::string(heading) + "\nQuartz;20\nGlass;80\n"),
+                       "may hold fractions by volume, as modes and areas are, or by weight"));
+    CHECK(error("Phase;modal vol%\nQuartz;20\nGlass;80\n").empty());
+    for (const char* table :
+         {"Phase;content;unit\nQuartz;20;vol%\nGlass;80;vol%\n",
+          "Phase;wt%;;\nQuartz;20;;amounts are volume %\nGlass;80;;\n",
+          "Phase;%;remark\nQuartz;20;vol%\nGlass;80;vol%\n", "Phase;wt%\nQuartz (vol%);20\nGlass;80\n"})
+        CHECK(contains(error(table), "line 2: \""));
     for (const char* group : {"mol%", "Molenbruch", "Fl\u00e4chen-%", "intensit\u00e9 [%]"})
         CHECK(contains(error("Phase;" + std::string(group) + ";\n;FA1;FA2" + rows),
                        "no weight or volume fractions"));
-    for (const char* heading :
-         {"Molenbruch [%]", "fraction molaire [%]", "\u6469\u5c14%", "Intensit\u00e9 [%]", "plocha [%]",
-          "\u00c1rea [%]", "molfractie [%]", "Volumen FA1 [%]", "objem [%]", "frakcja molowa [%]",
-          "mol oran\u0131 [%]", "conteggi [%]"})
+    for (const char* heading : {"Molenbruch [%]", "fraction molaire [%]", "\u6469\u5c14%",
+                                "Intensit\u00e9 [%]", "plocha [%]", "molfractie [%]", "Volumen FA1 [%]",
+                                "objem [%]", "frakcja molowa [%]", "mol oran\u0131 [%]", "conteggi [%]"})
         CHECK(contains(error("Phase;" + std::string(heading) + "\nQuartz;20\nGlass;80\n"),
                        "no weight or volume fractions"));
-    for (const char* text :
-         {"Volume fractions in vol%", "Angaben in Vol.-%", "(Werte in Vol.-%)", "Mole fractions",
-          "in mole percent", "Volumenanteile", "amounts by volume", "area %"})
+    for (const char* text : {"Volume fractions in vol%", "Angaben in Vol.-%", "(Werte in Vol.-%)",
+                             "Mole fractions", "in mole percent", "Volumenanteile", "amounts by volume",
+                             "area %", "v/v", "by vol.", "en volumen", "modal composition"})
         for (const std::string& heading : {std::string("Phase;%"), std::string("Phase;Gew.-%")}) {
             CAPTURE(text);
             const std::string table = heading + "\nQuartz;20\nGlass;80\n";

@@ -146,6 +146,10 @@ TEST_CASE("texts are measured and cut in whole characters") {
 TEST_CASE("words are compared without marks, case, umlauts and accents") {
     CHECK(word_key("v_{rück}") == "vrueck");
     CHECK(word_key("V_RÜCK") == "vrueck");
+    CHECK(remedy_for_number_in_quotes("80-100").empty());
+    CHECK(word_key("ФАЗА ЁЖ") == "фазаёж");
+    CHECK(word_key("ÁREA") == word_key("área"));
+    CHECK(word_key("Ø") != word_key("o"));  // a mean is no sample O
     CHECK(word_key("v_ru\u0308ck") == "vrueck");
     CHECK(word_key("Stoßzahl") == word_key("Stosszahl"));
     CHECK(word_key("v_entrée") == word_key("v_entre\u0301e"));

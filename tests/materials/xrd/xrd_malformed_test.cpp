@@ -122,6 +122,12 @@ TEST_CASE("a table whose columns beside the first have no heading") {
         "line 1: no column beside \"Phase\" has a heading; allowed: \"weight %\" or the name of a sample");
     refuses("sample,,\nash,62,38\n",
             "line 1: no column beside \"sample\" has a heading; allowed: the name of a phase");
+    for (const char* heading : {"Sample;Quartz;Glass;esd;esd", "Sample;Quartz;esd;esd;Glass",
+                                "Phase;wt%;esd;esd;x", "Phase;wt%;density [g/cm3];esd;x"})
+        refuses(heading + std::string("\nA;60;40;1;1\n"), "they may be of it, or of another column");
+    refuses("Sample;Quartz modal %\nash;62\n",
+            "line 1: no column beside \"Sample\" holds fractions: \"Quartz modal %\"; allowed: the name of a "
+            "phase");
 }
 
 TEST_CASE("malformed BGMN lists") {
@@ -204,7 +210,6 @@ TEST_CASE("malformed tables") {
             "line 4: the total of the sample is given as 99 %, the phases above add up to 100 %");
     refuses("sample,phase,wt%\nA,Quartz,60\nA,Glass,40\nB,Quartz,60\nB,Glass,30\nB,Total,100\n",
             "line 6: the total of the sample \"B\" is given as 100 %");
-    refuses("phase,wt%,vol%\nQuartz,60,50\n", "line 1: there are fractions by weight and by volume");
     refuses("phase,wt%,content\nQuartz,60,50\n", "line 1: the columns \"wt%\" and \"content\" hold the same");
     refuses("phase,wt%,esd\nQuartz,60,-1\n", "line 2: the uncertainty is below zero");
     refuses("phase,wt%,density\nQuartz,60,2.65\n",

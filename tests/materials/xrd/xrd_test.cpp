@@ -65,6 +65,9 @@ TEST_CASE("uncertainties of a table that are multiples of standard ones are read
           std::pair{"erweiterte Unsicherheit", "needs its coverage factor"},
           std::pair{"U", "needs its coverage factor"}, std::pair{"Fehler [rel.%]", "another unit"},
           std::pair{"Fehler [%]", "of the whole or of the value"},
+          std::pair{"% error", "of the whole or of the value"},
+          std::pair{"err%", "of the whole or of the value"},
+          std::pair{"\u00b1 %", "of the whole or of the value"},
           std::pair{"uncertainty [vol%]", "another unit"}, std::pair{"uncertainty [ppm]", "another unit"}}) {
         const XrdResult result = read_xrd(with_column(heading), "t.csv");
         CHECK_FALSE(result.samples[0].analysis.phases[0].standard_uncertainty);
@@ -379,7 +382,7 @@ TEST_CASE("headings of fractions are read as what they state, and what is no fra
         CHECK_MESSAGE(contains(input_error_of([&] { static_cast<void>(of(heading)); }),
                                "states one uncertainty, 2, for all numbers of its column"),
                       heading);
-    for (const char* heading : {"Rel. Int. [%]", "Fl\u00e4chen-%", "relative intensity"}) {
+    for (const char* heading : {"Rel. Int. [%]", "\u00c1rea [%]", "Fl\u00e4chen-%", "relative intensity"}) {
         CAPTURE(heading);
         CHECK(
             contains(input_error_of([&] { static_cast<void>(of(heading)); }), "reference intensity ratios"));
@@ -414,8 +417,8 @@ TEST_CASE("columns and rows that are no phases are set aside, and named") {
         "t.csv");
     CHECK(digest(columns.samples.front()) == "Quartz 2000, Mullite 3000, Glass 5000");
     const std::string told = joined(texts_of(columns.warnings));
-    for (const char* name : {"\"Blaine\"", "\"Rwp\"", "\"GOF\"", "\"chi2\"", "\"density\"", "\"LOI\"",
-                             "11, which has no heading,"})
+    for (const char* name : {"\"Blaine [cm2/g]\"", "\"Rwp\"", "\"GOF\"", "\"chi2\"", "\"density [g/cm3]\"",
+                             "\"LOI [%]\"", "11, which has no heading,"})
         CHECK_MESSAGE(contains(told, "column " + std::string(name) + " is not used"), told);
     const XrdResult rows = read_xrd(
         "Phase;A [wt%];B [wt%];ICSD;Density [g/cm3]\nQuartz;20;30;1;2.6\nGlass;80;70;2;2.4\nRwp;7.8;8;;\n",
@@ -454,6 +457,70 @@ TEST_CASE("columns that sum up samples, and results beside the intensities they 
         CHECK(
             digest(read_xrd("Sample No.," + std::string(heading) + "\nA,20,80\n", "t.csv").samples.front()) ==
             "Quartz 2000, Glass 8000");
+}
+
+TEST_CASE("headings in other languages, and as programs export them") {
+    const auto of = [](const std::string& heading) {
+        const XrdResult result = read_xrd(heading + "\nQuartz;20\nGlass;80\n", "t.csv");
+        REQUIRE(result.samples.size() == 1);
+        CHECK(digest(result.samples.front()) == "Quartz 2000, Glass 8000");
+        CHECK(texts_of(result.warnings).empty());
+        return result.samples.front().analysis.basis;
+    };
+    for (const char* heading : {"Fase;% en peso", "Fase;% in peso", "Faza;Zawarto\u015b\u0107 [% wag.]",
+                                "Fase;% em peso", "fase;gew.%", "\u9271\u7269;\u8cea\u91cf\u5206\u7387(%)",
+                                "\u0424\u0430\u0437\u0430;\u041c\u0430\u0441\u0441\u043e\u0432\u0430\u044f "
+                                "\u0434\u043e\u043b\u044f, %",
+                                "\u77ff\u7269;\u8d28\u91cf\u5206\u6570/%", "Minerals;wt%", "Phase ID (2);Wt%",
+                                "Compound Name;S-Q [%]", "Phase;RIR wt%", "Phase;m/m%"}) {
+        CAPTURE(heading);
+        CHECK(of(heading) == FractionBasis::weight);
+    }
+    CHECK(of("F\u00e1ze;% obj.") == FractionBasis::volume);
+    CHECK(read_xrd("\u77ff\u7269;wt%\nQuartz;20\nGlass;80\n\u5408\u8ba1;100\n", "t.csv").samples.size() == 1);
+    const XrdResult projects = read_xrd("Project;Sample;Quartz;Glass\nX;A;20;80\nX;B;30;70\n", "t.csv");
+    CHECK(digest(projects.samples.back()) == "Quartz 3000, Glass 7000");
+    CHECK(contains(joined(texts_of(projects.warnings)), "column \"Project\" is not used"));
+}
+
+TEST_CASE("a text beside the table that calls one of its phases an internal standard marks that phase") {
+    const std::string table = "Phase;wt%\nQuartz;10\nCorundum;10\nGlass;80\n";
+    const auto is_standard = [](const std::string& text) {
+        return read_xrd(text, "t.csv").samples.front().analysis.phases[1].is_standard;
+    };
+    for (const char* text : {"spiked with 10 % corundum", "corundum = internal standard",
+                             "mit 10 % Korund als interner Standard", "\u00e9talon interne: corindon 10 %"}) {
+        CAPTURE(text);
+        CHECK(is_standard(text + ("\n" + table)));
+        CHECK(is_standard("# " + (text + ("\n" + table))));
+        CHECK(is_standard(table + "\n" + text + "\n"));
+    }
+    for (const char* text : {"corundum was not added", "corundum is natural", "rutile as internal standard"})
+        CHECK_FALSE(is_standard(text + ("\n" + table)));
+}
+
+TEST_CASE("fractions by weight are preferred to those by volume beside them, with their own uncertainties") {
+    const XrdResult result =
+        read_xrd("Phase;vol%;esd;wt%;esd\nQuartz;25;9;20;0.3\nGlass;75;9;80;1\n", "t.csv");
+    const auto& analysis = result.samples.front().analysis;
+    CHECK(analysis.basis == FractionBasis::weight);
+    CHECK(analysis.phases.front().standard_uncertainty.value() == doctest::Approx(0.003));
+    CHECK(contains(joined(texts_of(result.warnings)), "column \"vol%\" is not used"));
+}
+
+TEST_CASE("uncertainties of peaks belong to the column before them, in its unit") {
+    const auto read = [](const std::string& heading) {
+        return read_xrd("Phase;" + heading + "\nQuartz;3100;31;3.1;0.31\nMullite;2000;20;2;0\n", "t.csv");
+    };
+    // u(w)/w = (1 - w) u(I/RIR)/(I/RIR), of which only the own term is kept: 0.5 hypot(1 %, 10 %).
+    for (const char* heading : {"I;esd;RIR;esd", "I (counts);esd;RIR (calc);RIR esd"})
+        CHECK(read(heading).samples[0].analysis.phases[0].standard_uncertainty.value() ==
+              doctest::Approx(0.5 * std::hypot(0.01, 0.1)));
+    const XrdResult relative = read("I;% err;RIR;% err");
+    CHECK_FALSE(relative.samples[0].analysis.phases[0].standard_uncertainty);
+    CHECK(contains(joined(texts_of(relative.warnings)), "in another unit than the column before them"));
+    CHECK(contains(input_error_of([] { return read_xrd("Phase;Messwert;RIR\nQuartz;20;3\n", "t.csv"); }),
+                   "\"Messwert\" may hold intensities, beside reference intensity ratios, or fractions"));
 }
 
 TEST_CASE("a heading over two rows") {
@@ -531,6 +598,12 @@ TEST_CASE("rows of uncertainties behind each sample") {
     const XrdResult doubled = read_xrd("Sample;Quartz;Glass\nA;20;80\n2\u03c3;0.6;1\n", "t.csv");
     CHECK_FALSE(doubled.samples[0].analysis.phases[0].standard_uncertainty);
     CHECK(contains(joined(texts_of(doubled.warnings)), "the uncertainties in line 3 are not read"));
+    for (const char* row : {"% error", "error %"}) {
+        const XrdResult result =
+            read_xrd("Sample;Quartz;Glass\nA;20;80\n" + std::string(row) + ";5;1\n", "t.csv");
+        CHECK_FALSE(result.samples[0].analysis.phases[0].standard_uncertainty);
+        CHECK(contains(joined(texts_of(result.warnings)), "[%] may be of the whole or of the value"));
+    }
 }
 
 TEST_CASE("an internal standard that is only named, and phases that were not detected") {
