@@ -53,8 +53,14 @@ bool is_parts_per_million(const xrd::Heading& heading) {
     return heading.scale == xrd::Scale::ppm || unit == "mgkg" || unit == "ugg" || unit == "gt";
 }
 
-/// "wt% SiO2", "w(SiO2)", "SiO2_wt" and "MnO ppm" as "SiO2 [wt%]" and "MnO [ppm]"; empty for a text with
-/// other words than one oxide or element and those of a fraction by weight.
+/// The words for a loss on ignition and for other columns.
+const WordLists& column_words() {
+    static const WordLists words("oxide columns");
+    return words;
+}
+
+/// "wt% SiO2", "w(LOI)", "SiO2_wt" and "MnO ppm" as "SiO2 [wt%]", "LOI" and "MnO [ppm]"; empty for a text
+/// with other words than one oxide, loss or element and those of a fraction by weight.
 std::string unit_behind_name(const std::string& text) {
     if (text.size() > longest_name || text.find_first_of(name_ends) == std::string::npos) return {};
     std::string name;
@@ -64,7 +70,7 @@ std::string unit_behind_name(const std::string& text) {
         const std::string word = text.substr(from, end - from);
         from = text.find_first_not_of(name_ends, end);
         const xrd::Heading as_unit = xrd::read_heading("x [" + word + "]");
-        if (named_oxide(word) || is_element(word)) {
+        if (named_oxide(word) || is_element(word) || column_words().list_of(word) == "loss") {
             if (!name.empty()) return {};
             name = word;
         } else if (word != "1" && (as_unit.states == xrd::HeadingUnit::weight ||
@@ -103,7 +109,7 @@ std::optional<NamedOxide> oxide_within(std::string text) {
 
 // NOLINTNEXTLINE(misc-no-recursion): once, with the plain text
 OxideLine read_line(const std::string& text) {
-    static const WordLists words("oxide columns");
+    const WordLists& words = column_words();
     OxideLine line{.heading = xrd::read_heading(text)};
     const std::string& name = line.heading.text;
     const std::string whole = line.heading.coverage.rest.empty() ? text : line.heading.coverage.rest;
@@ -156,15 +162,19 @@ std::optional<AmountNote> read_note(const std::string& text, std::size_t line) {
     return note;
 }
 
-/// Whether a text begins with the loss on ignition and holds a percentage.
-bool may_state_loss(const std::string& text) {
-    static const WordLists words("oxide columns");
+/// Whether a text begins with the loss on ignition.
+bool begins_with_loss(const std::string& text) {
     constexpr std::size_t shortest_word = 3;
     const std::string key = word_key(text);
-    return text.find('%') != std::string::npos && std::ranges::any_of(words.words(), [&](const auto& word) {
-               return word.second == "loss" && word.first.size() >= shortest_word &&
-                      key.starts_with(word.first);
-           });
+    return std::ranges::any_of(column_words().words(), [&](const auto& word) {
+        return word.second == "loss" && word.first.size() >= shortest_word && key.starts_with(word.first);
+    });
+}
+
+/// Whether a text states a loss below 700 °C, which is another quantity than the loss on ignition.
+bool is_of_low_temperature(const std::string& text) {
+    static const std::regex temperature("[^0-9][1-6][0-9]{2}([^0-9]|$)");
+    return text.size() <= longest_name && std::regex_search(text, temperature);
 }
 
 /// Whether a cell is the heading of a column or row of units.
@@ -269,7 +279,7 @@ class OxideTable {
     }
 
     static void refuse_loss(const TableRow& row, const std::string& text) {
-        if (may_state_loss(text))
+        if (text.find('%') != std::string::npos && begins_with_loss(text))
             refuse_line(row.line, in_quotes(text) + " may state the loss on ignition, and is not read",
                         "\"LOI = 3.1 %\", or a row or column LOI");
     }
@@ -354,6 +364,14 @@ class OxideTable {
             throw InputError("no oxide is called " + in_quotes(name),
                              "nearest: " + joined(nearest_oxides(name)))
                 .at(at_cell(row.line, column));
+        const bool has_loss =
+            std::ranges::any_of(others, [](const OxideLine& each) { return each.role == OxideRole::loss; });
+        if (!has_loss && begins_with_loss(line.heading.written) &&
+            !is_of_low_temperature(line.heading.written))
+            throw InputError(
+                in_quotes(line.heading.written) + " may be the loss on ignition, and nothing else gives it",
+                in_quotes("LOI") + " for it")
+                .at(at_cell(row.line, column));
         const auto within = oxide_within(line.heading.written);
         if (!within || is_gas(oxides()[within->index].formula) ||
             std::ranges::any_of(others, [&](const OxideLine& each) {
@@ -394,6 +412,12 @@ class OxideTable {
         Severity severity = Severity::background;
         for (std::size_t i = 0; i < headings_.size(); ++i) {
             if (i != label) refuse_unknown(names, i, headings_[i], headings_);
+            if (i > 0 && is_uncertainty_column(names.cells[i], headings_[i]) &&
+                is_uncertainty_column(names.cells[i - 1], headings_[i - 1]))
+                throw InputError("the uncertainties in column " + in_quotes(names.cells[i]) +
+                                     " stand behind others: they may be of any oxide",
+                                 "each column of uncertainties behind its oxide")
+                    .at(at_cell(names.line, i));
             const bool used = i == label || is_content(headings_[i].role) ||
                               headings_[i].role == OxideRole::trace || names.cells[i].empty() ||
                               is_uncertainty_column(names.cells[i], headings_[i]);
@@ -459,14 +483,17 @@ class OxideTable {
 
     /// A row for each oxide, a column for each sample. @return line of the heading, column of the names
     std::pair<std::optional<std::size_t>, std::size_t> read_down() {
-        const auto [names, first] = first_row_down();
+        const auto [names, oxide] = first_row_down();
         const auto is_heading = [&, column = names](const TableRow& row) {
             if (row.cells.size() <= std::max<std::size_t>(column, 1)) return false;
             if (xrd::role_of_text(row.cells[column]) == xrd::Role::phase) return true;
             return !std::ranges::any_of(
                 row.cells, [](const std::string& cell) { return read_number(cell, true).has_value(); });
         };
-        const bool has_heading = first > 0 && is_heading(rows_[first - 1]);
+        std::size_t first = oxide;  // of the rows: others than oxides may stand before these
+        while (first > 0 && !is_heading(rows_[first - 1])) --first;
+        const bool has_heading = first > 0;
+        if (!has_heading) first = oxide;
         const std::size_t width = rows_[first].cells.size();
         if (has_heading)
             for (const std::string& cell : rows_[first - 1].cells) headings_.push_back(read_line(cell));

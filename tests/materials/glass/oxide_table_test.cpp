@@ -81,7 +81,9 @@ TEST_CASE("oxides in rows: one amount, several samples, without a heading, as a 
                    .analysis.oxides[0]
                    .standard_uncertainty.value(),
                0.0015));
-    const OxideResult both = read_oxides("Oxide;FA1;FA2\nSiO2;60;50\nAl2O3;40;50\n", "xrf.csv");
+    CHECK(near(per_cent_of(only("Compound;m/m%;StdErr\nSiO2;60;0.3\nAl2O3;40;0.2\n"), "SiO2"), 60));
+    const OxideResult both =
+        read_oxides("Oxide;FA1;FA2\nSiO2 (reactive);35;30\nSiO2;60;50\nAl2O3;40;50\n", "xrf.csv");
     REQUIRE(both.samples.size() == 2);
     CHECK(both.samples[1].name == "FA2");
     CHECK(near(per_cent_of(both.samples[1], "SiO2"), 50));
@@ -239,8 +241,8 @@ TEST_CASE("names, units and marks that laboratories write: one oxide each") {
         CAPTURE(table);
         CHECK(std::abs(per_cent_of(only(table), oxide) - expected) < 1e-5);
     }
-    for (const char* loss :
-         {"LOI", "LOI (1000 C)", "LOI @1050 \u00b0C", "Gl\u00fchverlust (950 \u00b0C)", "LOI1000"}) {
+    for (const char* loss : {"w(LOI)/%", "wt% LOI", "\u70e7\u5931\u91cf", "Ig. loss", "LOI", "LOI (1000 C)",
+                             "LOI @1050 \u00b0C", "Gl\u00fchverlust (950 \u00b0C)", "LOI1000"}) {
         CAPTURE(loss);
         CHECK(near(loss_of(only("Sample;SiO2;Al2O3;" + std::string(loss) + "\nx;57;38;5\n")), 5));
     }
@@ -290,6 +292,11 @@ TEST_CASE("tables that are no chemical analysis are refused in one line with the
     CHECK(says(refusal("Oxide;wt%;Fehler [%]\nSiO2;60;1\nAl2O3;40;1\n"), "of the sample or of the amount"));
     CHECK(says(refusal("Oxide;kcps\nSiO2;60\nAl2O3;40\n"), "no column holds amounts of oxides"));
     CHECK(says(refusal("Sample,SiO2,Al2O3\n"), "there are no amounts of oxides"));
+    CHECK(says(refusal("Oxide;wt%;% error\nSiO2;60;1\nAl2O3;40;1\n"), "of the sample or of the amount"));
+    CHECK(says(refusal("Sample;SiO2;Al2O3;esd;esd\nx;60;40;1;1\n"), "they may be of any oxide"));
+    for (const char* loss : {"LOI, 2h", "Gl\u00fchverlust roh"})
+        CHECK(says(refusal("Sample;SiO2;Al2O3;" + std::string(loss) + "\nx;60;35;5\n"),
+                   "may be the loss on ignition, and nothing else gives it"));
     // Amounts that would be lost: no other column or row gives that oxide.
     for (const char* lost : {"MgO (corr.)", "MgO\u00b9", "Mg0", "MgO+SrO"})
         for (const std::string& table : {"Sample;SiO2;Al2O3;" + std::string(lost) + "\nx;60;35;5\n",
