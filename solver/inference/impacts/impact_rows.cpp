@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 
@@ -24,6 +25,8 @@ std::optional<long> row_number(std::string_view cell) {
     std::from_chars(cell.data(), cell.data() + cell.size(), number);
     return number;
 }
+
+constexpr std::size_t longest_short_word = 3;  ///< "n", "min", which may be names
 
 bool is_blank(std::string_view cell) {
     return outcome_word(cell) == OutcomeWord::unknown;
@@ -156,7 +159,6 @@ bool RowLabels::sums_up(const TableRow& row) const {
 }
 
 bool RowLabels::is_summary_label(const Column& column, const TableRow& row) const {
-    constexpr std::size_t longest_short_word = 3;
     if (column.column.position >= row.cells.size()) return false;
     const std::string& cell = row.cells[column.column.position];
     const bool in_footer = column.column.position == 0 && row.line >= footer_;
@@ -198,6 +200,8 @@ void RowLabels::require_valid(const TableRow& row) const {
 }
 
 std::string RowLabels::summary_in(const TableRow& row) const {
+    const std::string& first = row.cells.front();  // a label may stand in the column of v_in
+    if (first.size() > longest_short_word && is_summary(first)) return first;
     for (const Column& column : columns_)
         if (is_summary_label(column, row)) return row.cells[column.column.position];
     for (const Column& column : columns_) require_number(column, row);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <regex>
 #include <utility>
 
 #include "core/quantities/quantity.hpp"
@@ -307,6 +308,14 @@ void take_checked(MeasurementHeading& heading) {
     heading.checked = std::exchange(restitution, std::nullopt);
 }
 
+bool is_angle_unit(std::string_view unit) {
+    try {
+        return !unit.empty() && to_si(1.0, unit, Dimension::angle) > 0.0;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
 /// Enters the column of one cell of the heading.
 void take_column(MeasurementHeading& heading, const std::string& cell, std::size_t position) {
     const StatedCoverage coverage = read_coverage(cell);
@@ -314,9 +323,8 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
     if (take_sideways(heading, cell, name, unit, position) || take_other(heading, name, position)) return;
     auto meaning = meaning_in(heading, name, coverage, position);
     if (!meaning) {
-        const std::string plain_unit = ascii_unit(unit);
         const auto list = column_words().list_of(key_of(name));
-        if ((plain_unit == "deg" || plain_unit == "rad") && list != "other angle")
+        if (is_angle_unit(unit) && list != "other angle")
             throw InputError(
                 "column " + in_quotes(cell) + " may hold the angle of incidence, or another one",
                 "\"angle [deg]\" for that from the normal, \"rebound angle [deg]\" for one that is "
@@ -398,47 +406,66 @@ bool announces_remarks(std::string_view heading) {
     return words.holds(text);
 }
 
-void require_agreeing_units(const std::vector<TextBeside>& texts, const MeasurementHeading& heading) {
+void require_agreeing_units(const TextBeside& beside, const MeasurementHeading& heading) {
     static const WordLists angles("angle references", " ");
-    std::vector<const MeasuredColumn*> columns;
-    for (const auto& column : heading.value)
-        if (column && !column->is_fraction) columns.push_back(&*column);
-    for (const TextBeside& each : texts) {
-        const std::string_view text = each.text;
-        const MeasuredColumn* other = nullptr;
-        std::string_view unit;
-        bool agrees = false;
-        bool behind_number = false;  // "12 m/s" is a velocity
-        constexpr std::string_view ends = " \t,;:()[]\"";
-        for (auto from = text.find_first_not_of(ends); from != std::string_view::npos;) {
-            const auto end = std::min(text.find_first_of(ends, from), text.size());
-            const std::string_view word = text.substr(from, end - from);
-            from = text.find_first_not_of(ends, end);
-            const bool is_value = std::exchange(behind_number, read_number(word, true).has_value());
-            if (is_value || !is_velocity_unit(word)) continue;
-            const double factor = to_si(1, velocity_unit(word), Dimension::velocity);
-            for (const MeasuredColumn* column : columns) {
-                const bool same = std::abs(factor / column->to_si - 1) < 1e-9;
-                agrees = agrees || same;
-                if (same || other != nullptr) continue;
-                other = column;
-                unit = word;
-            }
+    const std::string_view text = beside.text;
+    const MeasuredColumn* other = nullptr;
+    std::string_view unit;
+    bool agrees = false;
+    bool behind_number = false;  // "12 m/s" is a velocity
+    constexpr std::string_view ends = " \t,;:()[]\"";
+    for (auto from = text.find_first_not_of(ends); from != std::string_view::npos;) {
+        const auto end = std::min(text.find_first_of(ends, from), text.size());
+        const std::string_view first = text.substr(from, end - from);
+        std::string_view word = first;  // "mm s-1" and "millimetres per second" have several
+        for (std::size_t i = 0, behind = end; i < 2 && behind < text.size(); ++i) {
+            behind = std::min(text.find_first_of(ends, behind + 1), text.size());
+            const std::string_view longer = trimmed(text.substr(from, behind - from));
+            if (is_velocity_unit(longer)) word = longer;
         }
-        if (other != nullptr && !agrees)
-            refuse_line(
-                each.line,
-                in_quotes(text) + " states " + std::string(unit) + ", and column " + in_quotes(other->name) +
-                    (other->unit_given ? " is in another unit" : " has no unit, which is m/s"),
-                "the unit in the heading, \"v_in [" + std::string(unit) + "]\", or a file without this text");
-        if (!heading.sideways || !heading.sideways->is_angle) continue;
-        for (const Mention& mention : mentions_in(words_in(text), angles))
-            if (!mention.negated)
-                refuse_line(each.line,
-                            in_quotes(text) + " may state that the angles are from the wall, and column " +
-                                in_quotes(heading.sideways->name) + " is taken from the normal",
-                            "angles from the normal, and a file without this text");
+        from = text.find_first_not_of(ends, from + word.size());
+        const bool is_value = std::exchange(behind_number, read_number(first, true).has_value());
+        if (is_value || behind_number || !is_velocity_unit(word)) continue;
+        const double factor = to_si(1, velocity_unit(word), Dimension::velocity);
+        for (const auto& column : heading.value) {
+            if (!column || column->is_fraction) continue;
+            const bool same = std::abs(factor / column->to_si - 1) < 1e-9;
+            agrees = agrees || same;
+            if (same || other != nullptr) continue;
+            other = &*column;
+            unit = word;
+        }
     }
+    if (other != nullptr && !agrees)
+        refuse_line(
+            beside.line,
+            in_quotes(text) + " states " + std::string(unit) + ", and column " + in_quotes(other->name) +
+                (other->unit_given ? " is in another unit" : " has no unit, which is m/s"),
+            "the unit in the heading, \"v_in [" + std::string(unit) + "]\", or a file without this text");
+    if (!heading.sideways || !heading.sideways->is_angle) return;
+    for (const Mention& mention : mentions_in(words_in(text), angles))
+        if (!mention.negated && mention.list == "wall")
+            refuse_line(beside.line,
+                        in_quotes(text) + " may state that the angles are from the wall, and column " +
+                            in_quotes(heading.sideways->name) + " is taken from the normal",
+                        "angles from the normal, and a file without this text");
+}
+
+void require_stated_angle(const TextBeside& beside, const MeasurementHeading& heading) {
+    static const WordLists angles("angle references", " ");
+    static const std::regex degrees("([0-9]+(?:[.,][0-9]+)?) *(?:\u00b0|deg|grad)", std::regex::icase);
+    const std::string text = beside.text.substr(0, longest_heading);
+    std::smatch match;
+    if (heading.sideways || !std::regex_search(text, match, degrees)) return;
+    const double angle = read_number(match.str(1)).value_or(PrintedNumber{}).value;
+    const bool is_normal = angle == 0.0 || angle == 90.0;  // from the normal, or from the wall
+    for (const Mention& mention : mentions_in(words_in(text), angles))
+        if (!is_normal && !mention.negated && mention.list == "oblique")
+            refuse_line(beside.line,
+                        in_quotes(text) +
+                            " states an angle of the impacts: the velocities may be those of the "
+                            "sphere, or their parts normal to the wall",
+                        "a column \"angle [deg]\" beside v_rn or e_n, or a file without this text");
 }
 
 bool names_incident_velocity(const std::vector<std::string>& cells) {

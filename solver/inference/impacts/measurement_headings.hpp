@@ -107,9 +107,13 @@ struct MeasurementHeading {
 /// Whether a text is a unit of velocity: "m/s", "mm s-1".
 [[nodiscard]] bool is_velocity_unit(std::string_view text);
 
-/// Refuses a text beside the table that states another unit of velocity than the headings, or angles from the
-/// wall: "Velocities in mm/s". @throws InputError at the line of the text
-void require_agreeing_units(const std::vector<TextBeside>& texts, const MeasurementHeading& heading);
+/// Refuses a text beside the numbers that states another unit of velocity than the headings, or angles from
+/// the wall: "Velocities in mm/s". @throws InputError at the line of the text
+void require_agreeing_units(const TextBeside& text, const MeasurementHeading& heading);
+
+/// Refuses a text beside the table that states one angle of all impacts, where no column does.
+/// @throws InputError at the line of the text
+void require_stated_angle(const TextBeside& text, const MeasurementHeading& heading);
 
 /// Whether a line may be the heading: one of its cells names the incident velocity.
 [[nodiscard]] bool names_incident_velocity(const std::vector<std::string>& cells);

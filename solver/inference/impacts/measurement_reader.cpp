@@ -110,7 +110,8 @@ class TableCells {
     [[nodiscard]] Entry entry(const TableRow& row, MeasuredQuantity quantity) const {
         const MeasuredColumn& column = *heading_.of(quantity);
         Entry entry = read(row, column);
-        if (const auto& uncertainty = heading_.uncertainty_of(quantity)) {
+        if (const auto& uncertainty = heading_.uncertainty_of(quantity);
+            uncertainty && !says_no_number(row.cells[uncertainty->position])) {
             if (entry.standard_uncertainty) fail(*uncertainty, row, "is given twice", "one uncertainty");
             const double stated = read(row, *uncertainty).value / uncertainty->coverage;
             if (!uncertainty->is_relative)
@@ -127,7 +128,7 @@ class TableCells {
     [[nodiscard]] Entry uncertainty(const TableRow& row, MeasuredQuantity quantity) const {
         Entry entry{0.0, std::nullopt};
         const auto& column = heading_.uncertainty_of(quantity);
-        if (column && !column->is_relative && !row.cells[column->position].empty())
+        if (column && !column->is_relative && !says_no_number(row.cells[column->position]))
             entry.standard_uncertainty = read(row, *column).value / column->coverage;
         return entry;
     }
@@ -198,11 +199,16 @@ class TableCells {
             fail(column, row, "has no unit, and other cells of the column have one",
                  "a unit in every cell, or in the heading");
         if (!number && !column.is_fraction) number = number_with_unit(row, column);
-        if (!number) fail(column, row, "is not a number", "a finite number; 0 for a capture");
-        if (number->per_cent && !column.is_fraction)
-            fail(column, row, "is in per cent", "the unit of the heading");
         const bool is_reading = column.position == heading_.reading().position ||
                                 (heading_.checked && column.position == heading_.checked->position);
+        if (!number && is_reading)
+            fail(column, row,
+                 says_no_number(row.cells[column.position]) ? "may be a capture, or an unknown outcome"
+                                                            : "is not a number",
+                 "a finite number; 0 for a capture; an empty cell for an unknown outcome");
+        if (!number) fail(column, row, "is not a number", "a finite number");
+        if (number->per_cent && !column.is_fraction)
+            fail(column, row, "is in per cent", "the unit of the heading");
         const double greatest = is_reading ? 1.5 : 0.5;  // beyond any noise, and of an uncertainty
         if (column.is_fraction && !number->per_cent && number->value * column.to_si > greatest)
             fail(
@@ -327,10 +333,65 @@ void require_no_rebound(const std::string& told_by, const Measurement& point) {
                          "one of them");
 }
 
+/// Which rows with a reading state which uncertainties.
+class StatedUncertainties {
+  public:
+    void take(const TableRow& row, const Entry& velocity, const Entry& reading) {
+        if (velocity.standard_uncertainty && reading.standard_uncertainty)
+            greatest_ = std::max(greatest_, *reading.standard_uncertainty);
+        else if (velocity.standard_uncertainty)
+            (reading.value == 0.0 ? bare_zeros_ : of_velocity_).push_back(row.line);
+        else if (reading.standard_uncertainty)
+            of_reading_.push_back(row.line);
+    }
+
+    /// Gives readings of 0 without an uncertainty the greatest of the others. @throws InputError for other
+    /// readings without one, where some have one
+    void settle(const MeasurementHeading& heading, MeasurementSet& set) const {
+        const bool of_some = greatest_ > 0.0;
+        if (!of_reading_.empty() && (of_some || !of_velocity_.empty() || !bare_zeros_.empty()))
+            refuse(*heading.of(MeasuredQuantity::velocity), of_reading_);
+        if (!of_some) return;
+        if (!of_velocity_.empty()) refuse(heading.reading(), of_velocity_);
+        for (Measurement& point : set.points) {
+            if (!std::ranges::binary_search(bare_zeros_, point.line)) continue;
+            const double scale = heading.reading().is_fraction ? point.velocity : 1.0;
+            const double factor = scale * greatest_ / std::sqrt(point.noise->rebound);
+            point.noise->rebound *= factor * factor;
+            point.noise->covariance *= factor;
+        }
+        if (!bare_zeros_.empty())
+            set.warnings.push_back({impacts_code, Severity::remark,
+                                    "readings of 0 without an uncertainty (" + numbered("line", bare_zeros_) +
+                                        ") are given the greatest of the others, " + shortest(greatest_) +
+                                        (heading.reading().is_fraction ? "" : " m/s")});
+    }
+
+    /// The quantity whose uncertainty the table states alone.
+    [[nodiscard]] std::optional<MeasuredQuantity> alone(const MeasurementHeading& heading) const {
+        if (!of_reading_.empty())
+            return heading.of(MeasuredQuantity::rebound) ? MeasuredQuantity::rebound
+                                                         : MeasuredQuantity::restitution;
+        const bool of_velocities = !of_velocity_.empty() || !bare_zeros_.empty();
+        return of_velocities && !(greatest_ > 0.0) ? std::optional(MeasuredQuantity::velocity) : std::nullopt;
+    }
+
+  private:
+    [[noreturn]] static void refuse(const TextColumn& column, const std::vector<std::size_t>& lines) {
+        refuse_line(lines.front(),
+                    "only some measurements of " + in_quotes(column.name) + " have an uncertainty",
+                    "all of them or none");
+    }
+
+    double greatest_ = 0.0;                 ///< of readings, beside one of v_in [SI]
+    std::vector<std::size_t> of_velocity_;  ///< lines in which that of v_in is alone
+    std::vector<std::size_t> bare_zeros_;   ///< of these, lines with a reading of 0
+    std::vector<std::size_t> of_reading_;   ///< lines in which that of the reading is alone
+};
+
 /// Reads the noise of a row, and its reading unless it is a capture without one.
-/// @return the quantity whose uncertainty the row states alone
-std::optional<MeasuredQuantity> read_rebound(Measurement& point, const MeasurementHeading& heading,
-                                             const TableCells& cells, const TableRow& row, bool has_reading) {
+void read_rebound(Measurement& point, const MeasurementHeading& heading, const TableCells& cells,
+                  const TableRow& row, bool has_reading, StatedUncertainties& stated) {
     const bool as_velocity = heading.of(MeasuredQuantity::rebound).has_value();
     const auto quantity = as_velocity ? MeasuredQuantity::rebound : MeasuredQuantity::restitution;
     const Entry velocity = cells.normal_velocity(row);
@@ -338,15 +399,13 @@ std::optional<MeasuredQuantity> read_rebound(Measurement& point, const Measureme
     point.rebound = as_velocity ? reading.value : reading.value * velocity.value;
     point.noise = as_velocity ? noise_of_rebound(velocity, reading) : noise_of_restitution(velocity, reading);
     if (point.noise && as_velocity) point.noise = correlated(*point.noise, heading, cells, row);
-    const bool both = velocity.standard_uncertainty && reading.standard_uncertainty;
     const auto& column = heading.uncertainty_of(quantity);
     const bool share_of_zero = column && column->is_relative && reading.value == 0.0;
     if (share_of_zero && !point.noise)
         throw InputError("the uncertainty in column " + in_quotes(column->name) +
                              " is relative to a reading of 0, and that of v_in is not stated",
                          "a column u(v_in), or uncertainties in the unit of the velocities");
-    if (both || !point.noise || !has_reading || share_of_zero) return std::nullopt;
-    return velocity.standard_uncertainty ? MeasuredQuantity::velocity : quantity;
+    if (has_reading && !share_of_zero) stated.take(row, velocity, reading);
 }
 
 /// Refuses a remark of several words that speaks of another outcome than the reading. @throws InputError
@@ -368,10 +427,9 @@ void require_agreeing_remarks(const MeasurementHeading& heading, const TableRow&
 }
 
 /// One row; none where its outcome is not known. @param remark the outcome in its remarks
-/// @param alone is set to the quantity whose uncertainty is stated alone
 std::optional<Measurement> measurement_of(const MeasurementHeading& heading, const TableCells& cells,
                                           const TableRow& row, OutcomeWord remark,
-                                          std::optional<MeasuredQuantity>& alone) {
+                                          StatedUncertainties& stated) {
     const Entry velocity = cells.normal_velocity(row);
     if (!(velocity.value > 0.0))
         throw InputError("v_in is " + shortest(velocity.value) + " m/s", "> 0 m/s, a magnitude");
@@ -392,8 +450,7 @@ std::optional<Measurement> measurement_of(const MeasurementHeading& heading, con
                       .noise = {},
                       .line = row.line,
                       .tangential = cells.tangential(row)};
-    const auto found = read_rebound(point, heading, cells, row, !word && !blank);
-    if (found && alone != MeasuredQuantity::rebound) alone = found;
+    read_rebound(point, heading, cells, row, !word && !blank, stated);
     if (!word && !blank && remark != OutcomeWord::none) {
         if (remark != OutcomeWord::rebound) require_no_rebound("remark", point);
         outcome = remark == OutcomeWord::rebound ? NotedOutcome::rebound : NotedOutcome::capture;
@@ -632,17 +689,21 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
         set.warnings.push_back(std::move(note));
     const std::span rows = std::span<const TextLine>(lines).subspan(first);
     const auto texts = texts_beside(file, std::span<const TextLine>(lines).subspan(place));
-    require_agreeing_units(texts, heading);
+    for (const TextBeside& text : texts) {
+        require_agreeing_units(text, heading);
+        require_stated_angle(text, heading);
+    }
     require_coverage_in_headings(texts, heading.coverages, rows, separator);
     for (Finding& note : coverage_findings(impacts_code, heading.coverages, rows, separator))
         set.warnings.push_back(std::move(note));
     const TableCells cells(heading, rows, separator, NumberMarks(decimal, file.of_sheet()));
     const RowLabels labels(heading, rows, separator);
-    if (place > 0)
-        set.warnings.push_back(
-            {impacts_code, Severity::background, counted(place, "line") + " above the heading not read"});
+    for (std::size_t i = 0; i < place; ++i)
+        set.warnings.push_back({impacts_code, Severity::background,
+                                at_line(lines[i].number) + ", above the heading, is not read: " +
+                                    in_quotes(trimmed(lines[i].text))});
     Unread unread(heading);
-    std::optional<MeasuredQuantity> alone;
+    StatedUncertainties stated;
     for (std::size_t i = first; i < lines.size(); ++i) {
         TableRow row = cut_row(lines[i], separator);
         at_place(at_line(row.line), [&] {
@@ -653,8 +714,11 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
                                             " is no impact and left out: " + in_quotes(summary)});
                 return;
             }
+            for (const auto* columns : {&heading.unused, &heading.remarks})
+                for (const TextColumn& column : *columns)
+                    require_agreeing_units({row.line, row.cells[column.position]}, heading);
             const OutcomeWord remark = remarked_outcome(heading, row);
-            if (auto point = measurement_of(heading, cells, row, remark, alone)) {
+            if (auto point = measurement_of(heading, cells, row, remark, stated)) {
                 cells.require_agreement(row, *point);
                 if (remark_counts(heading, row, remark, *point)) unread.take_remarked(row);
                 unread.take_impact(row);
@@ -667,6 +731,8 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
     }
     unread.tell(set.warnings);
     refuse_flags(heading, set);
+    stated.settle(heading, set);
+    const auto alone = stated.alone(heading);
     set.rebound_alone_uncertain = alone == MeasuredQuantity::rebound;
     if (alone && !set.rebound_alone_uncertain)
         set.warnings.push_back({impacts_code, Severity::remark,

@@ -63,7 +63,13 @@ TEST_CASE("what the texts beside impacts and their columns state counts, or the 
         return "v_in [m/s];v_r [m/s];" + heading + "\n0.3;0;\n0.75;0.08;\n1.4;0.55;" + mark + "\n";
     };
     for (const auto& [table, says] :
-         {std::pair{"# mm/s\n" + bare, "states mm/s, and column \"v_in\" has no unit"},
+         {std::pair{"velocities: millimetres per second\n" + given, "states millimetres per second"},
+          {"in mm s-1\n" + given, "states mm s-1"},
+          {"# Einfallswinkel 30\u00b0\n" + given, "states an angle of the impacts"},
+          {"oblique impacts, 30 deg to the wall\n" + given, "states an angle of the impacts"},
+          {"errors relative\nv_in;u(v_in);v_r\n2;0.1;0.5\n", "states relative uncertainties"},
+          {"errors in %\nv_in;u(v_in);v_r\n2;0.1;0.5\n", "states relative uncertainties"},
+          {"# mm/s\n" + bare, "states mm/s, and column \"v_in\" has no unit"},
           {bare + "\nVelocities in mm/s\n", "states mm/s"},
           {"Velocities in mm/s\n" + given, "column \"v_in\" is in another unit"},
           {given + "\nVelocities [mm/s]\n", "column \"v_in\" is in another unit"},
@@ -71,8 +77,11 @@ TEST_CASE("what the texts beside impacts and their columns state counts, or the 
           {"# k=2\nv_in [m/s];v_r [m/s]\n0.3 \u00b1 0.02;0.1 \u00b1 0.02\n", "the heading \"v_in [m/s]\" of"},
           {"v_in [m/s];v_rn [m/s];impingement angle [deg]\n0.75;0.08;60\n",
            "may hold the angle of incidence"},
+          {"v_in [m/s];Plattenneigung [\u00b0];e_n\n0.75;60;0.08\n", "may hold the angle of incidence"},
           {"v_in [mm/s];v_r\n300;0\n750;80\n", "has a unit, and it is not m/s"},
           {"v_in [m/s];v_r [m/s];u [%]\n0.3;0;5\n0.75;0.08;5\n", "is relative to a reading of 0"},
+          {marked("unit", "cm/s"), "\"cm/s\" states cm/s, and column \"v_in\""},
+          {marked("", "all velocities in mm/s"), "states mm/s"},
           {marked("Ausschluss", "x"), "marks impacts as valid or not"},
           {marked("\u00e0 exclure", "x"), "marks impacts as valid or not"},
           {marked("Vermerk 2", "x"), "marks impacts as valid or not"},
@@ -83,8 +92,10 @@ TEST_CASE("what the texts beside impacts and their columns state counts, or the 
     }
     for (const std::string& table :
          {"gas at 1200 mm/s, mm/s converted to m/s\n" + given, "# camera: 12 mm/s a pixel\n" + given,
+          "impact angle 90\u00b0, camera at 30\u00b0\n" + given,
           std::string("v_in [m/s];v_r/v_in\n0.75;0.1\n"), std::string("v_in [m/s];v_r/v_in [%]\n0.75;10\n"),
-          std::string("v_in [m/s];v_rn [m/s];rebound angle [deg]\n0.75;0.08;60\n"), marked("Vermerk 2", "y")})
+          std::string("v_in [m/s];v_rn [m/s];rebound angle [deg]\n0.75;0.08;60\n"), marked("Vermerk 2", "y"),
+          marked("unit", "m/s"), marked("Bemerkung", "gas 12 mm/s")})
         CHECK_MESSAGE(input_error_of([&] { return read_measurements(table, "a.csv"); }).empty(), table);
     CHECK(noise_of_incident(
               "v_in [m/s] \u00b1 2\u03c3;v_r [m/s] \u00b1 2\u03c3\n2,1 \u00b1 0,06;0,4 \u00b1 0,02\n") ==
@@ -314,6 +325,43 @@ TEST_CASE("an uncertainty is in the unit of its column, in its own, or in per ce
     }
 }
 
+TEST_CASE("a per cent sign beside a word for an uncertainty is its unit, wherever it stands") {
+    for (const char* heading : {"error [%]", "% error", "%err", "error %", "Fehler in %"}) {
+        CAPTURE(heading);
+        CHECK(noise_of_incident("v_in [m/s];" + std::string(heading) + ";v_r [m/s]\n2;3;0.5\n") ==
+              doctest::Approx(0.06));
+    }
+}
+
+TEST_CASE("uncertainties of all readings or of none; a reading of 0 has the greatest of the others") {
+    const auto table = [](const std::string& capture) {
+        return "v_in [m/s];v_r [m/s]\n" + capture +
+               "\n1.9 \u00b1 0.05;0.4 \u00b1 0.02\n2.4 \u00b1 0.05;0.7 \u00b1 0.03\n";
+    };
+    CHECK(noise_of_rebound(table("0.9 \u00b1 0.05;0")) == doctest::Approx(0.03));
+    const std::string told = warnings_of(read_measurements(table("0.9 \u00b1 0.05;0"), "t.csv"));
+    CHECK_MESSAGE(told ==
+                      "readings of 0 without an uncertainty (line 2) are given the greatest of the others, "
+                      "0.03 m/s\n",
+                  told);
+    const std::string columns = "v_in [m/s];u(v_in) [m/s];v_r [m/s];u(v_r) [m/s];outcome\n";
+    CHECK(noise_of_rebound(columns + "0.9;0.05;0;-;\n1.9;0.05;0.4;0.02;\n") == doctest::Approx(0.02));
+    CHECK(read_measurements(columns + "0.9;0.05;;-;stuck\n1.9;0.05;0.4;0.02;\n", "t.csv").captures() == 1);
+    CHECK(noise_of_rebound("v_in;e_n\n2 \u00b1 0.1;0\n3 \u00b1 0.1;0.5 \u00b1 0.04\n") ==
+          doctest::Approx(0.08));
+    for (const auto& [row, says] :
+         {std::pair{"0.9 \u00b1 0.05;0.1", "line 2: only some measurements of \"v_r\" have an uncertainty"},
+          {"0.9;0.1 \u00b1 0.02", "line 2: only some measurements of \"v_in\" have an uncertainty"},
+          {"0.9 \u00b1 0.05;n.d.",
+           "may be a capture, or an unknown outcome; allowed: a finite number; 0 for a "
+           "capture; an empty cell for an unknown outcome"}})
+        CHECK_MESSAGE(
+            contains(input_error_of([&, &of = row] { return read_measurements(table(of), "t.csv"); }), says),
+            row);
+    for (const char* unknown : {"n.a.", "\u2014", "k. A.", "NULL"})
+        CHECK(read_measurements(table("0.9 \u00b1 0.05;" + std::string(unknown)), "t.csv").unknown == 1);
+}
+
 TEST_CASE("one uncertainty in the heading, and a correlation without uncertainties, are refused") {
     for (const auto& [heading, says] :
          {std::pair{"v_in \u00b1 0.03 [m/s];v_r [m/s]", "\"v_in \u00b1 0.03\" states one uncertainty, 0.03"},
@@ -415,6 +463,8 @@ TEST_CASE("a quantity over its unit, and velocities before and after") {
 }
 
 TEST_CASE("rows that sum up others are left out with a remark, and no row of a single impact is") {
+    CHECK(contains(warnings_of(read_measurements("v_in,v_r\n1,0.5\n2,1.2\nMean,0.85\n", "t.csv")),
+                   "line 4 is no impact and left out: \"Mean\""));
     const auto of = [](const std::string& rows) {
         return read_measurements("Nr.;v_in [m/s];v_r [m/s];side\n" + rows, "t.csv");
     };
@@ -430,6 +480,7 @@ TEST_CASE("rows that sum up others are left out with a remark, and no row of a s
 }
 
 TEST_CASE("a row among numbered ones that has another label is no impact, or is refused") {
+    CHECK(read_measurements("#;v_in;v_r\n1;1;0.5\n2;2;1.2\n", "t.csv").points.size() == 2);
     const auto of = [](const std::string& label, const std::string& heading = "Nr.") {
         return read_measurements(
             heading + ";v_in [m/s];v_r [m/s]\n1;1,5;0,5\n2;2,5;0,9\n3;3,5;1,1\n" + label + ";2,5;0,83\n",
