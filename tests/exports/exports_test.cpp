@@ -15,6 +15,7 @@
 #include "pipeline/present/export/laboratory.hpp"
 #include "pipeline/present/export/subject.hpp"
 #include "solver/contact/sjkr.hpp"
+#include "solver/damping/brach_dunn.hpp"
 #include "tests/support/checks.hpp"
 
 namespace ashimpact::test {
@@ -323,6 +324,21 @@ TEST_CASE("inputs carry the conversions of the code") {
             CHECK_FALSE(contains(file.name, ".."));
             CHECK_FALSE(file.content.empty());
         }
+}
+
+TEST_CASE("zeta_A is that of every size, or goes with zeta_H, in decks as in the expected impacts") {
+    ExportSubject subject = damped(sizes(ash("dmt"), 44e-6, 88e-6, 1), DampingLaw::brach_dunn, 0.2);
+    ContactPair& contact = subject.sizes.front().contact;
+    contact.parameters.set("adhesion_damping", 0.5);
+    CHECK(impact_at(subject, 44e-6, 1).contact.parameters[adhesion_damping] == 0.5);
+    const std::string scaled = "0.20000000000000001*(2*c_ash_radius/8.7999999999999998e-05)^(1)*";
+    const std::string deck = content(lammps_folder(subject), "ash_wall.in");
+    CHECK(contains(deck, scaled + "120000000000*sqrt(c_ash_radius*v_ash_depth)*v_ash_depth + 0.5*"));
+    CHECK(contains(content(yade_folder(subject), "impacts.py"), "ADHESION_DAMPING = 0.5 "));
+    CHECK(contains(content(lammps_folder(subject), "assumptions.md"), "zeta_A 0.5 s/m at every size"));
+    contact.parameters = {};
+    contact.parameters.set("adhesion_damping_ratio", 2.5);
+    CHECK(contains(content(lammps_folder(subject), "ash_wall.in"), scaled + "(120000000000*"));
 }
 
 TEST_CASE("a softened folder has the impacts of the stiff contact, and constants that follow E*") {

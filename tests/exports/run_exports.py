@@ -141,6 +141,8 @@ def cases():
         yield "yade", law, options + CONSTANT
     yield "yade", "tsuji", DMT + ["--damping-law", "tsuji", "--damping", "0.5"]
     yield "yade", "hunt-crossley", HERTZ + HUNT_CROSSLEY
+    for code in ("lammps", "yade"):
+        yield code, "brach-dunn-damping-by-size", DMT + TWO_TERMS + SIZES + ["1"]
     yield "yade", "brach-dunn-damping", DMT + TWO_TERMS
     yield "yade", "contact-radius", DMT + ["--damping-law", "contact-radius", "--damping", "2000 Pa s"]
     for code in ("table", "fluent", "openfoam", "openfoam solver"):

@@ -75,20 +75,31 @@ std::string repulsion_formula(const ContactPair& contact) {
 
 const Attraction* attraction_of(const ExportSubject& subject);
 
-/// zeta_A/zeta_H of Brach & Dunn's damping, 0 of other damping laws [1].
-double adhesion_share(const ExportSubject& subject) {
-    const AshSize& ash = subject.reference();
-    const double coefficient = ash.damping.critical();
-    if (has_one_number(subject.damping_law) || coefficient == 0) return 0;
-    return BrachDunnDamping::coefficients(coefficient, ash.contact.parameters)[1] / coefficient;
+/// zeta_A of Brach & Dunn's damping, which goes with zeta_H or is the same for every size and velocity; 0 of
+/// other damping laws.
+struct AdhesionDamping {
+    double ratio = 0;  ///< zeta_A/zeta_H [1]
+    double own = 0;    ///< [s/m]
+};
+
+AdhesionDamping adhesion_damping_of(const ExportSubject& subject) {
+    const auto& parameters = subject.reference().contact.parameters;
+    if (has_one_number(subject.damping_law)) return {};
+    if (parameters.has(adhesion_damping_ratio)) return {.ratio = parameters[adhesion_damping_ratio]};
+    return {.own = BrachDunnDamping::coefficients(0, parameters)[1]};
 }
 
-/// Repulsion and attraction, each in its share of the first coefficient of Brach & Dunn's damping [N].
-std::string damped_forces_formula(const ExportSubject& subject) {
+/// Brach & Dunn's damping behind its first coefficient, which may be that of repulsion alone [N].
+std::string brach_dunn_formula(const ExportSubject& subject) {
+    const ContactPair& contact = subject.reference().contact;
     const Attraction& attraction = *attraction_of(subject);
-    if (attraction.formula == nullptr) return repulsion_formula(subject.reference().contact);
-    return fmt::format("{} + {}*{}", repulsion_formula(subject.reference().contact),
-                       exact(adhesion_share(subject)), attraction.formula(subject.reference().contact));
+    if (attraction.formula == nullptr) return "*" + repulsion_formula(contact);
+    const auto [ratio, own] = adhesion_damping_of(subject);
+    if (own != 0)
+        return fmt::format("*{} + {}*{}", repulsion_formula(contact), exact(own),
+                           attraction.formula(contact));
+    return fmt::format("*({} + {}*{})", repulsion_formula(contact), exact(ratio),
+                       attraction.formula(contact));
 }
 
 /// A damping as a force of its own.
@@ -124,11 +135,10 @@ constexpr std::array dampings{
             [](const ExportSubject& subject) { return "*" + repulsion_formula(subject.reference().contact); },
         .powers = smooth,
         .lagging = {1, 2, 3, 4}},
-    AddedDamping{
-        .law = DampingLaw::brach_dunn,
-        .factor = [](const ExportSubject& subject) { return "*(" + damped_forces_formula(subject) + ")"; },
-        .powers = square_root,
-        .lagging = {1, 2, 3, 4}}};
+    AddedDamping{.law = DampingLaw::brach_dunn,
+                 .factor = [](const ExportSubject& subject) { return brach_dunn_formula(subject); },
+                 .powers = square_root,
+                 .lagging = {1, 2, 3, 4}}};
 
 /// The row of a table with that key, null without any.
 template <class Rows, class Key, class Column>
@@ -398,7 +408,8 @@ ExportFolder yade_folder(const ExportSubject& subject, const TableImage& /*image
     TemplateValues values = common_values(subject);
     values["damping_law"] = std::string(name_of(subject.damping_law));
     values["exponent"] = exact(subject.exponent);
-    values["adhesion_damping_ratio"] = exact(adhesion_share(subject));
+    values["adhesion_damping_ratio"] = exact(adhesion_damping_of(subject).ratio);
+    values["adhesion_damping"] = exact(adhesion_damping_of(subject).own);
     // The force of `betan` is 2 betan sqrt(m dF/d(delta)) v with dF/d(delta) = (3/2) k sqrt(delta), so that
     // betan = c/sqrt(6). `en` would be a fit of betan (Thornton et al. 2013) that is off by some 1e-4.
     values["damping_ratio"] = own ? exact(coefficient / std::sqrt(6.0)) : "None";

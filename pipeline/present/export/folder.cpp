@@ -20,6 +20,7 @@
 #include "core/text/text.hpp"
 #include "core/version.hpp"
 #include "pipeline/present/export/laboratory.hpp"
+#include "solver/damping/brach_dunn.hpp"
 #include "solver/dem/softening.hpp"
 #include "solver/motion/regime.hpp"
 
@@ -91,6 +92,10 @@ std::string damping_words(const ExportSubject& subject) {
                      ? fmt::format(", beyond them times (d/d_0)^{}", shortest(subject.exponent))
                      : fmt::format(" at {}, times (d/d_0)^{}", readable(reference.diameter, "m"),
                                    shortest(subject.exponent));
+    const auto& parameters = reference.contact.parameters;
+    if (!has_one_number(subject.damping_law) && parameters.has(adhesion_damping))
+        words += fmt::format(", zeta_A {}", readable(parameters[adhesion_damping], "s/m")) +
+                 (subject.goes_beyond_sizes() ? " at every size" : "");
     return words;
 }
 

@@ -12,7 +12,8 @@ REFERENCE_DIAMETER, EXPONENT = @diameter@, @exponent@
 NODES = @nodes@    # (t, damping) with t = asinh(sqrt(v/v_c - 1))^2 of the velocity of approach; linear between
 THRESHOLD = @threshold@    # ln v_c = sum c_k x^k, x = (ln d - middle)/half width; None: one damping for every velocity
 MEMORY = {}    # velocity of approach of each sphere, or of each pair by the number of its ash
-ADHESION_DAMPING_RATIO = @adhesion_damping_ratio@    # zeta_A/zeta_H of brach-dunn-damping
+ADHESION_DAMPING_RATIO = @adhesion_damping_ratio@    # zeta_A/zeta_H of brach-dunn-damping, where zeta_A goes with zeta_H
+ADHESION_DAMPING = @adhesion_damping@    # zeta_A, where it is the same for every size
 PARTNER = @partner@    # radius and mass of the sphere that the ash meets; None: the wall z = 0
 DAMPING_RATIO = @damping_ratio@    # YADE's own `betan`; None: the damping is that of ash_force()
 FRICTION = @friction@    # Coulomb's coefficient, on the wall
@@ -63,7 +64,7 @@ def damping(ash, overlap):
         return eta * math.sqrt(radius * overlap)
     if DAMPING_LAW in ("hunt-crossley", "brach-dunn-damping"):
         repulsion = 4 / 3 * CONTACT_MODULUS * math.sqrt(radius * overlap) * overlap
-        return eta * (repulsion - ADHESION_DAMPING_RATIO * attraction(radius, overlap))
+        return eta * repulsion - (eta * ADHESION_DAMPING_RATIO + ADHESION_DAMPING) * attraction(radius, overlap)
     if DAMPING_LAW == "tsuji":
         return eta * math.sqrt(mass * 4 / 3 * CONTACT_MODULUS * math.sqrt(radius)) * overlap ** 0.25
     return eta
