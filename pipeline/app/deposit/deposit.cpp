@@ -40,6 +40,7 @@ constexpr double normal_temperature = 273.15;  ///< of "Nm3" [K]
 double read_load(const CommandOptions& options, double gas_temperature) {
     CommandOptions typed = options;
     std::string& text = typed.text_of("--ash-load");
+    text = ascii_unit(text);
     const auto normal = text.find("Nm3");
     if (normal == std::string::npos) return typed.positive("--ash-load", Dimension::density);
     text.erase(normal, 1);
@@ -226,7 +227,8 @@ Deposition write_deposition(const CommandOptions& options, const TableOptions& t
             .at("deposit");
     TubeConditions tube = read_tube(options);
     std::vector<Finding> doubts = options.doubts();
-    if (options["--ash-load"].find("Nm3") != std::string::npos)  // a unit that no other quantity has
+    if (ascii_unit(options["--ash-load"]).find("Nm3") !=
+        std::string::npos)  // a unit that no other quantity has
         if (auto doubt = implausible_at("--ash-load", *plausible_range("ash_load"), {*tube.load})) {
             warn_of({*doubt});
             doubts.push_back(*std::move(doubt));
