@@ -2,7 +2,9 @@
 #include "core/tables/table_texts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -170,6 +172,64 @@ std::vector<Finding> coverage_findings(std::string_view code, const UncertainCol
     return findings;
 }
 
+namespace {
+
+/// A unit that a text states behind no number: "mm" in "sizes in mm", but not in "a sieve of 200 mm".
+struct StatedUnit {
+    std::string_view text;
+    Unit unit;
+};
+
+std::vector<StatedUnit> units_in(std::string_view text) {
+    constexpr std::string_view ends = " \t,;:()[]\"";
+    std::vector<StatedUnit> units;
+    bool behind_number = false;
+    for (auto from = text.find_first_not_of(ends); from != std::string_view::npos;) {
+        const auto end = std::min(text.find_first_of(ends, from), text.size());
+        const std::string_view word = text.substr(from, end - from);
+        from = text.find_first_not_of(ends, end);
+        const bool is_value = std::exchange(behind_number, read_number(word, true).has_value());
+        if (is_value || word.size() < 2 || lower_case(word) == "in") continue;
+        const auto unit = read_unit(word == "ms-1" ? "m/s" : ascii_unit(word));
+        if (unit) units.push_back({word, *unit});
+    }
+    return units;
+}
+
+}  // namespace
+
+void require_units(const std::vector<TextBeside>& texts, const std::vector<ColumnUnit>& columns) {
+    for (const TextBeside& each : texts) {
+        const StatedUnit* other = nullptr;
+        const ColumnUnit* its_column = nullptr;
+        bool agrees = false;
+        const auto units = units_in(each.text);
+        for (const StatedUnit& stated : units)
+            for (const ColumnUnit& column : columns) {
+                if (stated.unit.powers != read_unit(si_unit(column.dimension))->powers) continue;
+                const bool same = std::abs(stated.unit.factor / column.unit - 1) < 1e-9;
+                agrees = agrees || same;
+                if (same || other != nullptr) continue;
+                other = &stated;
+                its_column = &column;
+            }
+        if (other != nullptr && !agrees)
+            refuse_line(each.line,
+                        fmt::format("{} states {}, and column {} is in another unit", in_quotes(each.text),
+                                    other->text, in_quotes(its_column->heading)),
+                        "one of the two: the unit in the heading, or a file without this text");
+    }
+}
+
+void require_diameters(const std::vector<TextBeside>& texts) {
+    static const WordLists words("other sizes", " ");
+    for (const TextBeside& each : texts)
+        for (const Mention& mention : mentions_in(words_in(each.text), words))
+            if (!mention.negated)
+                refuse_line(each.line, fmt::format("{} states {}", in_quotes(each.text), mention.list),
+                            "diameters of the particles");
+}
+
 NameAndUnit cut_heading(std::string_view heading) {
     const auto bracket = heading.find_last_of("[(");
     const auto in = heading.rfind(" in ");
@@ -180,6 +240,9 @@ NameAndUnit cut_heading(std::string_view heading) {
     }
     if (in != std::string_view::npos)
         return {std::string(trimmed(heading.substr(0, in))), std::string(trimmed(heading.substr(in + 4)))};
+    if (const auto slash = heading.rfind(" / "); slash != std::string_view::npos)
+        return {std::string(trimmed(heading.substr(0, slash))),
+                std::string(trimmed(heading.substr(slash + 3)))};
     const auto blank = heading.rfind(' ');
     if (blank != std::string_view::npos && heading.ends_with('%'))
         return {std::string(trimmed(heading.substr(0, blank))), std::string(heading.substr(blank + 1))};

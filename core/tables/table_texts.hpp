@@ -12,6 +12,7 @@
 #include "core/finding.hpp"
 #include "core/tables/text_lines.hpp"
 #include "core/tables/vocabulary.hpp"
+#include "core/units/units.hpp"
 
 /// What the texts beside the numbers of a table state of them: titles, comments, notes, headings of names.
 namespace ashimpact {
@@ -52,7 +53,22 @@ void require_coverage_in_headings(const std::vector<TextBeside>& texts, const Un
 [[nodiscard]] std::vector<Finding> coverage_findings(std::string_view code, const UncertainColumns& columns,
                                                      std::span<const TextLine> rows, char separator);
 
-/// A heading cut into its name and its unit: "passing [%]", "size in um", "d (mm)", "finer %".
+/// A column of a quantity in a unit.
+struct ColumnUnit {
+    std::string heading;
+    double unit;  ///< [SI]
+    Dimension dimension;
+};
+
+/// Refuses a text that states another unit than all columns of that dimension have: "sizes in mm".
+/// @throws InputError at the line of the text
+void require_units(const std::vector<TextBeside>& texts, const std::vector<ColumnUnit>& columns);
+
+/// Refuses a text by which sizes are no diameters of the spheres themselves: "radii", "aerodynamic".
+/// @throws InputError at the line of the text
+void require_diameters(const std::vector<TextBeside>& texts);
+
+/// A heading cut into its name and its unit: "passing [%]", "size in um", "d (mm)", "d / mm", "finer %".
 struct NameAndUnit {
     std::string name;
     std::string unit;

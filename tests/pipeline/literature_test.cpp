@@ -214,7 +214,8 @@ TEST_CASE(
     CHECK(test::succeeded(sandbox, "calibrate" + of_one + "sized.csv").err ==
           test::containing("uncertainties of sizes are not used, the first in line 2, cell 1"));
     for (const char* heading :
-         {"v_c [m/s];u(v_c) [m/s] (k=2)", "v_c [m/s];\u00b1 (2s)", "v_c [m/s] \u00b1 2\u03c3"}) {
+         {"v_c [m/s];u(v_c) [m/s] (k=2)", "v_c [m/s];\u00b1 (2s)", "v_c [m/s] \u00b1 2\u03c3",
+          "v_c [m/s];U(v_c) (k=2)", "v_c [m/s];2 sigma [m/s]", "v_c [m/s];2\u03c3"}) {
         const bool in_cells = std::string_view(heading).find(';') == std::string_view::npos;
         sandbox.write("doubled.csv", "d [um];" + std::string(heading) + "\n1;0.1" +
                                          (in_cells ? " \u00b1 " : ";") + "0.02\n");
@@ -223,6 +224,28 @@ TEST_CASE(
             return fit.at("/constants/0/value/standard_uncertainty"_json_pointer).get<double>();
         };
         CHECK(uncertainty("doubled.csv") == doctest::Approx(uncertainty("plain.csv")).epsilon(1e-9));
+    }
+    for (const char* relative :
+         {"d [um];v_c [m/s];u(v_c) [%]\n1;0.1;10\n", "d [um];v_c [m/s];err %\n1;0.1;10\n",
+          "d / \u00b5m;v_c / m/s;error [%]\n1;0.1;10 %\n", "d;v_c;u(v_c)\num;m/s;%\n1;0.1;10\n"}) {
+        CAPTURE(relative);
+        sandbox.write("relative.csv", relative);
+        CHECK(test::succeeded(sandbox, "calibrate" + of_one + "relative.csv").out ==
+              test::succeeded(sandbox, "calibrate" + of_one + "plain.csv").out);
+    }
+    // What the reader of impacts refuses in titles, labels and rows below is refused here.
+    const std::string four = "d [um];v_c [m/s]\n1;0.1\n2;0.06\n4;0.03\n8;0.018\n";
+    for (const auto& [text, says] :
+         {std::pair{"# sizes are radii\n" + four, "line 1: \"sizes are radii\" states radii"},
+          {"Velocities in cm/s\n" + four, "states cm/s, and column \"v_c [m/s]\" is in another unit"},
+          {four + "3.75;0.052\n", "line 6: the row holds the means of the rows above"},
+          {four + "15;0.208\n", "line 6: the row holds the sums of the rows above"},
+          {std::string("d [um];v_c [m/s];excluded\n1;0.1;\n2;0.06;x\n"),
+           "\"excluded\" marks rows as valid or not"},
+          {std::string("d [um];v_c [m/s];remark\n1;0.1;\n2;0.06;outlier\n"), "calls the row invalid"}}) {
+        CAPTURE(text);
+        sandbox.write("refused.csv", text);
+        test::check_refused(sandbox, "calibrate" + of_one + "refused.csv", says);
     }
     sandbox.write("coverage.csv", "# k=2\nd [um];v_c [m/s]\n1;0.1 \u00b1 0.02\n");
     sandbox.write("coverage-column.csv", "# k=2\nd [um];v_c [m/s];u(v_c) [m/s]\n1;0.1;0.02\n");

@@ -23,6 +23,7 @@
 #include "pipeline/app/command.hpp"
 #include "pipeline/case/literature.hpp"
 #include "pipeline/files/file.hpp"
+#include "solver/inference/impacts/impact_rows.hpp"
 #include "solver/motion/scale.hpp"
 
 namespace ashimpact {
@@ -55,7 +56,8 @@ struct SizeHeading {
     std::string written{};
     std::string unit_name{};
     StatedCoverage coverage{};
-    double unit = 1;  ///< [SI]
+    double unit = 1;           ///< [SI]
+    bool is_relative = false;  ///< an uncertainty in per cent of the velocity
 };
 
 /// @param before the column before it, whose uncertainty one without a name is
@@ -63,22 +65,31 @@ SizeHeading read_size_heading(const std::string& cell, const SizeHeading* before
     static const WordLists words("sizes of critical velocities");
     SizeHeading heading{.written = cell, .coverage = read_coverage(cell)};
     auto [name, unit] = cut_heading(heading.coverage.rest);
+    if (words.holds(unit)) {  // "u(v_c)"
+        name = heading.coverage.rest;
+        unit.clear();
+    }
     heading.column = meaning<SizeColumn>(words, name);
     if (heading.column && unit.empty()) throw InputError(in_quotes(cell) + " has no unit", size_headings);
     const xrd::UncertaintyName uncertain = xrd::uncertainty_name(heading.column ? "" : name.c_str());
     const bool follows = before != nullptr && before->column == SizeColumn::velocity;
-    if (!heading.column && (uncertain.is_uncertainty || is_uncertainty_word(name)) &&
+    const bool is_coverage = !heading.coverage.stated.empty() && (name.empty() || name.starts_with('['));
+    if (!heading.column && (uncertain.is_uncertainty || is_uncertainty_word(name) || is_coverage) &&
         (uncertain.of.empty() ? follows : words.list_of(uncertain.of) == "v_c")) {
         heading.column = SizeColumn::uncertainty;
+        if (is_coverage && name.size() > 2) unit = name.substr(1, name.size() - 2);
+        heading.is_relative = xrd::holds_per_cent(name + unit);
         if (unit.empty() && before != nullptr) unit = before->unit_name;
     }
     if (!heading.column) return heading;
     if (heading.column == SizeColumn::uncertainty && !heading.coverage.problem.empty())
         throw InputError(in_quotes(cell) + ": " + heading.coverage.problem,
                          "u(v_c) [m/s], U(v_c) [m/s] (k=2)");
-    heading.unit_name = unit;
-    heading.unit =
-        to_si(1, unit, heading.column == SizeColumn::diameter ? Dimension::length : Dimension::velocity);
+    heading.unit_name = heading.is_relative ? "%" : unit;
+    heading.unit = to_si(1, heading.unit_name,
+                         heading.is_relative                      ? Dimension::fraction
+                         : heading.column == SizeColumn::diameter ? Dimension::length
+                                                                  : Dimension::velocity);
     return heading;
 }
 
@@ -121,15 +132,21 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
     constexpr auto code = "calibration";
     std::vector<TextLine> lines = lines_with_content(file);
     const std::size_t place = size_heading_place(lines);
-    const std::size_t first = place + 1;
+    std::size_t first = place + 1;
     const char separator = separator_of(lines[place].text);
     const auto note = [&](std::string text) {
         findings.push_back({code, Severity::remark, std::move(text)});
     };
+    TableRow names = cut_row(lines[place], separator);
+    const auto is_unit = [](std::string_view text) { return read_unit(ascii_unit(text)).has_value(); };
+    if (first < lines.size() && take_units(names, cut_row(lines[first], separator), is_unit)) ++first;
+    LabelColumns labels{.columns = names.cells.size()};
     const std::vector<SizeHeading> headings = at_place(at_line(lines[place].number), [&] {
-        auto found = size_headings_in(cut_row(lines[place], separator));
+        auto found = size_headings_in(names);
         for (const SizeHeading& heading : found) {
             if (!heading.column) {
+                labels.take({static_cast<std::size_t>(&heading - found.data()), heading.written},
+                            heading.written);
                 if (!heading.written.empty()) note("column " + in_quotes(heading.written) + " is not used");
             } else if (std::ranges::count(found, heading.column, &SizeHeading::column) > 1) {
                 throw InputError(in_quotes(heading.written) + " is the same column again",
@@ -147,45 +164,64 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
     for (Finding& each : take_notes(lines, first, separator, code)) findings.push_back(std::move(each));
     const std::span rows = std::span<const TextLine>(lines).subspan(first);
     UncertainColumns uncertain(headings.size());
+    std::vector<ColumnUnit> units;
     NumberMarks marks(decimal);
     for (std::size_t k = 0; k < headings.size(); ++k) {
         const SizeHeading& heading = headings[k];
         if (!heading.column) continue;
         uncertain[k] = {heading.written, heading.coverage, heading.column == SizeColumn::uncertainty};
-        if (heading.unit < (heading.column == SizeColumn::diameter ? 1e-7 : 0.05))
+        const bool is_size = heading.column == SizeColumn::diameter;
+        if (!heading.is_relative && heading.unit < (is_size ? 1e-7 : 0.05))
             marks.may_hold_thousands(k);  // of nm, mm/s
+        if (!heading.is_relative)
+            units.push_back(
+                {heading.written, heading.unit, is_size ? Dimension::length : Dimension::velocity});
     }
-    require_coverage_in_headings(texts_beside(file, std::span<const TextLine>(lines).subspan(place)),
-                                 uncertain, rows, separator);
+    const auto texts = texts_beside(file, std::span<const TextLine>(lines).subspan(place));
+    require_coverage_in_headings(texts, uncertain, rows, separator);
+    require_units(texts, units);
+    require_diameters(texts);
     for (Finding& each : coverage_findings(code, uncertain, rows, separator))
         findings.push_back(std::move(each));
     for (const TextLine& line : rows)
         for_each_cell(line, separator,
                       [&](std::string_view cell, std::size_t column) { marks.see(cell, column); });
     std::vector<SizedVelocity> found;
-    bool told_uncertain = false;
+    std::vector<MeasuredRow> measured;
+    std::vector<TextLine> of_sizes;
     for (const TextLine& line : rows) {
+        const std::string label = cut_row(line, separator).cells.front();
+        if (is_summary(label))
+            note(at_line(line.number) + " is no size and left out: " + in_quotes(label));
+        else
+            of_sizes.push_back(line);
+    }
+    const RowLabels row_labels(labels, of_sizes, separator);
+    bool told_uncertain = false;
+    for (const TextLine& line : of_sizes) {
         TableRow row = cut_row(line, separator);
-        if (is_summary(row.cells.front())) {
-            note(at_line(row.line) + " is no size and left out: " + in_quotes(row.cells.front()));
-            continue;
-        }
         while (row.cells.size() > headings.size() && row.cells.back().empty()) row.cells.pop_back();
         if (row.cells.size() != headings.size())
             refuse_line(row.line, fmt::format("has {} cells", row.cells.size()),
                         fmt::format("{}, as the heading", headings.size()));
+        if (const std::string label = row_labels.summary_in(row); !label.empty()) {
+            note(at_line(row.line) + " is no size and left out: " + in_quotes(label));
+            continue;
+        }
         SizedVelocity sized;
+        bool relative = false;  // the uncertainty
         for (std::size_t k = 0; k < headings.size(); ++k)
             at_place(at_cell(row.line, k), [&] {
                 const SizeHeading& heading = headings[k];
                 if (!heading.column) return;
                 const auto number = marks.read(without_unit(row.cells[k], heading.unit_name), k);
-                if (!number || !(number->value > 0) || number->per_cent)
+                if (!number || !(number->value > 0) || (number->per_cent && !heading.is_relative))
                     throw InputError(in_quotes(row.cells[k]) + " is no size or velocity",
                                      "a number > 0 in " + heading.unit_name);
                 const double value = number->value * heading.unit;
                 if (heading.column == SizeColumn::uncertainty) {
                     sized.uncertainty = value / heading.coverage.factor;
+                    relative = heading.is_relative;
                     return;
                 }
                 const bool is_size = heading.column == SizeColumn::diameter;
@@ -203,8 +239,11 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
                         *number->standard_uncertainty * heading.unit / heading.coverage.factor;
                 }
             });
+        if (relative) *sized.uncertainty *= sized.velocity;
+        measured.push_back({row.line, {sized.diameter, sized.velocity}});
         found.push_back(sized);
     }
+    if (!row_labels.number_rows()) refuse_summaries(measured);
     if (found.empty()) refuse_line(file.last_line(), "there are no rows below the heading", size_headings);
     return found;
 }

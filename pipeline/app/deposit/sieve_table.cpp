@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <set>
 #include <span>
@@ -52,8 +53,13 @@ SieveHeading sieve_heading(const std::string& cell) {
     static const WordLists words("sieve columns");
     const auto [name, unit] = cut_heading(cell);
     SieveHeading heading{.unit = unit, .written = cell};
-    if (name != "q3") heading.column = meaning<SieveColumn>(words, name);  // the density beside the sum Q3
+    if (!name.starts_with("q3")) heading.column = meaning<SieveColumn>(words, name);  // a density, unlike Q3
     return heading;
+}
+
+bool is_length_unit(std::string_view text) {
+    const auto unit = read_unit(ascii_unit(text));
+    return unit && unit->powers == std::array<double, 4>{1, 0, 0, 0};
 }
 
 bool is_size(SieveColumn column) {
@@ -65,17 +71,24 @@ class SieveTable {
   public:
     SieveTable(const TextLines& file, std::optional<DecimalMark> decimal) : marks_(decimal, file.of_sheet()) {
         std::vector<TextLine> lines = lines_with_content(file);
-        const auto heading = std::ranges::find_if(lines, [&](const TextLine& line) { return take(line); });
+        const auto heading =
+            std::ranges::find_if(lines, [&](const TextLine& line) { return is_heading(line); });
         if (heading == lines.end())
             refuse_line(
                 file.lines().front().number, "no line names the columns of a sieve table",
                 "\"size [um]\" with \"passing [%]\" or \"residue [%]\"; or \"from [um]\", \"to [um]\", "
                 "\"share [%]\"");
-        const auto first = static_cast<std::size_t>(heading - lines.begin()) + 1;
+        auto first = static_cast<std::size_t>(heading - lines.begin()) + 1;
         for (std::size_t i = 0; i + 1 < first; ++i)
             note(at_line(lines[i].number) +
                  ", above the heading, is not read: " + in_quotes(trimmed(lines[i].text)));
         const std::size_t heading_line = lines[first - 1].number;
+        if (TableRow names = cut_row(*heading, separator_);
+            first < lines.size() && take_units(names, cut_row(lines[first], separator_), is_sieve_unit)) {
+            take_columns(names);
+            ++first;
+        }
+        settle(heading_line);
         for (Finding& each : take_notes(lines, first, separator_, "deposition"))
             notes_.push_back(std::move(each));
         require_agreeing_texts(texts_beside(file, std::span<const TextLine>(lines).subspan(first - 1)));
@@ -85,6 +98,8 @@ class SieveTable {
             if (columns_[k].column && is_size(*columns_[k].column) &&
                 to_si(1, columns_[k].unit, Dimension::length) < small_unit)
                 marks_.may_hold_thousands(k);
+            else if (columns_[k].column && !is_size(*columns_[k].column) && scale_of(columns_[k]) > 1e-3)
+                marks_.stays_below_thousand(k);
         for (const TextLine& line : below)
             for_each_cell(line, separator_,
                           [&](std::string_view cell, std::size_t k) { marks_.see(cell, k); });
@@ -102,7 +117,8 @@ class SieveTable {
   private:
     struct ShareRow {
         std::size_t line;
-        double from, to, share;  ///< from: of classes only [m, m, 1]
+        double from, to, share;        ///< from: of classes only [m, m, 1]
+        std::vector<double> beside{};  ///< the other columns of shares; not a number: an empty cell
     };
 
     [[nodiscard]] std::optional<std::size_t> place(SieveColumn column) const {
@@ -111,51 +127,53 @@ class SieveTable {
         return std::nullopt;
     }
 
-    /// Whether the line is the heading, which it becomes.
-    bool take(const TextLine& line) {
-        separator_ = separator_of(line.text);
+    void take_columns(const TableRow& headings) {
         columns_.clear();
-        may_be_on_each_ = false;
-        for (const std::string& cell : cut_row(line, separator_).cells)
-            columns_.push_back(sieve_heading(cell));
-        if (place(SieveColumn::retained))
-            refuse_line(line.number, "\"retained\" has two readings",
+        for (const std::string& cell : headings.cells) columns_.push_back(sieve_heading(cell));
+    }
+
+    /// Whether the line names sizes and shares. Its columns become those of the table, the first kind of
+    /// share that it names the one that counts.
+    bool is_heading(const TextLine& line) {
+        separator_ = separator_of(line.text);
+        take_columns(cut_row(line, separator_));
+        if (!place(SieveColumn::size) && !place(SieveColumn::to)) return false;
+        constexpr std::array kinds{SieveColumn::share, SieveColumn::finer, SieveColumn::coarser,
+                                   SieveColumn::residue, SieveColumn::retained};
+        const auto* const kind = std::ranges::find_if(kinds, [&](SieveColumn each) {
+            return place(each) && (each != SieveColumn::share || place(SieveColumn::from));
+        });
+        if (kind == kinds.end()) return false;
+        kind_ = *kind;
+        return true;
+    }
+
+    /// Decides what each column is used for. @throws InputError
+    void settle(std::size_t line) {
+        if (kind_ == SieveColumn::retained)
+            refuse_line(line, "\"retained\" has two readings",
                         "\"residue\" for all that is coarser; or \"from\", \"to\" and \"share\" for what "
                         "lies on each "
                         "sieve");
-        for (SieveHeading& heading : columns_) {
-            if (heading.column != SieveColumn::residue) continue;
-            heading.column = SieveColumn::coarser;
-            may_be_on_each_ = true;
-        }
-        const bool sized = place(SieveColumn::size) || place(SieveColumn::to);
-        if (place(SieveColumn::share) && place(SieveColumn::from) && sized)
-            kind_ = SieveColumn::share;
-        else if (place(SieveColumn::finer) && sized)
-            kind_ = SieveColumn::finer;
-        else if (place(SieveColumn::coarser) && sized)
-            kind_ = SieveColumn::coarser;
-        else
-            return false;
-        const auto both = [&](std::size_t i, std::size_t k) {
-            const auto& a = *columns_[i].column;
-            const auto& b = *columns_[k].column;
-            const bool sizes = is_size(a) && is_size(b) && a != SieveColumn::from && b != SieveColumn::from;
-            return a == b || sizes || (!is_size(a) && !is_size(b));
+        const std::size_t counting = *place(kind_);
+        const auto is_size_of_sieve = [](SieveColumn column) {
+            return is_size(column) && column != SieveColumn::from;
         };
         for (std::size_t k = 0; k < columns_.size(); ++k) {
             const SieveHeading& heading = columns_[k];
             for (std::size_t i = 0; heading.column && i < k; ++i)
-                if (columns_[i].column && both(i, k))
-                    refuse_line(line.number,
+                if (columns_[i].column &&
+                    (columns_[i].column == heading.column ||
+                     (is_size_of_sieve(*columns_[i].column) && is_size_of_sieve(*heading.column))))
+                    refuse_line(line,
                                 "the columns " + in_quotes(columns_[i].written) + " and " +
                                     in_quotes(heading.written) + " state one thing twice",
                                 "one of them");
             if (!heading.column && !heading.written.empty())
                 note("column " + in_quotes(heading.written) + " is not used");
+            if (heading.column && !is_size(*heading.column) && k != counting) beside_.push_back(k);
         }
-        take_scale(line.number, columns_[*place(kind_)]);
-        return true;
+        take_scale(line, columns_[counting]);
     }
 
     /// Takes the unit of sizes from their cells, "10 um", where the heading states none. @throws InputError
@@ -180,19 +198,29 @@ class SieveTable {
     /// Refuses a text beside the table that contradicts its headings: "by number", "radii", "residue".
     void require_agreeing_texts(const std::vector<TextBeside>& texts) const {
         static const WordLists words("sieve titles", " ");
+        require_diameters(texts);
+        std::vector<ColumnUnit> units;
+        for (const SieveHeading& heading : columns_)
+            if (heading.column && is_size(*heading.column) && !heading.unit.empty())
+                units.push_back(
+                    {heading.written, to_si(1, heading.unit, Dimension::length), Dimension::length});
+        require_units(texts, units);
         for (const TextBeside& each : texts) {
             std::set<std::string_view> lists;
             for (const Mention& mention : mentions_in(words_in(each.text), words))
                 if (!mention.negated) lists.insert(mention.list);
             const bool is_finer = kind_ == SieveColumn::finer;
-            const bool other_kind = kind_ != SieveColumn::share &&
+            const bool other_kind = kind_ != SieveColumn::share && beside_.empty() &&
                                     !lists.contains(is_finer ? "finer" : "coarser") &&
                                     lists.contains(is_finer ? "coarser" : "finer");
             if (lists.contains("number") || bases_in(each.text).contains("number"))
                 refuse_line(each.line, in_quotes(each.text) + " states shares by number",
                             "shares by mass or volume");
-            if (lists.contains("radius"))
-                refuse_line(each.line, in_quotes(each.text) + " states radii", "diameters");
+            if (lists.contains("on each") && kind_ == SieveColumn::residue)
+                refuse_line(each.line,
+                            in_quotes(each.text) + " states what lies on each sieve, and the heading " +
+                                in_quotes(columns_[*place(kind_)].written) + " all that is coarser",
+                            "\"from\", \"to\" and \"share\" for what lies on each sieve");
             if (other_kind)
                 refuse_line(each.line,
                             in_quotes(each.text) + " states what is " + (is_finer ? "coarser" : "finer") +
@@ -200,6 +228,16 @@ class SieveTable {
                                 " the contrary",
                             "one of the two");
         }
+    }
+
+    static bool is_sieve_unit(std::string_view text) {
+        return is_length_unit(text) ||
+               xrd::read_heading(fmt::format("x [{}]", text)).states != xrd::HeadingUnit::other;
+    }
+
+    [[nodiscard]] static double scale_of(const SieveHeading& heading) {
+        constexpr std::array<double, 5> scales{1, 0.01, 1, 1e-3, 1e-6};  // by xrd::Scale
+        return scales[static_cast<std::size_t>(xrd::read_heading("x [" + heading.unit + "]").scale)];
     }
 
     /// The unit of the shares, which are by mass.
@@ -212,8 +250,7 @@ class SieveTable {
         if (unit.states == xrd::HeadingUnit::volume || bases_in(heading.written, false).contains("volume"))
             note("column " + in_quotes(heading.written) +
                  " is by volume: taken as by mass, as of one density");
-        constexpr std::array<double, 5> scales{1, 0.01, 1, 1e-3, 1e-6};  // by xrd::Scale
-        scale_ = scales[static_cast<std::size_t>(unit.scale)];
+        scale_ = scale_of(heading);
     }
 
     void note(std::string text) { notes_.push_back({"deposition", Severity::remark, std::move(text)}); }
@@ -236,7 +273,9 @@ class SieveTable {
             throw InputError("cannot read " + in_quotes(row.cells.at(column)),
                              unit.empty() ? "a number" : "a number in " + unit)
                 .at(place);
-        return read->per_cent && !unit_given_ ? read->value / 100 : read->value;
+        if (!read->per_cent || unit_given_) return read->value;
+        per_cent_in_cells_ = true;
+        return read->value / 100;
     }
     [[nodiscard]] double length(const TableRow& row, SieveColumn column) {
         const std::size_t k = *place(column);
@@ -285,11 +324,49 @@ class SieveTable {
         if (doubt && !told_implausible_) notes_.push_back(*doubt);
         told_implausible_ = told_implausible_ || doubt;
         rows_.push_back({row.line, from, to, share});
+        for (const std::size_t k : beside_)
+            rows_.back().beside.push_back(row.cells[k].empty() ? std::numeric_limits<double>::quiet_NaN()
+                                                               : number(row, k) * scale_of(columns_[k]));
+    }
+
+    /// Compares other columns of shares with the one that counts: each is the sum of what is finer, of what
+    /// is coarser, or what lies between this sieve and the next below or above. @param finer by row
+    /// @throws InputError where it is none of what its heading may mean
+    void check_columns_beside(const std::vector<ShareRow>& rows, const std::vector<double>& finer,
+                              double bare_scale, std::vector<Finding>& notes) const {
+        for (std::size_t j = 0; j < beside_.size(); ++j) {
+            const SieveHeading& heading = columns_[beside_[j]];
+            const bool may_be_sum = heading.column != SieveColumn::share;
+            const bool may_be_class =
+                heading.column != SieveColumn::finer && heading.column != SieveColumn::coarser;
+            double off_sum = 0;
+            double off_below = 0;
+            double off_above = 0;
+            for (std::size_t i = 0; i < rows.size(); ++i) {
+                const double value = rows[i].beside[j] * (heading.unit.empty() ? bare_scale : 1);
+                const double below = i > 0 ? finer[i - 1] : 0;
+                const double above = i + 1 < finer.size() ? finer[i + 1] : 1;
+                const double sum = heading.column == SieveColumn::finer ? finer[i] : 1 - finer[i];
+                off_sum = std::fmax(off_sum, std::abs(value - sum));
+                off_below = std::fmax(off_below, std::abs(value - (finer[i] - below)));
+                off_above = std::fmax(off_above, std::abs(value - (above - finer[i])));
+            }
+            const std::string& used = columns_[*place(kind_)].written;
+            if (!(may_be_sum && off_sum <= sum_tolerance) &&
+                !(may_be_class && std::min(off_below, off_above) <= sum_tolerance))
+                refuse_line(
+                    rows.front().line,
+                    "the columns " + in_quotes(used) + " and " + in_quotes(heading.written) + " do not agree",
+                    "one of them");
+            notes.push_back({"deposition", Severity::remark,
+                             "column " + in_quotes(heading.written) + " agrees with " + in_quotes(used) +
+                                 ", which is used"});
+        }
     }
 
     /// Shares without a unit are per cent if one exceeds what a fraction may be.
     [[nodiscard]] double bare_scale(double greatest, std::vector<Finding>& notes) const {
-        if (unit_given_) return 1;
+        if (unit_given_ || per_cent_in_cells_) return 1;
         const bool per_cent = greatest > 1 + sum_tolerance;
         notes.push_back({"deposition", Severity::remark,
                          std::string("the shares have no unit: by their size they are ") +
@@ -326,6 +403,7 @@ class SieveTable {
             finer.push_back(finer.back() + rows[i].share / sum);
         }
         finer.back() = 1;
+        check_columns_beside(rows, {finer.begin() + 1, finer.end()}, scale, notes);
         return ParticleSizes::tabulated(std::move(diameters), std::move(finer));
     }
 
@@ -337,7 +415,7 @@ class SieveTable {
         const double scale = bare_scale(greatest, notes);
         double sum = 0;
         for (const ShareRow& row : rows) sum += row.share * scale;
-        if (may_be_on_each_ && kind_ == SieveColumn::coarser && std::abs(sum - 1) <= sum_tolerance)
+        if (kind_ == SieveColumn::residue && std::abs(sum - 1) <= sum_tolerance)
             refuse_line(rows.front().line,
                         "the residues may be all that is coarser, or what lies on each sieve: they add up to "
                         "100 %",
@@ -356,6 +434,7 @@ class SieveTable {
             diameters.push_back(row.to);
             finer.push_back(std::clamp(share, 0.0, 1.0));
         }
+        check_columns_beside(rows, finer, scale, notes);
         if (finer.back() < 1 - end_tolerance)
             refuse_line(rows.back().line,
                         fmt::format("{:.3g} % is coarser than the largest size", 100 * (1 - finer.back())),
@@ -376,9 +455,10 @@ class SieveTable {
     std::vector<SieveHeading> columns_{};
     SieveColumn kind_ = SieveColumn::finer;
     double scale_ = 1;
-    bool unit_given_ = false;
-    bool may_be_on_each_ = false;  ///< the shares, if they are coarser
-    bool units_in_cells_ = false;  ///< of sizes
+    bool unit_given_ = false;            ///< of shares, in the heading
+    bool per_cent_in_cells_ = false;     ///< of shares
+    bool units_in_cells_ = false;        ///< of sizes
+    std::vector<std::size_t> beside_{};  ///< other columns of shares
     std::vector<ShareRow> rows_{};
     std::vector<Finding> notes_{};
     std::optional<std::string> sample_{};

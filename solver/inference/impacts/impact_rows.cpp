@@ -2,14 +2,17 @@
 #include "solver/inference/impacts/impact_rows.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
+#include "solver/statistics/moments.hpp"
 
 namespace ashimpact {
 
@@ -40,6 +43,29 @@ std::optional<std::string_view> verdict_of(std::string_view cell) {
 
 std::string name_of(const TextColumn& column) {
     return column.name.empty() ? "the column without a heading" : "column " + in_quotes(column.name);
+}
+
+/// What a row without a label may hold of the rows above it.
+struct Summary {
+    std::string_view name;
+    double (*of)(const Moments&);
+};
+constexpr std::array summaries{
+    Summary{"means", [](const Moments& above) { return above.mean; }},
+    Summary{"sums", [](const Moments& above) { return above.mean * static_cast<double>(above.count); }},
+    Summary{"standard deviations", [](const Moments& above) { return std::sqrt(above.variance()); }},
+    Summary{"standard deviations",
+            [](const Moments& above) { return std::sqrt(above.second / static_cast<double>(above.count)); }}};
+
+/// Whether a number is the other one, rounded to its last digit; a fine one may be cut there.
+bool is_rounded(double value, double exact) {
+    constexpr double coarsest = 0.2;  // of the value; a number of one digit matches too easily
+    constexpr double fine = 0.02;     // of the value
+    const std::string digits = shortest(value);
+    const auto point = std::min(digits.find('.'), digits.size() - 1);
+    const double last = std::pow(10.0, static_cast<double>(point + 1) - static_cast<double>(digits.size()));
+    return last <= coarsest * value &&
+           std::abs(value - exact) <= 1.001 * last * (last <= fine * value ? 1 : 0.5);
 }
 
 bool calls_invalid(std::string_view text) {
@@ -79,7 +105,7 @@ void RowLabels::Column::take(std::string_view cell) {
     }
 }
 
-RowLabels::RowLabels(const MeasurementHeading& heading, std::span<const TextLine> lines, char separator) {
+RowLabels::RowLabels(const LabelColumns& heading, std::span<const TextLine> lines, char separator) {
     for (const auto* all : {&heading.unused, &heading.remarks})
         for (const TextColumn& column : *all) columns_.push_back({.column = column});
     if (columns_.empty()) return;
@@ -136,7 +162,7 @@ void RowLabels::require_one_verdict(std::span<const TextLine> lines, char separa
             return !read_number(each) && (verdict_of(each) == "no" || verdict_of(each) == "mark");
         };
         if (validity == nullptr && !marks(cell) && !marks(*first)) continue;
-        throw InputError(where + " marks impacts as valid or not, " + in_quotes(*first) + " or " +
+        throw InputError(where + " marks rows as valid or not, " + in_quotes(*first) + " or " +
                              in_quotes(cell) + ": those with one of the marks may be excluded, or all count",
                          allowed)
             .at(at_cell(row.line, position));
@@ -145,8 +171,7 @@ void RowLabels::require_one_verdict(std::span<const TextLine> lines, char separa
     const auto verdict = verdict_of(*first);
     if (verdict != "good" && verdict != (validity->excludes ? "no" : "yes"))
         throw InputError(
-            where + " has " + in_quotes(*first) + " in every row: all impacts may be excluded, or all count",
-            allowed)
+            where + " has " + in_quotes(*first) + " in every row: all may be excluded, or all count", allowed)
             .at(at_cell(line_of_first, position));
 }
 
@@ -172,18 +197,18 @@ void RowLabels::require_number(const Column& column, const TableRow& row) {
     if (!column.counts_rows()) return;
     const std::string& cell = row.cells[column.column.position];
     const std::string where = name_of(column.column);
-    constexpr const char* allowed = "the number of the impact, or a file without this row";
+    constexpr const char* allowed = "its number, or a file without this row";
     if (is_blank(cell)) {
         const bool names_groups = 2 * column.inner_empty >= column.numbers;  // of impacts of one particle
         if (!column.in_order || names_groups) return;
         throw InputError("the row has no number in " + where +
-                             ", where the others have one: it may be an impact, or sum up others",
+                             ", where the others have one: it may be a measurement, or sum up others",
                          allowed)
             .at(at_cell(row.line, column.column.position));
     }
     if (is_digit(cell.front()) || cell.front() == '#') return;  // "7a", "#7"
     throw InputError(in_quotes(cell) + " stands in " + where +
-                         ", where the others have a number: the row may be an impact, or sum up others",
+                         ", where the others have a number: the row may be a measurement, or sum up others",
                      allowed)
         .at(at_cell(row.line, column.column.position));
 }
@@ -193,9 +218,31 @@ void RowLabels::require_valid(const TableRow& row) const {
         const std::string& cell = row.cells[column.column.position];
         if (cell.empty() || !calls_invalid(cell)) continue;
         throw InputError(in_quotes(cell) + " in " + name_of(column.column) +
-                             " calls the impact invalid, and remarks are not read",
-                         "a file without this row, or without the remark if the impact counts")
+                             " calls the row invalid, and remarks are not read",
+                         "a file without this row, or without the remark if the row counts")
             .at(at_cell(row.line, column.column.position));
+    }
+}
+
+void refuse_summary_row(std::size_t line, const std::string& holds) {
+    refuse_line(line,
+                "the row holds " + holds + " of the rows above: it may be a measurement, or sum up others",
+                "a column that numbers the rows, or a file without this row");
+}
+
+void refuse_summaries(std::span<const MeasuredRow> rows) {
+    constexpr std::size_t fewest = 3;      // rows above
+    constexpr double least_spread = 0.05;  // so that equal rows are no mean
+    std::array<std::vector<double>, 2> above;
+    for (const MeasuredRow& row : rows) {
+        if (above[0].size() >= fewest && above[0].size() + 2 >= rows.size() && row.values[1] > 0.0) {
+            const std::array moments{Moments::of(above[0]), Moments::of(above[1])};
+            for (const auto& [name, of] : summaries)
+                if (moments[0].maximum > (1.0 + least_spread) * moments[0].minimum &&
+                    is_rounded(row.values[0], of(moments[0])) && is_rounded(row.values[1], of(moments[1])))
+                    refuse_summary_row(row.line, "the " + std::string(name));
+        }
+        for (std::size_t k = 0; k < above.size(); ++k) above[k].push_back(row.values[k]);
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -13,13 +14,13 @@
 
 namespace ashimpact {
 
-/// Which rows of a table are no impacts, by their labels: rows that sum up others, and rows that the
+/// Which rows of a table hold no measurement, by their labels: rows that sum up others, and rows that the
 /// laboratory marked as invalid.
 class RowLabels {
   public:
     /// @param lines of the table below its heading
     /// @throws InputError for a column that marks some rows and not others as valid, or all as invalid
-    RowLabels(const MeasurementHeading& heading, std::span<const TextLine> lines, char separator);
+    RowLabels(const LabelColumns& heading, std::span<const TextLine> lines, char separator);
 
     /// The label of a row that sums up others, "Mittel" or "SD (n=3)"; empty for an impact. Words as short as
     /// "n" or "SD" count in the rows at the end, in the first column, and where the other rows have a number;
@@ -60,6 +61,19 @@ class RowLabels {
     /// First line of the rows at the end that sum up others.
     std::size_t footer_ = std::numeric_limits<std::size_t>::max();
 };
+
+/// The two numbers of a row, of which the second is 0 for a capture.
+struct MeasuredRow {
+    std::size_t line;
+    std::array<double, 2> values;
+};
+
+/// Refuses a row that holds what sums up others. @throws InputError at its line
+[[noreturn]] void refuse_summary_row(std::size_t line, const std::string& holds);
+
+/// Refuses a last row, or last but one, that holds the means, sums or standard deviations of the rows above.
+/// @throws InputError at its line
+void refuse_summaries(std::span<const MeasuredRow> rows);
 
 /// What a remark of several words states: nothing where a word is negated in a way that is not known ("not
 /// really stuck"), or where it names both outcomes.

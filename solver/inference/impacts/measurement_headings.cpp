@@ -329,17 +329,13 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
                 "column " + in_quotes(cell) + " may hold the angle of incidence, or another one",
                 "\"angle [deg]\" for that from the normal, \"rebound angle [deg]\" for one that is "
                 "not used, or a file without this column");
-        if (announces_remarks(name))
-            heading.remarks.push_back({position, cell});
-        else if (is_uncertainty_word(name) || !coverage.stated.empty())
+        if (is_uncertainty_word(name) || !coverage.stated.empty())
             heading.notes.push_back(
                 {impacts_code, Severity::remark,
                  "column " + in_quotes(cell) +
                      " is not used: it does not say of which velocity; write \"u(v_in) [m/s]\""});
         else
-            heading.unused.push_back({position, cell});
-        if (list == "validity" || list == "exclusion")
-            heading.validity.push_back({position, list == "exclusion"});
+            heading.LabelColumns::take({position, cell}, name);
         return;
     }
     if (const std::string_view change = change_in(name); !change.empty())
@@ -379,6 +375,12 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
 
 }  // namespace
 
+void LabelColumns::take(TextColumn column, std::string_view name) {
+    const auto list = column_words().list_of(key_of(name));
+    if (list == "validity" || list == "exclusion") validity.push_back({column.position, list == "exclusion"});
+    (announces_remarks(name) ? remarks : unused).push_back(std::move(column));
+}
+
 OutcomeWord capture_flag(std::string_view cell) {
     static const WordLists flags("flags");
     return meaning<OutcomeWord>(flags, cell).value_or(outcome_word(cell));
@@ -408,40 +410,12 @@ bool announces_remarks(std::string_view heading) {
 
 void require_agreeing_units(const TextBeside& beside, const MeasurementHeading& heading) {
     static const WordLists angles("angle references", " ");
+    std::vector<ColumnUnit> columns;
+    for (const auto& column : heading.value)
+        if (column && !column->is_fraction)
+            columns.push_back({column->name, column->to_si, Dimension::velocity});
+    require_units({beside}, columns);
     const std::string_view text = beside.text;
-    const MeasuredColumn* other = nullptr;
-    std::string_view unit;
-    bool agrees = false;
-    bool behind_number = false;  // "12 m/s" is a velocity
-    constexpr std::string_view ends = " \t,;:()[]\"";
-    for (auto from = text.find_first_not_of(ends); from != std::string_view::npos;) {
-        const auto end = std::min(text.find_first_of(ends, from), text.size());
-        const std::string_view first = text.substr(from, end - from);
-        std::string_view word = first;  // "mm s-1" and "millimetres per second" have several
-        for (std::size_t i = 0, behind = end; i < 2 && behind < text.size(); ++i) {
-            behind = std::min(text.find_first_of(ends, behind + 1), text.size());
-            const std::string_view longer = trimmed(text.substr(from, behind - from));
-            if (is_velocity_unit(longer)) word = longer;
-        }
-        from = text.find_first_not_of(ends, from + word.size());
-        const bool is_value = std::exchange(behind_number, read_number(first, true).has_value());
-        if (is_value || behind_number || !is_velocity_unit(word)) continue;
-        const double factor = to_si(1, velocity_unit(word), Dimension::velocity);
-        for (const auto& column : heading.value) {
-            if (!column || column->is_fraction) continue;
-            const bool same = std::abs(factor / column->to_si - 1) < 1e-9;
-            agrees = agrees || same;
-            if (same || other != nullptr) continue;
-            other = &*column;
-            unit = word;
-        }
-    }
-    if (other != nullptr && !agrees)
-        refuse_line(
-            beside.line,
-            in_quotes(text) + " states " + std::string(unit) + ", and column " + in_quotes(other->name) +
-                (other->unit_given ? " is in another unit" : " has no unit, which is m/s"),
-            "the unit in the heading, \"v_in [" + std::string(unit) + "]\", or a file without this text");
     if (!heading.sideways || !heading.sideways->is_angle) return;
     for (const Mention& mention : mentions_in(words_in(text), angles))
         if (!mention.negated && mention.list == "wall")

@@ -74,8 +74,19 @@ struct ValidityColumn {
     bool excludes;  ///< yes in it means that the impact does not count
 };
 
-/// The columns of a heading.
-struct MeasurementHeading {
+/// The columns of a table that hold no quantity, in which rows may be labelled.
+struct LabelColumns {
+    std::vector<TextColumn> remarks{};       ///< columns of remarks
+    std::vector<TextColumn> unused{};        ///< those without a name have no heading
+    std::vector<ValidityColumn> validity{};  ///< those of the unused columns
+    std::size_t columns = 0;                 ///< all of the table
+
+    /// Enters a column from which no quantity is read. @param name its heading without a unit
+    void take(TextColumn column, std::string_view name);
+};
+
+/// The columns of a heading. In a column of remarks a word may state the outcome.
+struct MeasurementHeading : LabelColumns {
     std::array<std::optional<MeasuredColumn>, 3> value;        ///< by MeasuredQuantity
     std::array<std::optional<MeasuredColumn>, 3> uncertainty;  ///< by MeasuredQuantity
     std::optional<MeasuredColumn> checked;                     ///< e_n beside v_r, which is used
@@ -83,13 +94,9 @@ struct MeasurementHeading {
     bool outcome_is_capture = false;                           ///< that column holds yes for a capture, or no
     std::optional<std::size_t> correlation;  ///< of the column of the correlation of the two velocities
     std::optional<SidewaysColumn> sideways;  ///< of impacts at an angle
-    bool normal_velocity = true;      ///< v_in is that normal to the wall, not that of the sphere at an angle
-    std::vector<TextColumn> remarks;  ///< columns of remarks, in which a word may state the outcome
-    std::vector<TextColumn> unused;   ///< those without a name have no heading
-    std::vector<ValidityColumn> validity;  ///< those of the unused columns
-    UncertainColumns coverages{};          ///< of the columns that hold quantities
-    std::vector<Finding> notes;            ///< remarks on the columns
-    std::size_t columns;
+    bool normal_velocity = true;   ///< v_in is that normal to the wall, not that of the sphere at an angle
+    UncertainColumns coverages{};  ///< of the columns that hold quantities
+    std::vector<Finding> notes;    ///< remarks on the columns
 
     [[nodiscard]] const std::optional<MeasuredColumn>& of(MeasuredQuantity quantity) const {
         return value[static_cast<std::size_t>(quantity)];

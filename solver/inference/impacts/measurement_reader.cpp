@@ -602,58 +602,6 @@ void refuse_flags(const MeasurementHeading& heading, const MeasurementSet& set) 
         .at(at_line(set.points.front().line));
 }
 
-/// What a row without a label may hold of the rows above it.
-struct Summary {
-    std::string_view name;
-    double (*of)(const Moments&);
-};
-constexpr std::array summaries{
-    Summary{"means", [](const Moments& above) { return above.mean; }},
-    Summary{"sums", [](const Moments& above) { return above.mean * static_cast<double>(above.count); }},
-    Summary{"standard deviations", [](const Moments& above) { return std::sqrt(above.variance()); }},
-    Summary{"standard deviations",
-            [](const Moments& above) { return std::sqrt(above.second / static_cast<double>(above.count)); }}};
-
-/// Whether a number is the other one, rounded to its last digit; a fine one may be cut there.
-bool is_rounded(double value, double exact) {
-    constexpr double coarsest = 0.2;  // of the value; a number of one digit matches too easily
-    constexpr double fine = 0.02;     // of the value
-    const std::string digits = shortest(value);
-    const auto point = std::min(digits.find('.'), digits.size() - 1);
-    const double last = std::pow(10.0, static_cast<double>(point + 1) - static_cast<double>(digits.size()));
-    return last <= coarsest * value &&
-           std::abs(value - exact) <= 1.001 * last * (last <= fine * value ? 1 : 0.5);
-}
-
-[[noreturn]] void refuse_summary(const std::string& holds, std::size_t line) {
-    throw InputError("the row holds " + holds + " of the rows above: it may be an impact, or sum up others",
-                     "a column that numbers the impacts, or a file without this row")
-        .at(at_line(line));
-}
-
-/// Refuses a last row, or last but one, that holds the means, sums or standard deviations of the rows above.
-/// @throws InputError
-void refuse_summaries(const MeasurementSet& set, bool by_restitution) {
-    constexpr std::size_t fewest = 3;      // rows above
-    constexpr double least_spread = 0.05;  // of the velocities, so that equal rows are no mean
-    std::vector<double> velocities;
-    std::vector<double> readings;
-    for (const Measurement& point : set.points) {
-        const double reading = by_restitution ? point.restitution() : point.rebound;
-        if (velocities.size() >= fewest && velocities.size() + 2 >= set.points.size() &&
-            point.rebound > 0.0) {
-            const Moments above = Moments::of(velocities);
-            const Moments read = Moments::of(readings);
-            for (const auto& [name, of] : summaries)
-                if (above.maximum > (1.0 + least_spread) * above.minimum &&
-                    is_rounded(point.velocity, of(above)) && is_rounded(reading, of(read)))
-                    refuse_summary("the " + std::string(name), point.line);
-        }
-        velocities.push_back(point.velocity);
-        readings.push_back(reading);
-    }
-}
-
 /// Puts the doubt about the first velocity outside of its range before the other warnings.
 void add_implausible(const MeasuredColumn& column, MeasurementSet& set) {
     if (set.points.empty()) return;
@@ -738,7 +686,14 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
         set.warnings.push_back({impacts_code, Severity::remark,
                                 "uncertainties of " + in_quotes(heading.of(*alone)->name) +
                                     " alone are stated: v_in and v_r are taken as equally uncertain"});
-    if (!labels.number_rows()) refuse_summaries(set, heading.reading().is_fraction);
+    if (!labels.number_rows()) {
+        std::vector<MeasuredRow> rows;
+        for (const Measurement& point : set.points)
+            rows.push_back(
+                {point.line,
+                 {point.velocity, heading.reading().is_fraction ? point.restitution() : point.rebound}});
+        refuse_summaries(rows);
+    }
     if (heading.correlation && !set.has_noise())
         throw InputError(
             "the correlation of two velocities is that of their uncertainties, which are not stated",
@@ -771,7 +726,7 @@ MeasurementSet read_from_workbook(std::string_view bytes, std::string_view name,
     return chosen.read([&](const TextLines& lines) {
         MeasurementSet set = read_table(lines, name, options.decimal);
         for (const Measurement& point : set.points)
-            if (chosen.sums_up(point.line)) refuse_summary("a formula", point.line);
+            if (chosen.sums_up(point.line)) refuse_summary_row(point.line, "a formula");
         for (Finding& warning : set.warnings) warning.text = in_rows(std::move(warning.text));
         set.warnings.insert(set.warnings.begin(), chosen.findings().begin(), chosen.findings().end());
         validate(set);

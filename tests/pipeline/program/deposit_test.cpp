@@ -211,11 +211,40 @@ TEST_CASE("what a sieve table has beside sizes and shares is said") {
           {"Siebweite;Durchgang\n10 \u00b5m;20 %\n20 \u00b5m;100 %\nBoden;0 %\n",
            "line 4 is no size and left out"},
           {"Size (\u00b5m);Vol Under %\n10;20\n20;100\n", "is by volume: taken as by mass"},
+          {"Size (\u00b5m);Undersize Volume (%)\n10;20\n20;100\n", "is by volume: taken as by mass"},
+          {"size [um];passing [%];residue [%]\n10;20;80\n20;100;0\n",
+           "column \"residue [%]\" agrees with \"passing [%]\", which is used"},
+          {"size [um];passing [%];retained [%]\n10;20;20\n20;100;80\n", "\"retained [%]\" agrees"},
+          {"size [um];share [%];Q3(x) [%]\n10;20;20\n20;80;100\n", "\"share [%]\" agrees with \"Q3(x) [%]\""},
+          {"from [um];to [um];share [%];passing [%]\n5;10;20;20\n10;20;80;100\n",
+           "\"passing [%]\" agrees with \"share [%]\""},
           {"from [um];to [um];share [%]\n0;10;20\n10;20;80\n", "20 % is finer than the smallest size"}}) {
         CAPTURE(table);
         sandbox.write("sieve.csv", table);
         CHECK(succeeded(sandbox, "deposit" + superheater + sticky_ash + " --sizes sieve.csv").err ==
               containing(says));
+    }
+}
+
+TEST_CASE("one sieve table in the forms that laboratories write is one result") {
+    const Sandbox sandbox;
+    const auto captured = [&](const std::string& table) {
+        sandbox.write("sieve.csv", table);
+        Json result = parse_json(
+            succeeded(sandbox, "deposit" + superheater + sticky_ash + " --sizes sieve.csv --json").out);
+        return result["result"]["capture"].dump() + result["result"]["sizes"].dump();
+    };
+    const std::string plain = captured("size [um];passing [%]\n10;20\n20;50\n40;100\n");
+    CHECK(plain.size() > 40);
+    for (const char* table :
+         {"Siebweite / \u00b5m;Durchgang / %\n10;20\n20;50\n40;100\n",
+          "x [\u00b5m];Q3(x) [%]\n10;20\n20;50\n40;100\n",
+          "Size (\u00b5m);Cum. % passing\n10;20\n20;50\n40;100\n",
+          "size;passing\num;%\n10;20\n20;50\n40;100\n", "size;passing\n10 um;20 %\n20 um;50 %\n40 um;100 %\n",
+          "size [um];passing [%]\n10;20,000\n20;50,000\n40;100,000\n",
+          "size [um];passing [%];residue [%]\n10;20;80\n20;50;50\n40;100;0\n"}) {
+        CAPTURE(table);
+        CHECK(captured(table) == plain);
     }
 }
 
@@ -228,7 +257,8 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
     sandbox.write("sum.csv", "from [um],to [um],share [%]\n0,10,20\n10,20,60\n");
     sandbox.write("gap.csv", "from [um],to [um],share [%]\n0,10,40\n12,20,60\n");
     sandbox.write("none.csv", "a,b\n1,2\n");
-    sandbox.write("sum-and-rest.csv", "size [um];passing [%];residue [%]\n10;20;80\n20;100;0\n");
+    sandbox.write("sum-and-rest.csv", "size [um];passing [%];residue [%]\n10;20;20\n20;100;0\n");
+    sandbox.write("each.csv", "Residue on each sieve\nsize [um];residue [%]\n80;0\n40;20\n20;30\n10;40\n");
     sandbox.write("two-sizes.csv", "size [um];size [mm];passing [%]\n10;1;20\n20;2;100\n");
     sandbox.write("units.csv", "size [um];passing [%]\n10 um;20\n0.02 mm;100\n");
     sandbox.write("residue.csv", "size [um];residue [%]\n5;60\n20;30\n40;10\n100;0\n");
@@ -245,6 +275,8 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
     titled("counted.csv", "Particle number distribution");
     titled("oversize.csv", "Cumulative residue (oversize)");
     titled("radii.csv", "Sizes are radii");
+    titled("millimetres.csv", "# sizes in mm");
+    titled("aerodynamic.csv", "# aerodynamic diameters");
     sandbox.write("pan.csv", "size [um];passing [%]\n10;20\n20;100\nBoden;100\n");
     sandbox.write("cells.csv", "size;passing [%]\n10 um;20\n0.02 mm;100\n");
     struct Refused {
@@ -267,7 +299,10 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
           Refused{"short.csv", "40 % is coarser than the largest size"},
           Refused{"bare.csv", "no unit"},
           Refused{"sum.csv", "add up to 80 %"},
-          Refused{"sum-and-rest.csv", "\"passing [%]\" and \"residue [%]\" state one thing twice"},
+          Refused{"sum-and-rest.csv", "\"passing [%]\" and \"residue [%]\" do not agree"},
+          Refused{"each.csv", "states what lies on each sieve, and the heading \"residue [%]\" all that"},
+          Refused{"millimetres.csv", "states mm, and column \"size [um]\" is in another unit"},
+          Refused{"aerodynamic.csv", "states aerodynamic diameters; allowed: diameters of the particles"},
           Refused{"two-sizes.csv", "state one thing twice"},
           Refused{"residue.csv",
                   "line 2: the residues may be all that is coarser, or what lies on each sieve"},
@@ -281,7 +316,7 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
           Refused{"comment.csv", "states shares by number"},
           Refused{"counted.csv", "states shares by number"},
           Refused{"oversize.csv", "states what is coarser, and the heading \"passing [%]\" the contrary"},
-          Refused{"radii.csv", "states radii; allowed: diameters"},
+          Refused{"radii.csv", "states radii; allowed: diameters of the particles"},
           Refused{"pan.csv", "\"Boden\" is below every sieve: nothing passes it"},
           Refused{"cells.csv", "\"0.02 mm\" is not in um, as other sizes are"},
           Refused{"gap.csv", "does not begin where"},

@@ -69,7 +69,7 @@ TEST_CASE("what the texts beside impacts and their columns state counts, or the 
           {"oblique impacts, 30 deg to the wall\n" + given, "states an angle of the impacts"},
           {"errors relative\nv_in;u(v_in);v_r\n2;0.1;0.5\n", "states relative uncertainties"},
           {"errors in %\nv_in;u(v_in);v_r\n2;0.1;0.5\n", "states relative uncertainties"},
-          {"# mm/s\n" + bare, "states mm/s, and column \"v_in\" has no unit"},
+          {"# mm/s\n" + bare, "states mm/s, and column \"v_in\" is taken in another unit"},
           {bare + "\nVelocities in mm/s\n", "states mm/s"},
           {"Velocities in mm/s\n" + given, "column \"v_in\" is in another unit"},
           {given + "\nVelocities [mm/s]\n", "column \"v_in\" is in another unit"},
@@ -82,10 +82,10 @@ TEST_CASE("what the texts beside impacts and their columns state counts, or the 
           {"v_in [m/s];v_r [m/s];u [%]\n0.3;0;5\n0.75;0.08;5\n", "is relative to a reading of 0"},
           {marked("unit", "cm/s"), "\"cm/s\" states cm/s, and column \"v_in\""},
           {marked("", "all velocities in mm/s"), "states mm/s"},
-          {marked("Ausschluss", "x"), "marks impacts as valid or not"},
-          {marked("\u00e0 exclure", "x"), "marks impacts as valid or not"},
-          {marked("Vermerk 2", "x"), "marks impacts as valid or not"},
-          {marked("Remarque", "\u00e0 rejeter"), "calls the impact invalid"}}) {
+          {marked("Ausschluss", "x"), "marks rows as valid or not"},
+          {marked("\u00e0 exclure", "x"), "marks rows as valid or not"},
+          {marked("Vermerk 2", "x"), "marks rows as valid or not"},
+          {marked("Remarque", "\u00e0 rejeter"), "calls the row invalid"}}) {
         const std::string message =
             input_error_of([&, &text = table] { return read_measurements(text, "a.csv"); });
         CHECK_MESSAGE(contains(message, says), message);
@@ -520,7 +520,7 @@ TEST_CASE("a last row without a label that holds the means of the others is refu
     const std::string rows = "v_in;v_r\n1,52;0,48\n2,51;0,93\n3,03;1,22\n3,91;1,70\n";
     for (const char* sums : {"\n2,74;1,08\n", "2,7425;1,0825\n1,0;0,5\n"})
         CHECK(contains(input_error_of([&] { static_cast<void>(read_measurements(rows + sums, "t.csv")); }),
-                       "the row holds the means of the rows above: it may be an impact, or sum up others"));
+                       "the row holds the means of the rows above: it may be a measurement, or sum up others"));
     const char* const ratios = "v_in;e\n1,52;0,48\n2,51;0,53\n3,03;0,62\n3,91;0,70\n2,743;0,5825\n";
     CHECK(contains(input_error_of([&] { static_cast<void>(read_measurements(ratios, "t.csv")); }),
                    "the row holds the means"));
@@ -551,7 +551,7 @@ TEST_CASE(
             CAPTURE(remark);
             CHECK(contains(
                 input_error_of([&] { static_cast<void>(read("1,4;0,33;" + std::string(remark), heading)); }),
-                "calls the impact invalid, and remarks are not read; allowed: a file without this row"));
+                "calls the row invalid, and remarks are not read; allowed: a file without this row"));
         }
     for (const char* remark : {"Partikel haftet an der Wand", "sticks to the wall", "hat gehaftet"})
         CHECK(contains(input_error_of([&] { static_cast<void>(read("1,4;0,33;" + std::string(remark))); }),
@@ -593,19 +593,19 @@ TEST_CASE(
         const char* says;  // of the refusal; empty: read
     };
     for (const auto& [heading, cells, says] :
-         {Judged{"valid", {"1", "0"}, "line 3, cell 3: column \"valid\" marks impacts as valid or not"},
+         {Judged{"valid", {"1", "0"}, "line 3, cell 3: column \"valid\" marks rows as valid or not"},
           {"ok",
            {"yes", "no"},
            "\"yes\" or \"no\": those with one of the marks may be excluded, or all count"},
-          {"OK?", {"", "x"}, "column \"OK?\" marks impacts"},
-          {"quality", {"good", "bad"}, "column \"quality\" marks impacts"},
-          {"Qualit\u00e4t", {"2", "3"}, "marks impacts"},
-          {"flag", {"", "1"}, "marks impacts"},
-          {"n.i.O.", {"", "ja"}, "marks impacts"},
-          {"remark", {"", "x"}, "column \"remark\" marks impacts"},
-          {"", {"", "no"}, "the column without a heading marks impacts"},
-          {"seen", {"", "bad"}, "\"bad\" in column \"seen\" calls the impact invalid"},
-          {"valid", {"no", "no"}, "column \"valid\" has \"no\" in every row: all impacts may be excluded"},
+          {"OK?", {"", "x"}, "column \"OK?\" marks rows"},
+          {"quality", {"good", "bad"}, "column \"quality\" marks rows"},
+          {"Qualit\u00e4t", {"2", "3"}, "marks rows"},
+          {"flag", {"", "1"}, "marks rows"},
+          {"n.i.O.", {"", "ja"}, "marks rows"},
+          {"remark", {"", "x"}, "column \"remark\" marks rows"},
+          {"", {"", "no"}, "the column without a heading marks rows"},
+          {"seen", {"", "bad"}, "\"bad\" in column \"seen\" calls the row invalid"},
+          {"valid", {"no", "no"}, "column \"valid\" has \"no\" in every row: all may be excluded"},
           {"exclude", {"x", "x"}, "column \"exclude\" has \"x\" in every row"},
           {"quality", {"schlecht", "schlecht"}, "in every row"},
           {"valid", {"1", "1"}, ""},
