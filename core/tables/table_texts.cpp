@@ -215,8 +215,8 @@ void require_units(const std::vector<TextBeside>& texts, const std::vector<Colum
             }
         if (other != nullptr && !agrees)
             refuse_line(each.line,
-                        fmt::format("{} states {}, and column {} is in another unit", in_quotes(each.text),
-                                    other->text, in_quotes(its_column->heading)),
+                        fmt::format("{} states {}, and column {} is taken in another unit",
+                                    in_quotes(each.text), other->text, in_quotes(its_column->heading)),
                         "one of the two: the unit in the heading, or a file without this text");
     }
 }

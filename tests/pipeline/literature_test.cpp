@@ -237,7 +237,7 @@ TEST_CASE(
     const std::string four = "d [um];v_c [m/s]\n1;0.1\n2;0.06\n4;0.03\n8;0.018\n";
     for (const auto& [text, says] :
          {std::pair{"# sizes are radii\n" + four, "line 1: \"sizes are radii\" states radii"},
-          {"Velocities in cm/s\n" + four, "states cm/s, and column \"v_c [m/s]\" is in another unit"},
+          {"Velocities in cm/s\n" + four, "states cm/s, and column \"v_c [m/s]\" is taken in another unit"},
           {four + "3.75;0.052\n", "line 6: the row holds the means of the rows above"},
           {four + "15;0.208\n", "line 6: the row holds the sums of the rows above"},
           {std::string("d [um];v_c [m/s];excluded\n1;0.1;\n2;0.06;x\n"),

@@ -687,12 +687,12 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
                                 "uncertainties of " + in_quotes(heading.of(*alone)->name) +
                                     " alone are stated: v_in and v_r are taken as equally uncertain"});
     if (!labels.number_rows()) {
-        std::vector<MeasuredRow> rows;
+        std::vector<MeasuredRow> measured;
         for (const Measurement& point : set.points)
-            rows.push_back(
+            measured.push_back(
                 {point.line,
                  {point.velocity, heading.reading().is_fraction ? point.restitution() : point.rebound}});
-        refuse_summaries(rows);
+        refuse_summaries(measured);
     }
     if (heading.correlation && !set.has_noise())
         throw InputError(

@@ -230,9 +230,7 @@ TEST_CASE("one sieve table in the forms that laboratories write is one result") 
     const Sandbox sandbox;
     const auto captured = [&](const std::string& table) {
         sandbox.write("sieve.csv", table);
-        Json result = parse_json(
-            succeeded(sandbox, "deposit" + superheater + sticky_ash + " --sizes sieve.csv --json").out);
-        return result["result"]["capture"].dump() + result["result"]["sizes"].dump();
+        return deposited(sandbox, sticky_ash + " --sizes sieve.csv")["result"].dump();
     };
     const std::string plain = captured("size [um];passing [%]\n10;20\n20;50\n40;100\n");
     CHECK(plain.size() > 40);
@@ -301,7 +299,7 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
           Refused{"sum.csv", "add up to 80 %"},
           Refused{"sum-and-rest.csv", "\"passing [%]\" and \"residue [%]\" do not agree"},
           Refused{"each.csv", "states what lies on each sieve, and the heading \"residue [%]\" all that"},
-          Refused{"millimetres.csv", "states mm, and column \"size [um]\" is in another unit"},
+          Refused{"millimetres.csv", "states mm, and column \"size [um]\" is taken in another unit"},
           Refused{"aerodynamic.csv", "states aerodynamic diameters; allowed: diameters of the particles"},
           Refused{"two-sizes.csv", "state one thing twice"},
           Refused{"residue.csv",

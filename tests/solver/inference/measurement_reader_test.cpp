@@ -71,8 +71,8 @@ TEST_CASE("what the texts beside impacts and their columns state counts, or the 
           {"errors in %\nv_in;u(v_in);v_r\n2;0.1;0.5\n", "states relative uncertainties"},
           {"# mm/s\n" + bare, "states mm/s, and column \"v_in\" is taken in another unit"},
           {bare + "\nVelocities in mm/s\n", "states mm/s"},
-          {"Velocities in mm/s\n" + given, "column \"v_in\" is in another unit"},
-          {given + "\nVelocities [mm/s]\n", "column \"v_in\" is in another unit"},
+          {"Velocities in mm/s\n" + given, "column \"v_in\" is taken in another unit"},
+          {given + "\nVelocities [mm/s]\n", "column \"v_in\" is taken in another unit"},
           {"angles measured from the surface\n" + oblique, "may state that the angles are from the wall"},
           {"# k=2\nv_in [m/s];v_r [m/s]\n0.3 \u00b1 0.02;0.1 \u00b1 0.02\n", "the heading \"v_in [m/s]\" of"},
           {"v_in [m/s];v_rn [m/s];impingement angle [deg]\n0.75;0.08;60\n",
@@ -495,11 +495,10 @@ TEST_CASE("a row among numbered ones that has another label is no impact, or is 
             CHECK(contains(warnings_of(set),
                            "line 5 is no impact and left out: \"" + std::string(label) + "\""));
         }
-    CHECK(
-        contains(input_error_of([&] { static_cast<void>(of("Serie")); }),
-                 "line 5, cell 1: \"Serie\" stands in column \"Nr.\", where the others have a number: the "
-                 "row may be an "
-                 "impact, or sum up others; allowed: the number of the impact, or a file without this row"));
+    CHECK(contains(
+        input_error_of([&] { static_cast<void>(of("Serie")); }),
+        "line 5, cell 1: \"Serie\" stands in column \"Nr.\", where the others have a number: the "
+        "row may be a measurement, or sum up others; allowed: its number, or a file without this row"));
     CHECK(contains(input_error_of([&] { static_cast<void>(of("")); }),
                    "the row has no number in column \"Nr.\""));
     CHECK(contains(input_error_of([&] { static_cast<void>(of("", "")); }),
@@ -519,8 +518,9 @@ TEST_CASE("a row among numbered ones that has another label is no impact, or is 
 TEST_CASE("a last row without a label that holds the means of the others is refused") {
     const std::string rows = "v_in;v_r\n1,52;0,48\n2,51;0,93\n3,03;1,22\n3,91;1,70\n";
     for (const char* sums : {"\n2,74;1,08\n", "2,7425;1,0825\n1,0;0,5\n"})
-        CHECK(contains(input_error_of([&] { static_cast<void>(read_measurements(rows + sums, "t.csv")); }),
-                       "the row holds the means of the rows above: it may be a measurement, or sum up others"));
+        CHECK(
+            contains(input_error_of([&] { static_cast<void>(read_measurements(rows + sums, "t.csv")); }),
+                     "the row holds the means of the rows above: it may be a measurement, or sum up others"));
     const char* const ratios = "v_in;e\n1,52;0,48\n2,51;0,53\n3,03;0,62\n3,91;0,70\n2,743;0,5825\n";
     CHECK(contains(input_error_of([&] { static_cast<void>(read_measurements(ratios, "t.csv")); }),
                    "the row holds the means"));
