@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -180,18 +181,34 @@ struct StatedUnit {
     Unit unit;
 };
 
+/// The unit that a text is; none for "in", which is hardly inches.
+std::optional<Unit> unit_of_text(std::string_view text) {
+    constexpr std::size_t longest = 40;
+    if (text.size() > longest || lower_case(text) == "in" || lower_case(text).starts_with("in "))
+        return std::nullopt;
+    return read_unit(text == "ms-1" ? "m/s" : ascii_unit(text));
+}
+
 std::vector<StatedUnit> units_in(std::string_view text) {
     constexpr std::string_view ends = " \t,;:()[]\"";
     std::vector<StatedUnit> units;
     bool behind_number = false;
     for (auto from = text.find_first_not_of(ends); from != std::string_view::npos;) {
         const auto end = std::min(text.find_first_of(ends, from), text.size());
-        const std::string_view word = text.substr(from, end - from);
-        from = text.find_first_not_of(ends, end);
-        const bool is_value = std::exchange(behind_number, read_number(word, true).has_value());
-        if (is_value || word.size() < 2 || lower_case(word) == "in") continue;
-        const auto unit = read_unit(word == "ms-1" ? "m/s" : ascii_unit(word));
-        if (unit) units.push_back({word, *unit});
+        const std::string_view first = text.substr(from, end - from);
+        std::string_view word = first;
+        auto unit = first.size() < 2 ? std::nullopt : unit_of_text(first);
+        for (std::size_t i = 0, behind = end; i < 2 && behind < text.size(); ++i) {  // "mm s-1", "mm per s"
+            behind = std::min(text.find_first_of(ends, behind + 1), text.size());
+            const std::string_view longer = trimmed(text.substr(from, behind - from));
+            if (const auto of_longer = unit_of_text(longer)) {
+                unit = of_longer;
+                word = longer;
+            }
+        }
+        from = text.find_first_not_of(ends, from + word.size());
+        const bool is_value = std::exchange(behind_number, read_number(first, true).has_value());
+        if (unit && !is_value && !behind_number) units.push_back({word, *unit});
     }
     return units;
 }
