@@ -175,8 +175,10 @@ bool NumberMarks::is_decimal(char mark, std::string_view number, std::size_t col
     if (contradicted && !stated && found != columns_.end()) {
         const auto points = found->second.point_may_group;
         const auto commas = found->second.comma_may_group;
-        if (found->second.others == 0 && (is_point ? points > 1 && commas == 0 : commas > 1 && points == 0))
+        if (found->second.others == 0 && (is_point ? points > 1 && commas == 0 : commas > 1 && points == 0)) {
+            if (first_grouped_.empty()) first_grouped_ = number;
             return false;
+        }
     }
     const std::string decimal = [&] {
         std::string text(number);
@@ -190,6 +192,16 @@ bool NumberMarks::is_decimal(char mark, std::string_view number, std::size_t col
         grouped + ", or " + decimal +
             "0, with one decimal mark in all numbers of the table; or --decimal point or comma (in a "
             "case \"decimal\", beside an XRD file \"xrd_decimal\")");
+}
+
+std::vector<Finding> NumberMarks::findings(std::string_view code) const {
+    if (first_grouped_.empty()) return {};
+    std::string grouped = first_grouped_;
+    std::erase_if(grouped, is_mark);
+    return {{std::string(code), Severity::remark,
+             fmt::format("{} is read as {}, as other columns have the other decimal mark (--decimal "
+                         "states it)",
+                         in_quotes(first_grouped_), grouped)}};
 }
 
 std::optional<PrintedNumber> NumberMarks::read(std::string_view cell, std::size_t column) const {

@@ -7,7 +7,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "core/finding.hpp"
 #include "core/quantities/names.hpp"
 #include "core/quantities/quantity.hpp"
 
@@ -51,6 +53,9 @@ class NumberMarks {
     /// other than the stated one, and for an uncertainty in per cent of a value that is not: "12.3 ± 3 %"
     [[nodiscard]] std::optional<PrintedNumber> read(std::string_view cell, std::size_t column) const;
 
+    /// A remark on the first number read as grouped because of other columns; none without one.
+    [[nodiscard]] std::vector<Finding> findings(std::string_view code) const;
+
   private:
     /// How often the numbers of a column have these forms.
     struct Column {
@@ -68,6 +73,7 @@ class NumberMarks {
     std::map<std::size_t, Column> columns_{};
     bool has_decimal_point_ = false;
     bool has_decimal_comma_ = false;
+    mutable std::string first_grouped_{};  ///< because of other columns
 };
 
 /// A cell without the unit of its column behind its number: "5 um" under "d [um]".

@@ -853,6 +853,7 @@ OxideResult read_oxide_lines(const TextLines& file, std::optional<DecimalMark> d
                         "a name for each sample");
         result.samples.push_back(std::move(sample));
     }
+    for (Finding& each : table.marks().findings(glass_code)) result.warnings.push_back(std::move(each));
     if (result.samples.empty())
         refuse_line(file.last_line(), "there are no amounts of oxides", "a number for each oxide");
     return result;

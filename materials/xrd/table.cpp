@@ -298,6 +298,7 @@ XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) 
     const bool volumes = layout != Layout::peaks && by_volume(table, layout);
     XrdResult result{.format = XrdFormat::table, .samples = {}, .warnings = table.warnings};
     std::vector<Entry> entries = entries_of(table, layout);
+    for (Finding& each : table.marks.findings(xrd_code)) result.warnings.push_back(std::move(each));
     if (layout == Layout::fractions) require_complete(file, table, entries.back());
     const double scale = layout == Layout::peaks ? 1 : scale_of(table, entries, result.warnings);
     warn_of_ignored(table, layout, result.warnings);

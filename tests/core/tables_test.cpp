@@ -480,6 +480,15 @@ TEST_CASE("marks in numbers have one reading, by the other numbers of the table,
     CHECK(of_counts({"1.753", "0.540"}, "7").empty());
     CHECK(of_counts({"1.753", "0"}, "3.4").empty());
     CHECK(of_counts({"1.753", "540", "45.5"}, "7").empty());
+    // Other columns decide between two readings: that is said.
+    NumberMarks beside_decimals;
+    for (const char* cell : {"1,050", "1,110"}) beside_decimals.see(cell, 0);
+    beside_decimals.see("0.05", 1);
+    CHECK(beside_decimals.read("0.05", 1)->value == 0.05);
+    CHECK(beside_decimals.findings("x").empty());
+    CHECK(beside_decimals.read("1,050", 0)->value == 1050);
+    REQUIRE(beside_decimals.findings("x").size() == 1);
+    CHECK(contains(beside_decimals.findings("x").front().text, "\"1,050\" is read as 1050"));
     const NumberMarks by_comma(DecimalMark::comma);  // as --decimal states
     CHECK(by_comma.read("1,234", 0)->value == 1.234);
     CHECK(by_comma.read("1.234", 0)->value == 1234);

@@ -243,6 +243,7 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
         measured.push_back({row.line, {sized.diameter, sized.velocity}});
         found.push_back(sized);
     }
+    for (Finding& each : marks.findings(code)) findings.push_back(std::move(each));
     if (!row_labels.number_rows()) refuse_summaries(measured);
     if (found.empty()) refuse_line(file.last_line(), "there are no rows below the heading", size_headings);
     return found;

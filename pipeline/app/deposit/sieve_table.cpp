@@ -111,6 +111,7 @@ class SieveTable {
         if (rows_.empty())
             refuse_line(last_line_, "there are no rows below the heading", "a size and a share each");
         std::ranges::copy(notes_, std::back_inserter(notes));
+        std::ranges::copy(marks_.findings("deposition"), std::back_inserter(notes));
         return kind_ == SieveColumn::share ? by_classes(notes) : cumulative(notes);
     }
 

@@ -414,8 +414,11 @@ void require_agreeing_units(const TextBeside& beside, const MeasurementHeading& 
     for (const auto& column : heading.value)
         if (column && !column->is_fraction)
             columns.push_back({column->name, column->to_si, Dimension::velocity});
-    require_units({beside}, columns);
     const std::string_view text = beside.text;
+    // A unit of velocity is a quotient, or has an exponent below zero, perhaps raised; most cells have
+    // neither.
+    if (text.find_first_of("/-\xe2") != std::string_view::npos || text.find("per") != std::string_view::npos)
+        require_units({beside}, columns);
     if (!heading.sideways || !heading.sideways->is_angle) return;
     for (const Mention& mention : mentions_in(words_in(text), angles))
         if (!mention.negated && mention.list == "wall")

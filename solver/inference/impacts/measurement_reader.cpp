@@ -168,6 +168,8 @@ class TableCells {
         return number->value;
     }
 
+    [[nodiscard]] const NumberMarks& marks() const { return marks_; }
+
   private:
     /// Of incidence, from the normal [rad].
     [[nodiscard]] double angle(const TableRow& row) const {
@@ -678,6 +680,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
         });
     }
     unread.tell(set.warnings);
+    for (Finding& each : cells.marks().findings(impacts_code)) set.warnings.push_back(std::move(each));
     refuse_flags(heading, set);
     stated.settle(heading, set);
     const auto alone = stated.alone(heading);
