@@ -13,8 +13,8 @@ namespace {
 using Vector = OnsetCurve::Vector;
 using Matrix = Eigen::Matrix<double, OnsetCurve::size, OnsetCurve::size>;
 
-/// Normal prior of the coefficients: a and the tilt b_1 are hardly known, q and further bends, which fall
-/// with their order squared, spread as in the curves of known laws (docs/uncertainty.md).
+/// Normal prior of the coefficients: a, q and the tilt b_1 are hardly known, further bends fall with their
+/// order squared and spread as in the curves of known laws (docs/uncertainty.md).
 struct CoefficientPrior {
     Vector mean;
     Vector deviation;
@@ -22,9 +22,9 @@ struct CoefficientPrior {
 const CoefficientPrior& coefficient_prior() {
     static const CoefficientPrior prior = [] {
         CoefficientPrior result{Vector::Zero(), Vector::Zero()};
-        result.mean.head<2>() << -0.8, 0.75;
-        result.deviation.head<3>() << 1.0, 0.4, 1.0;
-        for (int k = 2; k <= OnsetCurve::bends; ++k) result.deviation[1 + k] = 0.3 * 4.0 / (k * k);
+        result.mean.head<2>() << -0.8, 0.9;
+        result.deviation.head<3>() << 1.0, 0.5, 1.0;
+        for (int k = 2; k <= OnsetCurve::bends; ++k) result.deviation[1 + k] = 0.35 * 4.0 / (k * k);
         return result;
     }();
     return prior;
