@@ -296,7 +296,7 @@ void require(const void* pointer, std::string_view name) {
 Call call_of(const ashimpact_model* model, std::size_t count, const double* diameter,
              const double* velocity) {
     require(model, "model");
-    Call call{model->choice, model->parameters(), count};
+    Call call{.choice = model->choice, .parameters = model->parameters(), .count = count, .as_alone = true};
     require(diameter, "diameter");
     call.parameters.set(Parameter::diameter, {diameter, 1});
     if (velocity != nullptr) call.parameters.set(Parameter::velocity, {velocity, 1});

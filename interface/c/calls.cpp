@@ -299,7 +299,7 @@ void solve_critical_velocities(const Call& call, double* critical_velocity) {
         CriticalVelocityBatchResult result =
             critical_velocities({law, detachment, damping_law, reader.contact(law, damping_law),
                                  reader.column(Parameter::damping)},
-                                call.threads, method_of_many_velocities(law, call.count));
+                                call.threads, method_of_many_velocities(law, call.as_alone ? 1 : call.count));
         for (Eigen::Index i = 0; i < result.value.size(); ++i) {
             if (result.verdict[i] == CaptureVerdict::never_captured) result.value[i] = 0.0;
             if (result.verdict[i] == CaptureVerdict::always_captured)

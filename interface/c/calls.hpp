@@ -98,6 +98,7 @@ struct Call {
     int threads = 1;                      ///< 0: one per core; results do not depend on it
     std::size_t chunk = 2048;             ///< problems solved at a time
     std::function<void()> after_chunk{};  ///< may throw, which ends the call
+    bool as_alone = false;                ///< the bits of calls of one problem each
 };
 
 /// Arrays for the results, of call.count numbers each; null for a result that is not needed.
@@ -117,7 +118,8 @@ struct ImpactOutputs {
 /// angle need friction, and the tangential velocity or the spin.
 /// @throws InputError, ConvergenceError, like the next two, naming the first problem of several that fails
 void solve_impacts(const Call& call, const ImpactOutputs& outputs);
-/// Solves critical velocities [m/s]: 0 if no impact is captured, infinity if every impact is.
+/// Solves critical velocities [m/s]: 0 if no impact is captured, infinity if every impact is. From tables
+/// where that pays for so many.
 void solve_critical_velocities(const Call& call, double* critical_velocity);
 /// Solves for the damping that gives each restitution.
 void solve_dampings(const Call& call, const DampingOutputs& outputs);

@@ -115,13 +115,12 @@ TEST_CASE("C interface: the bits of the batch solver, every law, detachment and 
         const ImpactBatchResult expected =
             solve_impacts({c.law, c.detachment, c.damping_law, contact, damping, s.velocity},
                           {.turning_point = false, .method = method_of_many(c.law, c.damping_law)});
-        CHECK(ashimpact_method(handle.get()) ==
-              name_of(method_of_many(c.law, c.damping_law)));
+        CHECK(ashimpact_method(handle.get()) == name_of(method_of_many(c.law, c.damping_law)));
         std::vector<double> restitution = restitutions(handle, s);
         CHECK(same_bits(restitution, expected.restitution));
 
-        const CriticalVelocityBatchResult critical =
-            critical_velocities({c.law, c.detachment, c.damping_law, contact, damping});
+        const CriticalVelocityBatchResult critical = critical_velocities(
+            {c.law, c.detachment, c.damping_law, contact, damping}, 1, method_of_many_velocities(c.law, 1));
         std::vector<double> velocity(s.size());
         REQUIRE(ashimpact_critical_velocities(handle.get(), s.size(), s.diameter.data(), velocity.data(),
                                               nullptr) == ASHIMPACT_OK);

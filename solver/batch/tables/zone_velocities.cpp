@@ -80,13 +80,17 @@ PieceState ZoneVelocityTable::judge(const ZoneVelocityPiece& piece, int /*depth*
         }
         return true;
     };
-    const auto ends_low = [](const auto& last) { return last.cwiseAbs().maxCoeff() < tolerance; };
+    const auto ends_low = [](const auto& last, double allowed) {
+        return last.cwiseAbs().maxCoeff() < allowed;
+    };
     // One layer shows at a tenth of the cost whether the interval is too long.
-    if (!fill(middle) || !ends_low((by_terms * work.col(middle)).tail<2>())) return PieceState::unknown;
+    if (!fill(middle) || !ends_low((by_terms * work.col(middle)).tail<2>(), tolerance))
+        return PieceState::unknown;
     if (!std::ranges::all_of(all, [&](int layer) { return layer == middle || fill(layer); }))
         return PieceState::unknown;
     const Eigen::MatrixXd spectrum = by_terms * work * by_layers.transpose();
-    if (!ends_low(spectrum.bottomRows<2>()) || !ends_low(spectrum.rightCols<1>())) return PieceState::unknown;
+    if (!ends_low(spectrum.bottomRows<2>(), tolerance) || !ends_low(spectrum.rightCols<1>(), layer_tolerance))
+        return PieceState::unknown;
     content = std::make_unique<ZoneVelocityPolynomials>();
     const Eigen::MatrixXd powers =
         chebyshev_by_powers(terms) * spectrum * chebyshev_by_powers(layers).transpose();

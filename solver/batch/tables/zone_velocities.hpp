@@ -56,9 +56,10 @@ class ZoneVelocityTable final : public ZoneVelocityTree {
     static constexpr int terms = ZoneVelocityPolynomials::terms;
     static constexpr int layers = ZoneVelocityPolynomials::layers;
     static constexpr int middle = layers / 2;
-    static constexpr double tolerance = 1e-10;  ///< of ln(work/beta), in its last coefficients
-    static constexpr double within = 0.9999;    ///< z of the last nodes: at the ends pull-off meets the gap
-    static constexpr double lowest = -40.0;     ///< log2(beta); below it the work over beta is the same
+    static constexpr double tolerance = 1e-10;       ///< of ln(work/beta), in its last coefficients
+    static constexpr double layer_tolerance = 1e-9;  ///< the same along the span, which is not divided
+    static constexpr double within = 0.9999;  ///< z of the last nodes: at the ends pull-off meets the gap
+    static constexpr double lowest = -40.0;   ///< log2(beta); below it the work over beta is the same
     static constexpr double octaves = 64.0;
 
     [[nodiscard]] PieceState judge(const ZoneVelocityPiece& piece, int depth,
