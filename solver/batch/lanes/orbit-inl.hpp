@@ -12,7 +12,7 @@
 
 #include "solver/batch/lanes/number_task.hpp"
 #include "solver/batch/lanes/steps-inl.hpp"
-#include "solver/batch/lanes/zone-inl.hpp"
+#include "solver/batch/lanes/zone_events-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {

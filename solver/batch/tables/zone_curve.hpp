@@ -37,11 +37,11 @@ struct ZoneSpan {
 /// band.
 class ZoneBand {
   public:
-    static constexpr std::size_t terms = 18;  ///< powers of t, which goes from -1 to 1 over a piece
+    static constexpr std::size_t terms = 14;  ///< powers of t, which goes from -1 to 1 over a piece
     static constexpr std::size_t orders = 9;  ///< powers of x
     /// Functions of u: d(delta)/du, F, the integral of the damping's shape over the overlap, U, delta.
     enum Function : std::size_t { slope, force, impulse, potential, overlap, functions };
-    static constexpr std::size_t padded = 96;  ///< coefficients of all functions, a multiple of any register
+    static constexpr std::size_t padded = 72;  ///< coefficients of all functions, a multiple of any register
     static_assert(padded >= terms * functions);
 
     struct Piece {
