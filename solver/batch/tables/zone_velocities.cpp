@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <ranges>
 #include <utility>
 
 #include "core/text/error.hpp"
@@ -65,9 +64,12 @@ PieceState ZoneVelocityTable::judge(const ZoneVelocityPiece& piece, int /*depth*
     const auto is_captured = [&](int layer) {
         return impacts_at(layer, piece.lower(0) - margin).verdict == CaptureVerdict::always_captured;
     };
-    const auto all = std::views::iota(0, layers);
-    if (is_captured(middle))
-        return std::ranges::all_of(all, is_captured) ? PieceState::captured : PieceState::unknown;
+    const auto all_layers = [](const auto& holds) {
+        for (int layer = 0; layer < layers; ++layer)
+            if (!holds(layer)) return false;
+        return true;
+    };
+    if (is_captured(middle)) return all_layers(is_captured) ? PieceState::captured : PieceState::unknown;
     Eigen::MatrixXd work(terms, layers);
     Eigen::VectorXd energy(layers);
     const auto fill = [&](int layer) {
@@ -86,8 +88,7 @@ PieceState ZoneVelocityTable::judge(const ZoneVelocityPiece& piece, int /*depth*
     // One layer shows at a tenth of the cost whether the interval is too long.
     if (!fill(middle) || !ends_low((by_terms * work.col(middle)).tail<2>(), tolerance))
         return PieceState::unknown;
-    if (!std::ranges::all_of(all, [&](int layer) { return layer == middle || fill(layer); }))
-        return PieceState::unknown;
+    if (!all_layers([&](int layer) { return layer == middle || fill(layer); })) return PieceState::unknown;
     const Eigen::MatrixXd spectrum = by_terms * work * by_layers.transpose();
     if (!ends_low(spectrum.bottomRows<2>(), tolerance) || !ends_low(spectrum.rightCols<1>(), layer_tolerance))
         return PieceState::unknown;

@@ -356,7 +356,7 @@ class StatedUncertainties {
         if (!of_some) return;
         if (!of_velocity_.empty()) refuse(heading.reading(), of_velocity_);
         for (Measurement& point : set.points) {
-            if (!std::ranges::binary_search(bare_zeros_, point.line)) continue;
+            if (!std::binary_search(bare_zeros_.begin(), bare_zeros_.end(), point.line)) continue;
             const double scale = heading.reading().is_fraction ? point.velocity : 1.0;
             const double factor = scale * greatest_ / std::sqrt(point.noise->rebound);
             point.noise->rebound *= factor * factor;
