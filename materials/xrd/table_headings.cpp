@@ -249,6 +249,9 @@ Heading read_heading(std::string_view text) {
 
 RowMeaning meaning_of_row(std::string_view name) {
     static const WordLists words("XRD rows", "+");
+    const auto open = name.find_last_of("([");  // of a unit, "Total (wt%)"
+    if (open != std::string_view::npos && open > 0 && holds_per_cent(name.substr(open)))
+        name = name.substr(0, open);
     const std::string key = without_per_cent(key_of(name));
     return is_total(key) ? RowMeaning::total : meaning<RowMeaning>(words, key).value_or(RowMeaning::phase);
 }

@@ -680,6 +680,12 @@ TEST_CASE("units in a second line, rows that sum up samples, and notes below a t
         CHECK(result.samples[0].analysis.basis == basis);
         CHECK(digest(result.samples[0]) == "Quarz 2000, Mullit 8000");
     }
+    for (const char* total : {"TOTAL (wt%)", "\u03a3 [wt%]", "Sum of phases", "Yhteens\u00e4"}) {
+        CAPTURE(total);
+        const XrdResult result =
+            read_xrd("Phase;wt%\nQuartz;20\nMullite;80\n" + std::string(total) + ";100\n", "t.csv");
+        CHECK(digest(result.samples[0]) == "Quartz 2000, Mullite 8000");
+    }
     CHECK(contains(input_error_of([] { return read_xrd("Phase;Gehalt\n;mol%\nQuarz;20\n", "t.csv"); }),
                    "no weight or volume fractions"));
     const XrdResult wide = read_xrd(
