@@ -76,9 +76,13 @@ bool states_relative(std::string_view text) {
     static const WordLists qualifiers("relative quantities");
     constexpr std::size_t reach = 2;  // in words
     const std::vector<std::string> words = words_in(text);
+    const auto names_uncertainty = [&](std::size_t k) {
+        return is_uncertainty_word(words[k]) ||
+               (k + 1 < words.size() && is_uncertainty_word(words[k] + ' ' + words[k + 1]));
+    };
     for (std::size_t i = 0; i < words.size(); ++i)
         for (std::size_t k = i + 1; k < std::min(words.size(), i + 1 + reach); ++k)
-            if ((qualifiers.holds(words[i]) && is_uncertainty_word(words[k])) ||
+            if ((qualifiers.holds(words[i]) && names_uncertainty(k)) ||
                 (is_uncertainty_word(words[i]) &&
                  (qualifiers.holds(words[k]) || (words[k] == "%" && (k == i + 1 || words[i + 1] == "in")))))
                 return true;

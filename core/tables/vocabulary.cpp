@@ -92,14 +92,17 @@ std::optional<Statement> found(const std::string& heading, const std::regex& exp
 /// A multiple of the standard uncertainty. "2s" may also belong to a name such as "Probe 2s".
 std::optional<Statement> multiple_in(const std::string& heading) {
     constexpr auto flags = std::regex::icase | std::regex::ECMAScript;
-    static const std::regex factor(R"((^|[^a-z])(k *= *(\d+(?:[.,]\d+)?)))", flags);
+    static const std::regex factor(
+        R"((^|[^a-z])((?:k *=|(?:coverage|erweiterungs)[- ]?fa[ck]tor(?: of| =|:)?) *(\d+(?:[.,]\d+)?)))",
+        flags);
     static const std::regex sigmas(
         "(^|[^a-z0-9.,])((\\d(?:[.,]\\d+)?) *(?:[-*x]|\u00d7|times|-?fache[rn]?)? *"
         "(?:\u03c3|(?:sigma|sd|std|stdabw|standard deviations?|standardabweichung(?:en)?)(?![a-z])))",
         flags);
-    static const std::regex behind("(^|[^a-z])((?:esd|sd|sigma|\u03c3) *(?:[x*]|\u00d7) *(\\d(?:[.,]\\d+)?))",
+    static const std::regex behind(
+        "(^|[^a-z])((?:esds?|sd|sigma|\u03c3) *(?:[x*]|\u00d7|multiplied by) *(\\d(?:[.,]\\d+)?))", flags);
+    static const std::regex marked("((?:[(\\[]|\u00b1|\\+/?-) *=? *)((\\d(?:[.,]\\d+)?) *s)(?![a-z0-9])",
                                    flags);
-    static const std::regex marked("((?:[(\\[]|\u00b1|\\+/?-) *)((\\d(?:[.,]\\d+)?) *s)(?![a-z0-9])", flags);
     static const std::regex esds(
         "((?:^|[(\\[=]|\u00b1|\\+/?-|\\b(?:are|as|is|sind) ) *)((\\d(?:[.,]\\d+)?) "
         "*(?:esd|e\\.s\\.d\\.?))(?![a-z])",

@@ -170,6 +170,16 @@ void split_unit(Heading& heading, std::string_view text) {
     }
 }
 
+/// Removes "± esd" behind a quantity, whose cells hold values with uncertainties.
+void take_uncertain_cells(std::string& text) {
+    for (const std::string_view sign : {"\u00b1", "+/-", "+-"}) {
+        const auto at = text.find(sign);
+        if (at == std::string::npos || !is_uncertainty_word(text.substr(at + sign.size()))) continue;
+        const Role role = role_of_text(text.substr(0, at));
+        if (role == Role::weight || role == Role::volume) text = std::string(trimmed(text.substr(0, at)));
+    }
+}
+
 /// Removes "(n=3)", the number of repeated measurements.
 void take_repeats(std::string& text) {
     for (auto open = text.find_first_of("(["); open != std::string::npos;
@@ -210,6 +220,7 @@ Heading read_heading(std::string_view text) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 1> per_mille{{{"\u2030", "%"}}};
     const bool is_per_mille = coverage.rest.find("\u2030") != std::string::npos;
     coverage.rest = replaced(coverage.rest, per_mille);
+    take_uncertain_cells(coverage.rest);
     take_repeats(coverage.rest);
     heading.of_crystalline = take_crystalline(coverage.rest);
     split_unit(heading, coverage.rest);

@@ -343,12 +343,16 @@ TEST_CASE("a coverage beside the table, not in its headings, is refused") {
     CHECK(contains(xrd("", "\nall errors: 2 sigma\n"), "line 5: \"all errors: 2 sigma\" states"));
     for (const char* text : {"# 3 esd\n", "# uncertainty = 3 esd\n", "errors are 3 e.s.d.\n"})
         CHECK(contains(xrd(text, ""), "states \"3 e"));
-    for (const char* text : {"# Fehler: 2-fache Standardabweichung\n", "uncertainty = 2 \u00d7 SD\n",
-                             "error bars: two standard deviations\n", "esd x 3 (B\u00e9rar)\n",
-                             "Vertrauensbereich 95 %\n", "rel. Fehler in %\n"})
+    for (const char* text :
+         {"# Fehler: 2-fache Standardabweichung\n", "uncertainty = 2 \u00d7 SD\n",
+          "error bars: two standard deviations\n", "esd x 3 (B\u00e9rar)\n", "Vertrauensbereich 95 %\n",
+          "rel. Fehler in %\n", "coverage factor 2\n", "\u00b1 = 2 s\n", "esds multiplied by 2.5\n",
+          "erreurs relatives\n", "relative standard deviations in %\n"})
         CHECK(contains(xrd(text, ""), "and the column \"esd\" does not"));
     CHECK(xrd("# Fly ash 2, sieved 2 s, 95 % below 45 um\n", "").empty());
     CHECK(xrd("# errors are 1 sigma\n", "").empty());
+    CHECK(contains(xrd("# volume based composition\n", ""), "states fractions by volume"));
+    CHECK(xrd("# relative humidity 45 %, standard procedure, coverage of the beam 2 mm\n", "").empty());
     const auto error = [](const std::string& text) {
         return input_error_of([&] { static_cast<void>(read_xrd(text, "a.csv")); });
     };

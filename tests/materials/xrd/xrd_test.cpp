@@ -680,6 +680,10 @@ TEST_CASE("units in a second line, rows that sum up samples, and notes below a t
         CHECK(result.samples[0].analysis.basis == basis);
         CHECK(digest(result.samples[0]) == "Quarz 2000, Mullit 8000");
     }
+    CHECK(read_xrd("Phase;wt% \u00b1 esd\nQuartz;20.0 \u00b1 0.4\nMullite;80.0 \u00b1 0.5\n", "t.csv")
+              .samples[0]
+              .analysis.phases[0]
+              .standard_uncertainty == 0.4 / 100);
     for (const char* total : {"TOTAL (wt%)", "\u03a3 [wt%]", "Sum of phases", "Yhteens\u00e4"}) {
         CAPTURE(total);
         const XrdResult result =
