@@ -287,7 +287,9 @@ MarkedPhase read_phase_name(std::string_view text) {
         if (start == std::string_view::npos || !text.ends_with(close)) continue;
         const std::string_view before = text.substr(0, start);
         const std::string_view inside = text.substr(start + 1, text.size() - start - 2);
-        if (auto found = marked(before, inside); found.mark != PhaseMark::none) return found;
+        // "(spike)", and "(spike, 15 %)"
+        for (const std::string_view mark : {inside, trimmed(inside.substr(0, inside.find_first_of(",;:")))})
+            if (auto found = marked(before, mark); found.mark != PhaseMark::none) return found;
         if (auto found = marked(trimmed(inside), before); found.mark == PhaseMark::standard) return found;
     }
     for (auto at = text.find_first_of(" ,:"); at != std::string_view::npos;

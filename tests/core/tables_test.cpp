@@ -155,6 +155,7 @@ TEST_CASE("phases are named without their marks") {
     };
     using xrd::PhaseMark;
     is("Corundum (internal standard)", "Corundum", PhaseMark::standard);
+    is("Corundum (spike, 15 %)", "Corundum", PhaseMark::standard);
     is("corundum (spike)", "corundum", PhaseMark::standard);
     is("Corundum, int. std.", "Corundum", PhaseMark::standard);
     is("Corundum (ISTD)", "Corundum", PhaseMark::standard);

@@ -233,6 +233,11 @@ TEST_CASE(
         CHECK(test::succeeded(sandbox, "calibrate" + of_one + "relative.csv").out ==
               test::succeeded(sandbox, "calibrate" + of_one + "plain.csv").out);
     }
+    const std::string rows = "d [um];v_c [m/s];remark\n1;0.1;mean of 3\n2;0.06;mean of 3\n4;0.03;\n";
+    sandbox.write("remarks.csv", rows);
+    sandbox.write("no-remarks.csv", "d [um];v_c [m/s]\n1;0.1\n2;0.06\n4;0.03\n");
+    CHECK(test::succeeded(sandbox, "calibrate" + of_one + "remarks.csv").out ==
+          test::succeeded(sandbox, "calibrate" + of_one + "no-remarks.csv").out);
     // What the reader of impacts refuses in titles, labels and rows below is refused here.
     const std::string four = "d [um];v_c [m/s]\n1;0.1\n2;0.06\n4;0.03\n8;0.018\n";
     for (const auto& [text, says] :

@@ -177,8 +177,13 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
             units.push_back(
                 {heading.written, heading.unit, is_size ? Dimension::length : Dimension::velocity});
     }
-    const auto texts = texts_beside(file, std::span<const TextLine>(lines).subspan(place));
+    auto texts = texts_beside(file, std::span<const TextLine>(lines).subspan(place));
     require_coverage_in_headings(texts, uncertain, rows, separator);
+    for (const TextLine& line : rows)
+        for_each_cell(line, separator, [&](std::string_view cell, std::size_t k) {
+            if (k < headings.size() && !headings[k].column && !cell.empty())
+                texts.push_back({line.number, std::string(cell)});
+        });
     require_units(texts, units);
     require_diameters(texts);
     for (Finding& each : coverage_findings(code, uncertain, rows, separator))

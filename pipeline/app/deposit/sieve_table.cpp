@@ -91,8 +91,14 @@ class SieveTable {
         settle(heading_line);
         for (Finding& each : take_notes(lines, first, separator_, "deposition"))
             notes_.push_back(std::move(each));
-        require_agreeing_texts(texts_beside(file, std::span<const TextLine>(lines).subspan(first - 1)));
         const std::span<const TextLine> below = std::span<const TextLine>(lines).subspan(first);
+        auto texts = texts_beside(file, std::span<const TextLine>(lines).subspan(first - 1));
+        for (const TextLine& line : below)
+            for_each_cell(line, separator_, [&](std::string_view cell, std::size_t k) {
+                if (k < columns_.size() && !columns_[k].column && !cell.empty())
+                    texts.push_back({line.number, std::string(cell)});
+            });
+        require_agreeing_texts(texts);
         take_units_of_cells(heading_line, below);
         for (std::size_t k = 0; k < columns_.size(); ++k)
             if (columns_[k].column && is_size(*columns_[k].column) &&

@@ -115,6 +115,7 @@ RowLabels::RowLabels(const LabelColumns& heading, std::span<const TextLine> line
         for_each_cell(line, separator, [&](std::string_view cell, std::size_t position) {
             Column* column = position < at.size() ? at[position] : nullptr;
             if (column == nullptr) return;
+            if (&line == &lines.front()) column->describes_rows = position != 0 && is_summary(cell);
             column->take(cell);
         });
     find_footer(lines, separator);
@@ -188,6 +189,7 @@ bool RowLabels::is_summary_label(const Column& column, const TableRow& row) cons
     const std::string& cell = row.cells[column.column.position];
     const bool in_footer = column.column.position == 0 && row.line >= footer_;
     if (cell.empty() || is_digit(cell.front()) || !is_summary(cell)) return false;
+    if (column.describes_rows) return false;
     const bool labels =
         column.column.position == 0 || 2 * column.texts <= column.numbers + column.texts + column.empty;
     return (cell.size() > longest_short_word && labels) || in_footer || column.counts_rows();

@@ -44,6 +44,7 @@ class RowLabels {
         std::size_t inner_empty = 0;  ///< before the last number
         bool has_marks = false;       ///< "no" or "x" in some cell
         std::size_t marks = 0;        ///< of the texts, "x"
+        bool describes_rows = false;  ///< "mean of 3" in the first row, which sums up no others
         [[nodiscard]] bool counts_rows() const {
             return numbers >= 2 && numbers > texts && (column.position == 0 || in_order);
         }

@@ -275,6 +275,7 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
     titled("radii.csv", "Sizes are radii");
     titled("millimetres.csv", "# sizes in mm");
     titled("aerodynamic.csv", "# aerodynamic diameters");
+    sandbox.write("unit-column.csv", "size [um];passing [%];unit\n10;20;mm\n20;100;mm\n");
     sandbox.write("pan.csv", "size [um];passing [%]\n10;20\n20;100\nBoden;100\n");
     sandbox.write("cells.csv", "size;passing [%]\n10 um;20\n0.02 mm;100\n");
     struct Refused {
@@ -300,6 +301,7 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
           Refused{"sum-and-rest.csv", "\"passing [%]\" and \"residue [%]\" do not agree"},
           Refused{"each.csv", "states what lies on each sieve, and the heading \"residue [%]\" all that"},
           Refused{"millimetres.csv", "states mm, and column \"size [um]\" is taken in another unit"},
+          Refused{"unit-column.csv", "\"mm\" states mm, and column \"size [um]\" is taken in another unit"},
           Refused{"aerodynamic.csv", "states aerodynamic diameters; allowed: diameters of the particles"},
           Refused{"two-sizes.csv", "state one thing twice"},
           Refused{"residue.csv",

@@ -97,6 +97,8 @@ TEST_CASE("what the texts beside impacts and their columns state counts, or the 
           std::string("v_in [m/s];v_rn [m/s];rebound angle [deg]\n0.75;0.08;60\n"), marked("Vermerk 2", "y"),
           marked("unit", "m/s"), marked("Bemerkung", "gas 12 mm/s")})
         CHECK_MESSAGE(input_error_of([&] { return read_measurements(table, "a.csv"); }).empty(), table);
+    CHECK(read_measurements("v_in [m/s];v_r [m/s];remark\n0.75;0.08;mean of 3\n1.4;0.55;\n", "a.csv")
+              .points.size() == 2);
     CHECK(noise_of_incident(
               "v_in [m/s] \u00b1 2\u03c3;v_r [m/s] \u00b1 2\u03c3\n2,1 \u00b1 0,06;0,4 \u00b1 0,02\n") ==
           doctest::Approx(0.03).epsilon(1e-12));
