@@ -155,6 +155,9 @@ std::string without(const std::string& heading, const Statement& statement) {
 /// "FA1 error" of "FA1 % error", and "error" of "% error", "error %" and "Fehler in %"; none of other
 /// headings. The sign is the unit of the uncertainties, wherever it stands.
 std::optional<std::string> without_per_cent_of_error(std::string_view heading) {
+    for (const std::string_view word : {"percent ", "per cent ", "percentage ", "pct ", "pct. "})
+        if (lower_case(heading.substr(0, word.size())) == word)
+            return without_per_cent_of_error("% " + std::string(heading.substr(word.size())));
     const auto sign = heading.find('%');
     if (sign == std::string_view::npos || heading.find('%', sign + 1) != std::string_view::npos ||
         heading.size() > longest_heading)

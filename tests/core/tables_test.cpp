@@ -120,7 +120,8 @@ TEST_CASE("headings are found however umlauts and accents are spelled") {
     CHECK(xrd::read_heading("Density (g/cm³)").unit == "g/cm³");
     for (const char* label : {"Σ", "Gesamt", "合计", "Итого", "Toplam [%]"})
         CHECK(xrd::meaning_of_row(label) == xrd::RowMeaning::total);
-    for (const char* heading : {"% error", "%err", "err%", "error %", "Fehler in %", "± %"})
+    for (const char* heading :
+         {"% error", "%err", "err%", "error %", "Fehler in %", "± %", "Percent error", "pct error"})
         CHECK(xrd::read_heading(heading).unit == "%");
     CHECK(read_coverage("FA1 % error").rest == "FA1 error [%]");
     CHECK(read_coverage("95 % error").factor == doctest::Approx(1.96).epsilon(1e-3));
