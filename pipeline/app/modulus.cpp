@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <ostream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -364,14 +365,19 @@ void run_modulus_command(const CommandOptions& options, std::ostream& out) {
 
     const std::optional<OxideResult> oxides = read_oxides_of(options);
     std::vector<SampleEstimate> estimates;
+    std::set<std::string> said;  // what holds for every sample is said once
+    const auto warn_once = [&](std::vector<Finding> findings, const std::string& place) {
+        std::erase_if(findings, [&](const Finding& each) { return !said.insert(each.text).second; });
+        warn_of(findings, place);
+    };
     for (const XrdSample& sample : chosen(result, options["--sample"])) {
         const XrdSample whole = completed(sample, options);
         SampleEstimate estimate = at_place(FileName{options["file"]}, [&] {
             return naming_sample(result.samples.size() > 1 ? sample.name : std::string(),
                                  [&] { return estimated(whole, catalogue, oxides, options, rule); });
         });
-        warn_of(estimate.warnings, options["file"]);
-        warn_of(estimate.oxide_warnings, options["--oxides"]);
+        warn_once(estimate.warnings, options["file"]);
+        warn_once(estimate.oxide_warnings, options["--oxides"]);
         estimate.warnings.insert(estimate.warnings.end(), estimate.oxide_warnings.begin(),
                                  estimate.oxide_warnings.end());
         const auto doubts = options.doubts();

@@ -177,6 +177,15 @@ TEST_CASE("a figure takes artifacts of one run, and those that it shows") {
                   "1-modulus.json, or the folder of a run");
 }
 
+TEST_CASE("a warning that holds for every sample of a table is said once") {
+    const Sandbox sandbox;
+    sandbox.write("two.csv", "Sample;Quartz [wt%];Glass [wt%]\nA;20;80\nB;30;70\n");
+    const std::string said = test::succeeded(sandbox, "modulus two.csv").err;
+    const auto first = said.find("\"Glass\" is taken as");
+    REQUIRE(first != std::string::npos);
+    CHECK(said.find("\"Glass\" is taken as", first + 1) == std::string::npos);
+}
+
 TEST_CASE("an option that changes nothing is said or refused") {
     const Sandbox sandbox;
     for (const std::string option : {"--order 3", "--robust", "--bin 3", "--frames 3", "--size-scatter 0.1",
