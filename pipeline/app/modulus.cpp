@@ -365,9 +365,9 @@ void run_modulus_command(const CommandOptions& options, std::ostream& out) {
 
     const std::optional<OxideResult> oxides = read_oxides_of(options);
     std::vector<SampleEstimate> estimates;
-    std::set<std::string> said;  // what holds for every sample is said once
+    std::set<std::string> printed;  // warnings; each text appears once, for all samples
     const auto warn_once = [&](std::vector<Finding> findings, const std::string& place) {
-        std::erase_if(findings, [&](const Finding& each) { return !said.insert(each.text).second; });
+        std::erase_if(findings, [&](const Finding& each) { return !printed.insert(each.text).second; });
         warn_of(findings, place);
     };
     for (const XrdSample& sample : chosen(result, options["--sample"])) {

@@ -486,7 +486,7 @@ TEST_CASE("marks in numbers have one reading, by the other numbers of the table,
     CHECK(of_counts({"1.753", "0.540"}, "7").empty());
     CHECK(of_counts({"1.753", "0"}, "3.4").empty());
     CHECK(of_counts({"1.753", "540", "45.5"}, "7").empty());
-    // Other columns decide between two readings: that is said.
+    // A remark names the first number whose reading follows from other columns.
     NumberMarks beside_decimals;
     for (const char* cell : {"1,050", "1,110"}) beside_decimals.see(cell, 0);
     beside_decimals.see("0.05", 1);

@@ -47,12 +47,15 @@ struct SieveHeading {
     std::optional<SieveColumn> column{};
     std::string unit{};
     std::string written{};
+    double scale = 1;  ///< of shares in that unit to parts of 1
 };
 
 SieveHeading sieve_heading(const std::string& cell) {
     static const WordLists words("sieve columns");
     const auto [name, unit] = cut_heading(cell);
-    SieveHeading heading{.unit = unit, .written = cell};
+    constexpr std::array<double, 5> scales{1, 0.01, 1, 1e-3, 1e-6};  // by xrd::Scale
+    const auto scale = static_cast<std::size_t>(xrd::read_heading("x [" + unit + "]").scale);
+    SieveHeading heading{.unit = unit, .written = cell, .scale = scales[scale]};
     if (!name.starts_with("q3")) heading.column = meaning<SieveColumn>(words, name);  // a density, unlike Q3
     return heading;
 }
@@ -104,7 +107,7 @@ class SieveTable {
             if (columns_[k].column && is_size(*columns_[k].column) &&
                 to_si(1, columns_[k].unit, Dimension::length) < small_unit)
                 marks_.may_hold_thousands(k);
-            else if (columns_[k].column && !is_size(*columns_[k].column) && scale_of(columns_[k]) > 1e-3)
+            else if (columns_[k].column && !is_size(*columns_[k].column) && columns_[k].scale > 1e-3)
                 marks_.stays_below_thousand(k);
         for (const TextLine& line : below)
             for_each_cell(line, separator_,
@@ -242,11 +245,6 @@ class SieveTable {
                xrd::read_heading(fmt::format("x [{}]", text)).states != xrd::HeadingUnit::other;
     }
 
-    [[nodiscard]] static double scale_of(const SieveHeading& heading) {
-        constexpr std::array<double, 5> scales{1, 0.01, 1, 1e-3, 1e-6};  // by xrd::Scale
-        return scales[static_cast<std::size_t>(xrd::read_heading("x [" + heading.unit + "]").scale)];
-    }
-
     /// The unit of the shares, which are by mass.
     void take_scale(std::size_t line, const SieveHeading& heading) {
         const xrd::Heading unit = xrd::read_heading("x [" + heading.unit + "]");
@@ -257,7 +255,7 @@ class SieveTable {
         if (unit.states == xrd::HeadingUnit::volume || bases_in(heading.written, false).contains("volume"))
             note("column " + in_quotes(heading.written) +
                  " is by volume: taken as by mass, as of one density");
-        scale_ = scale_of(heading);
+        scale_ = heading.scale;
     }
 
     void note(std::string text) { notes_.push_back({"deposition", Severity::remark, std::move(text)}); }
@@ -333,7 +331,7 @@ class SieveTable {
         rows_.push_back({row.line, from, to, share});
         for (const std::size_t k : beside_)
             rows_.back().beside.push_back(row.cells[k].empty() ? std::numeric_limits<double>::quiet_NaN()
-                                                               : number(row, k) * scale_of(columns_[k]));
+                                                               : number(row, k) * columns_[k].scale);
     }
 
     /// Compares other columns of shares with the one that counts: each is the sum of what is finer, of what

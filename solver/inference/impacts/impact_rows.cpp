@@ -209,7 +209,7 @@ void RowLabels::require_number(const Column& column, const TableRow& row) {
             .at(at_cell(row.line, column.column.position));
     }
     if (is_digit(cell.front()) || cell.front() == '#') return;  // "7a", "#7"
-    throw InputError(in_quotes(cell) + " stands in " + where +
+    throw InputError(in_quotes(cell) + " is in " + where +
                          ", where the others have a number: the row may be a measurement, or sum up others",
                      allowed)
         .at(at_cell(row.line, column.column.position));

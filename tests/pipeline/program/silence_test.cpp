@@ -177,7 +177,7 @@ TEST_CASE("a figure takes artifacts of one run, and those that it shows") {
                   "1-modulus.json, or the folder of a run");
 }
 
-TEST_CASE("a warning that holds for every sample of a table is said once") {
+TEST_CASE("a warning with the same text for several samples of a table is printed once") {
     const Sandbox sandbox;
     sandbox.write("two.csv", "Sample;Quartz [wt%];Glass [wt%]\nA;20;80\nB;30;70\n");
     const std::string said = test::succeeded(sandbox, "modulus two.csv").err;

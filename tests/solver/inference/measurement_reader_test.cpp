@@ -499,7 +499,7 @@ TEST_CASE("a row among numbered ones that has another label is no impact, or is 
         }
     CHECK(contains(
         input_error_of([&] { static_cast<void>(of("Serie")); }),
-        "line 5, cell 1: \"Serie\" stands in column \"Nr.\", where the others have a number: the "
+        "line 5, cell 1: \"Serie\" is in column \"Nr.\", where the others have a number: the "
         "row may be a measurement, or sum up others; allowed: its number, or a file without this row"));
     CHECK(contains(input_error_of([&] { static_cast<void>(of("")); }),
                    "the row has no number in column \"Nr.\""));
