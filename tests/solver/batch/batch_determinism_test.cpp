@@ -353,7 +353,9 @@ TEST_CASE("impacts beside a tabulated critical velocity of a cohesive zone end o
 }
 
 TEST_CASE("tabulated critical velocities of a cohesive zone: no bit depends on threads or the batch") {
-    const ZonePairs pairs = zone_pairs(2.0, 5000).front();
+    const std::vector<ZonePairs> all = zone_pairs(2.0, 5000);
+    if (all.empty()) return;  // a build without the kernels of this law
+    const ZonePairs& pairs = all.front();
     const CriticalVelocityBatchResult one = pairs.solve(BatchMethod::table, 1);
     const CriticalVelocityBatchResult three = pairs.solve(BatchMethod::table, 3);
     Eigen::Index different = 0;
