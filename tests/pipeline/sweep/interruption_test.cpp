@@ -22,7 +22,8 @@ namespace {
 constexpr double sample_count = 60'000;  // 30 chunks
 const std::vector<std::string> watched_sweep{ASHIMPACT_STAND_IN, "sweep", "spec.json", "-o", "out.json",
                                              "--checkpoint",     "0",     "--threads", "1"};
-const std::vector<std::string> slowly{"ASHIMPACT_PAUSE=0.02"};
+/// Much longer than any moment at which a test kills a sweep, also on a machine that stalls.
+const std::vector<std::string> slowly{"ASHIMPACT_PAUSE=0.1"};
 
 /// How often something is tried: with ASHIMPACT_WHOLE, as `./dev test reliability` sets it, as often as
 /// docs/reliability.md says; with sanitizers a third of the short form.
@@ -134,7 +135,7 @@ TEST_CASE("the program itself, killed and run again with other ranks and threads
             static_cast<void>(process.wait());
         }
         Ended ended{};
-        for (int i = 0; i < 100; ++i) {  // ranks outlive a mpirun that was killed for a while
+        for (int i = 0; i < 600; ++i) {  // ranks outlive a mpirun that was killed for a while
             ended = test::run(sandbox, command((ranks + 2) % 4, 2));
             if (ended.status != 2) break;
             sleep_for(0.1);
