@@ -24,7 +24,7 @@ std::vector<DampedImpact> damped_curve(const LawChoice& choice, const FittedDamp
     const double last = fastest->velocity * beyond_impacts;
     const ReboundTable table(
         {choice.law, choice.detachment, fitted.damping(), contact_with(fitted, sample.contact), last},
-        {first, last}, {.lane_degree = 23, .scalar_degree = 11, .cohesive_degree = 7});
+        {first, last}, {.lane_degree = 23, .scalar_degree = 11});
     std::vector<DampedImpact> curve;
     for (int i = 0; i < damped_points; ++i) {
         const double share = static_cast<double>(i) / (damped_points - 1);

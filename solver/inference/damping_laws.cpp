@@ -38,9 +38,8 @@ constexpr Reach last_reach{0.02, 6, true};       ///< the error, of third order,
 constexpr double strength_of_repulsion = 30;  ///< beside attraction, for the reach of a first constant near 0
 constexpr int grid_of_one = 60;               ///< steps from end to end of the reach
 constexpr int grid_of_two = 12;               ///< likewise, for each of two constants
-constexpr ReboundTableOptions coarse{
-    .yield_halvings = 6, .lane_degree = 15, .scalar_degree = 8, .cohesive_degree = 7};
-constexpr ReboundTableOptions fine{.lane_degree = 47, .scalar_degree = 13, .cohesive_degree = 9};
+constexpr ReboundTableOptions coarse{.yield_halvings = 6, .lane_degree = 15, .scalar_degree = 8};
+constexpr ReboundTableOptions fine{.lane_degree = 47, .scalar_degree = 13};
 
 /// Constants of the test for differences that are no scatter.
 constexpr std::size_t impacts_a_block = 2;  ///< at least, of neighbouring velocity

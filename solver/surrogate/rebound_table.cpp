@@ -13,7 +13,7 @@ namespace ashimpact {
 namespace {
 
 bool in_lanes(const Impact& impact) {
-    return is_self_similar(impact.law, impact.contact) && batch::has_kernels(impact.law, impact.damping.law);
+    return !can_yield(impact.law, impact.contact) && batch::has_kernels(impact.law, impact.damping.law);
 }
 
 /// Restitutions of the impact at each velocity.
@@ -88,8 +88,7 @@ ReboundTable::ReboundTable(Impact impact, const VelocityRange& velocities, const
     const double upper = std::log(velocities.upper);
     if (log_critical_ >= upper) return;
     const double lower = std::max(log_critical_, std::log(velocities.lower));
-    int degree = in_lanes(impact) ? options.lane_degree : options.scalar_degree;
-    if (is_cohesive(impact.law, impact.contact)) degree = options.cohesive_degree;
+    const int degree = in_lanes(impact) ? options.lane_degree : options.scalar_degree;
     double yield = upper;
     if (!elastic) yield = log_yield_velocity(impact, lower, upper, options.yield_halvings);
     if (yield > lower) add_piece(impact, lower, yield, degree);

@@ -22,8 +22,6 @@ struct ReboundTableOptions {
     int yield_halvings = 14;  ///< of the range in ln v, to find where the contact yields
     int lane_degree = 47;     ///< of its polynomials, for laws that batches solve in lanes
     int scalar_degree = 23;   ///< for laws whose impacts take a hundred times as long
-    int cohesive_degree =
-        23;  ///< for contacts with a cohesive zone, whose impacts take five times as long again
 };
 
 /// Restitution over velocity of one contact with one damping, so that thousands of impacts cost as much as a
