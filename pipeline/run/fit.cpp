@@ -7,10 +7,12 @@
 #include <fmt/format.h>
 
 #include "pipeline/run/stage.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/inference/calibration/published_damping.hpp"
 #include "solver/inference/measured_damping.hpp"
 #include "solver/motion/damping_inversion.hpp"
+#include "solver/numeric/gsl/solvers.hpp"
 
 namespace ashimpact {
 
@@ -143,19 +145,38 @@ double damping_at(const FitTask& task, double velocity, double restitution) {
         .damping.coefficient;
 }
 
-/// Critical dampings at a critical velocity and the ends of its interval.
-Interval capturing_dampings(const FitTask& task, const Interval& velocity) {
-    const auto at = [&](const std::optional<double>& end) {
-        return end && *end > 0 ? std::optional(damping_at(task, *end, 0)) : std::nullopt;
+/// The least damping that captures at a velocity: the one whose v_c it is. @param guess of it, or 0 [kg/s]
+double capturing_damping(const FitTask& task, double velocity, double guess) {
+    constexpr double reach = 1.3;
+    const auto excess = [&](double damping) {
+        const CriticalVelocity critical = critical_velocity({.law = task.choice.law,
+                                                             .detachment = task.choice.detachment,
+                                                             .damping = {DampingLaw::constant, damping},
+                                                             .contact = task.contact});
+        if (critical.value) return std::log(*critical.value / velocity);
+        return critical.verdict == CaptureVerdict::never_captured ? -1.0 : 1.0;
+    };
+    if (!(guess > 0) || excess(guess / reach) >= 0 || excess(guess * reach) <= 0)
+        return damping_at(task, velocity, 0);
+    return gsl::brent(excess, guess / reach, guess * reach).root;
+}
+
+/// Critical dampings at a critical velocity and the ends of its interval. @param similar those of a similar
+/// law
+Interval capturing_dampings(const FitTask& task, const Interval& velocity, const Interval& similar) {
+    const auto at = [&](const std::optional<double>& end, const std::optional<double>& guess) {
+        return end && *end > 0 ? std::optional(capturing_damping(task, *end, guess.value_or(0)))
+                               : std::nullopt;
     };
     constexpr double up = 1 + 1e-4;
-    const double slope =
-        (damping_at(task, velocity.value * up, 0) - damping_at(task, velocity.value / up, 0)) /
-        (velocity.value * (up - 1 / up));
-    return {.value = damping_at(task, velocity.value, 0),
+    const double value = capturing_damping(task, velocity.value, similar.value);
+    const double slope = (capturing_damping(task, velocity.value * up, value) -
+                          capturing_damping(task, velocity.value / up, value)) /
+                         (velocity.value * (up - 1 / up));
+    return {.value = value,
             .standard_uncertainty = slope * velocity.standard_uncertainty,
-            .lower = at(velocity.lower),
-            .upper = at(velocity.upper)};
+            .lower = at(velocity.lower, similar.lower),
+            .upper = at(velocity.upper, similar.upper)};
 }
 
 /// The dampings by which the law of the task has the rebounds of a curve of another law, at some of its
@@ -191,7 +212,8 @@ std::optional<Fitted> fit_by_similar_law(const FitTask& task) {
     const MeasuredDamping found = analyse_impacts(model, task.measured.impacts, options);
     if (!found.estimate) return std::nullopt;
     DampingEstimate estimate = summary_of(*found.estimate);
-    estimate.critical_damping = capturing_dampings(task, estimate.critical_velocity);
+    estimate.critical_damping =
+        capturing_dampings(task, estimate.critical_velocity, estimate.critical_damping);
     if (estimate.curve)
         estimate.curve = translated(task, model, *estimate.curve, estimate.critical_damping.value);
     LawFit fit{.method = FitMethod::estimate, .origin = task.inverted.origin};
