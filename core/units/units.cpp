@@ -64,11 +64,11 @@ constexpr std::array rows{
     Row{"cc", "", 1e-6, of::volume},
     Row{"", "gallon", 3.785412e-3, of::volume},
     Row{"pt", "pint", 4.731765e-4, of::volume},
-    Row{"kg", "kilogram", 1, of::mass},
+    Row{"kg Kg", "kilogram", 1, of::mass},
     Row{"g", "gram", 1e-3, of::mass},
     Row{"t", "tonne metric_ton", 1000, of::mass},
     Row{"lb", "pound avoirdupois_pound", 0.45359237, of::mass},
-    Row{"gr", "grain", 6.479891e-5, of::mass},
+    Row{"", "grain", 6.479891e-5, of::mass},
     Row{"", "carat", 2e-4, of::mass},
     Row{"", "slug", 14.5939, of::mass},
     Row{"", "ton short_ton", 907.18474, of::mass},
@@ -114,6 +114,8 @@ constexpr std::array rows{
     Row{"W VA", "watt voltampere", 1, of::power},
     Row{"hp", "horsepower", 745.6999, of::power},
     Row{"P", "poise", 0.1, {-1, 1, -1, 0}},
+    Row{"Pas", "", 1, {-1, 1, -1, 0}},
+    Row{"Ns", "", 1, {1, 1, -1, 0}},
     Row{"K degC degF degK degR", "kelvin celsius fahrenheit degree_C degree_F", 1, of::other},
     Row{"A V C F H T S", "ampere volt coulomb farad henry tesla ohm siemens weber gauss", 1, of::other},
     Row{"Wb Bq Gy Sv kat", "becquerel gray sievert katal", 1, of::other},
@@ -344,7 +346,7 @@ struct OwnUnit {
 
 std::optional<OwnUnit> temperature_unit(std::string_view text) {
     std::string name(trimmed(text));
-    for (const std::string_view sign : {"\u00b0", "\u00ba"})
+    for (const std::string_view sign : {"\u00b0", "\u00ba", "deg ", "degree ", "degrees ", " "})
         if (name.starts_with(sign)) name.erase(0, sign.size());
     if (name == "\u2103") name = "C";
     const std::string lower = lower_case(name);
@@ -359,7 +361,7 @@ std::optional<OwnUnit> temperature_unit(std::string_view text) {
 
 std::optional<OwnUnit> angle_unit(std::string_view text) {
     const std::string name = lower_case(trimmed(text));
-    if (name == "\u00b0" || name == "\u00ba" || contains_word("deg degree degrees grad", name))
+    if (name == "\u00b0" || name == "\u00ba" || text == "Grad" || contains_word("deg degree degrees", name))
         return OwnUnit{std::numbers::pi / 180};
     return contains_word("rad radian radians", name) ? std::optional(OwnUnit{1}) : std::nullopt;
 }
@@ -368,6 +370,7 @@ std::optional<OwnUnit> angle_unit(std::string_view text) {
 std::optional<OwnUnit> angular_velocity_unit(std::string_view text) {
     const std::string name = lower_case(ascii_unit(trimmed(text)));
     if (contains_word("rpm u/min 1/min min-1", name)) return OwnUnit{std::numbers::pi / 30};
+    if (contains_word("deg/s degrees/s", name)) return OwnUnit{std::numbers::pi / 180};
     return contains_word("rad/s rad.s-1 rads-1", name) || name == "rad s-1" ? std::optional(OwnUnit{1})
                                                                             : std::nullopt;
 }
@@ -381,7 +384,30 @@ std::optional<OwnUnit> (*own_units(Dimension dimension))(std::string_view) {
 
 }  // namespace
 
+namespace {
+
+/// Refuses a unit with a part that has two readings. @throws InputError
+void require_one_reading(std::string_view unit) {
+    struct Readings {
+        std::string_view part, both, allowed;
+    };
+    constexpr std::array two{Readings{"gr", "gram and grain", "\"g\" or \"grain\""},
+                             Readings{"grad", "degree and gradian", "\"deg\"; 100 gradians are 90 deg"}};
+    for (std::size_t i = 0; i < unit.size();) {
+        std::size_t end = i;
+        while (end < unit.size() && is_letter(unit[end])) ++end;
+        for (const auto& [part, both, allowed] : two)
+            if (unit.substr(i, end - i) == part)
+                throw InputError("the unit " + in_quotes(unit) + " has two readings, " + std::string(both),
+                                 std::string(allowed));
+        i = std::max(end, i + 1);
+    }
+}
+
+}  // namespace
+
 SiConversion::SiConversion(std::string_view unit, Dimension expected) : expected_(expected) {
+    require_one_reading(unit);
     if (const auto own_unit = own_units(expected)) {
         const auto own = own_unit(unit);
         if (!own)

@@ -292,6 +292,21 @@ TEST_CASE("units are read as UDUNITS-2 2.2.28 reads them") {
     }
 }
 
+TEST_CASE("a unit of two readings is refused with both") {
+    CHECK_THROWS_WITH_AS(static_cast<void>(parse_quantity("2.3 gr/cm3", Dimension::density)),
+                         "the unit \"gr/cm3\" has two readings, gram and grain; allowed: \"g\" or \"grain\"",
+                         InputError);
+    CHECK_THROWS_WITH_AS(static_cast<void>(parse_quantity("30 grad", Dimension::angle)),
+                         "the unit \"grad\" has two readings, degree and gradian; allowed: \"deg\"; 100 "
+                         "gradians are 90 deg",
+                         InputError);
+    CHECK(parse_quantity("30 Grad", Dimension::angle) == parse_quantity("30 deg", Dimension::angle));
+    CHECK(parse_quantity("900 deg C", Dimension::temperature) == doctest::Approx(1173.15));
+    CHECK(parse_quantity("0.005 Ns/m", Dimension::damping) == 0.005);
+    CHECK(parse_quantity("0.04 mPas", Dimension::viscosity) ==
+          parse_quantity("0.04 mPa s", Dimension::viscosity));
+}
+
 TEST_CASE("rounding noise of the unit factors does not reach the values") {
     CHECK(parse_quantity("44 um", Dimension::length) == 44e-6);
     CHECK(parse_quantity("2.8 g/cm3", Dimension::density) == 2800);
