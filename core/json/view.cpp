@@ -158,6 +158,12 @@ double View::number(Dimension dimension) const {
     return quantity(dimension).value;
 }
 
+double View::certain_number(Dimension dimension, const std::string& instead) const {
+    const Quantity read = quantity(dimension);
+    if (read.standard_uncertainty) fail("states an uncertainty, which nothing here uses", instead);
+    return read.value;
+}
+
 std::vector<double> View::column(Dimension dimension) const {
     const bool with_unit = value_->is_object();
     const View values = with_unit ? at("values") : *this;

@@ -57,6 +57,8 @@ class View {
     [[nodiscard]] Quantity quantity(Dimension dimension) const;
     /// The value of a quantity [SI unit of the dimension].
     [[nodiscard]] double number(Dimension dimension) const;
+    /// The same of a quantity that states no uncertainty. @param instead where an uncertainty belongs
+    [[nodiscard]] double certain_number(Dimension dimension, const std::string& instead) const;
     /// The values of a column, {"values": [..], "unit"} or an array in SI [SI unit of the dimension].
     [[nodiscard]] std::vector<double> column(Dimension dimension) const;
 

@@ -57,15 +57,16 @@ const Spoiled spoiled_specs[]{
     {"/variables/radus = {}", R"(/variables/radus: unknown key, did you mean "radius"?)"},
     {"/variables/velocity = {}", "/variables/velocity: does not say in one way how it varies"},
     {"/variables/velocity/values = [1]", "/variables/velocity: does not say in one way how it varies"},
-    {"/variables/velocity/mode = 1", R"(/variables/velocity/mode: means nothing for "uniform")"},
+    {R"(/variables/velocity/mode = "1 m/s")", R"(/variables/velocity/mode: means nothing for "uniform")"},
     {"- /variables/velocity/to", R"(/variables/velocity: "to" is missing)"},
-    {"/variables/velocity/to = 0.1", "/variables/velocity: its numbers are not in order; allowed: from < to"},
-    {"/variables/velocity/from = -1", "/variables/velocity: reaches down to -1 m/s"},
+    {R"(/variables/velocity/to = "0.1 m/s")",
+     "/variables/velocity: its numbers are not in order; allowed: from < to"},
+    {R"(/variables/velocity/from = "-1 m/s")", "/variables/velocity: reaches down to -1 m/s"},
     {R"(/variables/velocity = {"distribution": "normal", "mean": 2, "standard_deviation": 1})",
      "/variables/velocity: a normal distribution reaches below zero; allowed: "
      R"(a "minimum" that is positive)"},
     // Too small or too great to compute with, even where nothing is drawn or hardly ever.
-    {R"(/variables/velocity = {"values": [1, "1e-50 m/s"]})",
+    {R"(/variables/velocity = {"values": ["1 m/s", "1e-50 m/s"]})",
      "/variables/velocity: velocity is 1e-50 m/s; allowed: 1e-40 to 1e40"},
     {"/variables/radius/geometric_standard_deviation = 1e6", "/variables/radius: radius is "},
     {R"(/variables/velocity = {"distribution": "normal", "mean": 2, "standard_deviation": 5e-324, )"
@@ -82,6 +83,18 @@ const Spoiled spoiled_specs[]{
     {R"(/variables/radius/geometric_standard_deviation = 1e300 ; /variables/radius/minimum = "1 um" ; )"
      R"(/variables/radius/maximum = "100 um")",
      "/variables/radius/geometric_standard_deviation: is 1e+300; allowed: a number above 1, at most 1e6"},
+    // Of two readings: what nothing uses, and numbers with and without a unit side by side.
+    {R"(/impact/density = "2300 +- 20 kg/m3")",
+     "/impact/density: states an uncertainty, which nothing here uses; allowed: a value alone"},
+    {R"(/variables/velocity/from = "0.5 +- 0.1 m/s")", "/variables/velocity/from: states an uncertainty"},
+    {R"(/variables/velocity = {"values": ["1 +- 0.1 m/s", "2 m/s"]})",
+     "/variables/velocity/values/0: states an uncertainty"},
+    {R"(/variables/velocity = {"distribution": "uniform", "from": "50 cm/s", "to": 500})",
+     "/variables/velocity/to: has no unit, beside a number that has one; allowed: a unit for each"},
+    {R"(/variables/velocity = {"distribution": "normal", "mean": "2 m/s", "standard_deviation": 100, )"
+     R"("minimum": 0.5})",
+     "/variables/velocity/standard_deviation: has no unit, beside a number that has one"},
+    {R"(/variables/velocity = {"values": [1, "2 m/s"]})", "/variables/velocity/values/0: has no unit"},
     {R"(/impact/angle = "90 deg")", "/impact/angle: angle is 1.57"},
     {R"(/variables/angle = {"distribution": "uniform", "from": 0, "to": "95 deg"})",
      "rad; allowed: 0 to below 90 degrees, from the normal"},
@@ -279,6 +292,26 @@ TEST_CASE("one constant damping for sizes far apart is doubted, unless the spec 
     json = stated;
     json["variables"]["radius"] = {{"values", {"43 um", "44 um"}}};
     CHECK(warnings().empty());
+}
+
+TEST_CASE("tails and masses that make no sense are doubted") {
+    Json json = full_spec(512);
+    const auto warnings = [&] {
+        std::string all;
+        for (const std::string& each : read_sweep_spec(json.dump()).spec.warnings) all += each + "\n";
+        return all;
+    };
+    json["variables"]["radius"] = {
+        {"distribution", "log-normal"}, {"median", "22 um"}, {"geometric_standard_deviation", 10}};
+    CHECK(warnings() == test::containing("radius: one draw in 200 is beyond 8.2"));
+    json["variables"]["radius"]["geometric_standard_deviation"] = 1.3;
+    CHECK(warnings().find("draw in 200") == std::string::npos);
+    json["variables"]["radius"] = {{"distribution", "uniform"}, {"from", "5 um"}, {"to", "100 um"}};
+    json["impact"].erase("density");
+    json["impact"]["mass"] = "0.82 ug";
+    CHECK(warnings() == test::containing("mass: "));
+    json["variables"]["radius"] = {{"distribution", "uniform"}, {"from", "40 um"}, {"to", "50 um"}};
+    CHECK(warnings().find("mass: ") == std::string::npos);
 }
 
 TEST_CASE("captures with a v_c outside of the model are counted by law, of one size too") {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <stdexcept>
 
 #include "core/quantities/checks.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/app/sweep/spec/spec.hpp"
@@ -65,6 +67,10 @@ constexpr std::array<ObservableEntry, Names<Observable>::all.size()> observable_
 /// Greatest geometric standard deviation of a log-normal distribution; a wider one is a slip.
 constexpr double widest_log_normal = 1e6;
 
+/// Keys of a variable whose numbers have its dimension.
+constexpr std::array<std::string_view, 8> own_numbers{
+    "from", "to", "mode", "mean", "median", "standard_deviation", "minimum", "maximum"};
+
 /// One variable of the spec with what its numbers measure.
 class VariableReader {
   public:
@@ -74,6 +80,7 @@ class VariableReader {
         const int kinds = int{node_.has("values")} + int{node_.has("grid")} + int{node_.has("distribution")};
         if (kinds != 1)
             node_.fail("does not say in one way how it varies", "one of values, grid, distribution");
+        require_same_units();
         if (node_.has("values")) return read_values();
         if (node_.has("grid")) return read_grid();
         const std::string kind = node_.at("distribution").text();
@@ -84,6 +91,26 @@ class VariableReader {
     }
 
   private:
+    /// Refuses a number without a unit beside one that has a unit: it may be meant in that one. Zero has
+    /// none.
+    void require_same_units() const {
+        if (dimension_ == Dimension::fraction || node_.has("unit")) return;
+        std::vector<View> numbers;
+        for (const auto& [key, value] : node_.members())
+            if (value.json().is_array())
+                std::ranges::copy(value.elements(), std::back_inserter(numbers));
+            else if (std::ranges::find(own_numbers, key) != own_numbers.end())
+                numbers.push_back(value);
+        const auto is_bare = [](const View& number) {
+            return number.json().is_number() || (number.is_string() && read_number(number.text()));
+        };
+        if (std::ranges::all_of(numbers, is_bare)) return;
+        for (const View& number : numbers)
+            if (is_bare(number) && number.number(dimension_) != 0)
+                number.fail("has no unit, beside a number that has one",
+                            "a unit for each, or for none, which then are SI");
+    }
+
     /// Refuses keys of other kinds, which would be ignored.
     void allow(const std::string& kind, const std::vector<std::string>& keys) const {
         for (const auto& [key, value] : node_.members())
@@ -99,7 +126,7 @@ class VariableReader {
 
     /// A number that is zero or far from the limits of double precision, of either sign.
     [[nodiscard]] double computable(const View& node) const {
-        const double value = node.number(dimension_);
+        const double value = node.certain_number(dimension_, varies_instead);
         if (value != 0 && !is_computable(std::abs(value)))
             node.fail("is " + shortest(value) + " " + std::string(si_unit(dimension_)),
                       "0, or " + std::string(computable_range) + " in SI");
@@ -121,7 +148,7 @@ class VariableReader {
             choice.values = node_.column(dimension_);
         else
             for (const View& value : node_.at("values").elements())
-                choice.values.push_back(value.number(dimension_));
+                choice.values.push_back(value.certain_number(dimension_, varies_instead));
         return choice;
     }
 

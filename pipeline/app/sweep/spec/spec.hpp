@@ -53,6 +53,9 @@ void require_allowed(ImpactInput input, double value, Dimension dimension);
 /// Whether zero is a value an input may have.
 [[nodiscard]] bool may_be_zero(ImpactInput input);
 
+/// Where the uncertainty of an input of a sweep belongs.
+inline constexpr auto varies_instead = "a value alone; what is uncertain has a distribution in /variables";
+
 /// Reads {"values"}, {"grid"} or {"distribution"}. @throws InputError with the JSON pointer if not admissible
 [[nodiscard]] Distribution read_variable(const View& node, ImpactInput input, DampingLaw damping_law);
 

@@ -46,7 +46,7 @@ void read_fixed(const View& impact, SweepSpec& spec) {
             continue;
         const ImpactInput input = impact_input_named(key);
         const Dimension dimension = dimension_of(input, spec.damping_law);
-        const double value = node.number(dimension);
+        const double value = node.certain_number(dimension, varies_instead);
         at_place(node.pointer(), [&] { require_allowed(input, value, dimension); });
         spec.fixed[static_cast<std::size_t>(input)] = value;
     }
@@ -93,31 +93,49 @@ void require_one_mass(const View& document, const SweepSpec& spec, ImpactInput d
         require_input(document, spec, density, ", and so is " + in_quotes(name_of(mass)));
 }
 
-/// From the least to the greatest value of an input.
-Support range_of(const SweepSpec& spec, ImpactInput input) {
+/// The middle 99 % of the values of an input; all of those that are listed.
+Support bulk_of(const SweepSpec& spec, ImpactInput input) {
     if (const auto& fixed = spec.fixed[static_cast<std::size_t>(input)]) return {*fixed, *fixed};
-    return support_of(std::ranges::find(spec.variables, input, &SweepVariable::input)->distribution);
+    const Distribution& distribution =
+        std::ranges::find(spec.variables, input, &SweepVariable::input)->distribution;
+    if (std::holds_alternative<Choice>(distribution)) return support_of(distribution);
+    std::vector<double> ends{0.005, 0.995};
+    to_quantiles(distribution, ends);
+    return {ends[0], ends[1]};
 }
 
-/// Warns if no radius with no mass makes a sphere of a plausible density.
+/// Warns if a radius with a mass makes a sphere of an implausible density.
 void warn_of_mass(SweepSpec& spec, ImpactInput radius_input, ImpactInput mass_input) {
     if (!is_given(spec, radius_input) || !is_given(spec, mass_input)) return;
-    const Support radius = range_of(spec, radius_input);
-    const Support mass = range_of(spec, mass_input);
-    const PlausibleRange& plausible = *plausible_range("density");
-    const auto density = [](double r, double m) { return sphere_density(1, 1) * m / (r * r * r); };
-    const double lightest = density(radius.highest, mass.lowest);  // 0 where either has no bound
-    const double heaviest = density(radius.lowest, mass.highest);
-    if (lightest <= plausible.greatest && heaviest >= plausible.least) return;
-    const auto doubt = lightest > plausible.greatest ? implausible_mass(radius.highest, mass.lowest)
-                                                     : implausible_mass(radius.lowest, mass.highest);
-    if (doubt) spec.warnings.push_back(std::string(name_of(mass_input)) + ": " + doubt->text);
+    const Support radius = bulk_of(spec, radius_input);
+    const Support mass = bulk_of(spec, mass_input);
+    for (const auto& [r, m] :
+         {std::pair(radius.lowest, mass.highest), std::pair(radius.highest, mass.lowest)})
+        if (const auto doubt = implausible_mass(r, m)) {
+            spec.warnings.push_back(std::string(name_of(mass_input)) + ": " + doubt->text);
+            return;
+        }
+}
+
+/// Warns of distributions without ends of which a hundredth is implausible.
+void warn_of_tails(SweepSpec& spec) {
+    for (const SweepVariable& variable : spec.variables) {
+        const PlausibleRange* range = plausible_range(name_of(variable.input));
+        const bool has_tails = std::holds_alternative<Normal>(variable.distribution) ||
+                               std::holds_alternative<LogNormal>(variable.distribution);
+        if (range == nullptr || !has_tails) continue;
+        const Support bulk = bulk_of(spec, variable.input);
+        for (const double end : {bulk.lowest, bulk.highest})
+            if (const auto doubt = implausible(*range, {end}))
+                spec.warnings.push_back(std::string(name_of(variable.input)) +
+                                        ": one draw in 200 is beyond " + doubt->text);
+    }
 }
 
 DampingOverSizes read_damping_over_sizes(const View& node) {
     if (node.is_string()) return {.power = 0, .radius = 1};
     const View radius = node.at("at_radius");
-    const double value = radius.number(Dimension::length);
+    const double value = radius.certain_number(Dimension::length, varies_instead);
     at_place(radius.pointer(), [&] { require_allowed(ImpactInput::radius, value, Dimension::length); });
     return {.power = node.at("power").number(Dimension::fraction), .radius = value};
 }
@@ -140,6 +158,7 @@ void check_inputs(const View& document, SweepSpec& spec) {
     if (adhesive) require_input(document, spec, ImpactInput::work_of_adhesion);
     if (yielding) require_input(document, spec, ImpactInput::yield_pressure);
     warn_idle(spec);
+    warn_of_tails(spec);
     warn_of_mass(spec, ImpactInput::radius, ImpactInput::mass);
     warn_of_mass(spec, ImpactInput::partner_radius, ImpactInput::partner_mass);
     for (const LawChoice& choice : spec.laws) {
