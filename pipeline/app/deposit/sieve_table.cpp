@@ -292,8 +292,12 @@ class SieveTable {
         if (!row.cells.empty() && is_summary(row.cells.front()))
             return note(at_line(row.line) + " is no size and left out: " + in_quotes(row.cells.front()));
         static const WordLists pans("sieve pans");
-        if (kind_ != SieveColumn::share && row.cells.size() >= columns_.size() &&
-            pans.holds(row.cells.front())) {
+        const auto is_floor = [&] {
+            const auto sieve = place(SieveColumn::to) ? place(SieveColumn::to) : place(SieveColumn::size);
+            const auto size = sieve ? read_number(row.cells[*sieve], true) : std::nullopt;
+            return (size && size->value == 0) || pans.holds(row.cells.front());
+        };
+        if (kind_ != SieveColumn::share && row.cells.size() >= columns_.size() && is_floor()) {
             const double share = number(row, *place(kind_)) * scale_;
             const double part = unit_given_ || share <= 1 + sum_tolerance ? share : share / 100;
             const bool is_finer = kind_ == SieveColumn::finer;

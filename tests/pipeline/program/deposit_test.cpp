@@ -240,7 +240,9 @@ TEST_CASE("one sieve table in the forms that laboratories write is one result") 
           "Size (\u00b5m);Cum. % passing\n10;20\n20;50\n40;100\n",
           "size;passing\num;%\n10;20\n20;50\n40;100\n", "size;passing\n10 um;20 %\n20 um;50 %\n40 um;100 %\n",
           "size [um];passing [%]\n10;20,000\n20;50,000\n40;100,000\n",
-          "size [um];passing [%];residue [%]\n10;20;80\n20;50;50\n40;100;0\n"}) {
+          "size [um];passing [%];residue [%]\n10;20;80\n20;50;50\n40;100;0\n",
+          "size [um];passing [%]\n0;0\n10;20\n20;50\n40;100\n",
+          "size [um];residue [%]\n0;100\n10;80\n20;50\n40;0\n"}) {
         CAPTURE(table);
         CHECK(captured(table) == plain);
     }
