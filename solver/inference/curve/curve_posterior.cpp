@@ -23,8 +23,8 @@ const CoefficientPrior& coefficient_prior() {
     static const CoefficientPrior prior = [] {
         CoefficientPrior result{Vector::Zero(), Vector::Zero()};
         result.mean.head<2>() << -0.8, 0.9;
-        result.deviation.head<3>() << 1.0, 0.5, 1.0;
-        for (int k = 2; k <= OnsetCurve::bends; ++k) result.deviation[1 + k] = 0.4 * 4.0 / (k * k);
+        result.deviation.head<3>() << 1.0, 0.45, 1.0;
+        for (int k = 2; k <= OnsetCurve::bends; ++k) result.deviation[1 + k] = 0.35 * 4.0 / (k * k);
         return result;
     }();
     return prior;

@@ -194,6 +194,16 @@ std::optional<Finding> particles_note(const Scatter& scatter) {
                        " %: the interval holds for the median particle; if there are two kinds, for neither"};
 }
 
+/// Note on impacts that leave v_c wide open.
+std::optional<Finding> wide_note(const Interval& velocity) {
+    constexpr double wide = 3.0;
+    const double factor = *velocity.upper / *velocity.lower;
+    if (factor < wide) return std::nullopt;
+    return Finding{"wide-interval", Severity::doubt,
+                   "the impacts bound v_c only within a factor of " + readable_number(factor, 2) +
+                       ": impacts closer to it would narrow the interval"};
+}
+
 /// Note on impacts that bound v_c from above alone.
 std::optional<Finding> no_captures_note(const MeasurementSet& set) {
     if (set.captures() > 0) return std::nullopt;
@@ -329,7 +339,7 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
     for (const auto& note :
          {slow_rebound_note(estimate.curve, curve, impacts),
           misfit_note(estimate.curve.scatter, set.has_noise()), particles_note(estimate.curve.scatter),
-          no_captures_note(set), adhesion_note(model, found_velocity.value),
+          wide_note(v), no_captures_note(set), adhesion_note(model, found_velocity.value),
           rising_note(estimate.curve.damping), onset_note(impacts, noise_known ? 1.0 : neighbours)})
         if (note) estimate.findings.push_back(*note);
     if (grouped_without_noise) estimate.curve.scatter.noise *= neighbours;  // a velocity, as without groups

@@ -154,6 +154,27 @@ TEST_CASE("eight impacts give no absurd critical velocity") {
     CHECK(v.contains(1.3));
 }
 
+TEST_CASE("an interval that spans a factor of three is doubted") {
+    const ContactModel model = ash_model(Law::of<Hertz>());
+    const auto estimated = [&](std::vector<std::pair<double, double>> impacts) {
+        return estimate_critical_velocity(model, set_of(std::move(impacts), 0.03));
+    };
+    const auto agrees = [](const CriticalVelocityEstimate& estimate) {
+        const Interval& v = estimate.curve.critical_velocity;
+        const bool doubted = std::ranges::any_of(
+            estimate.findings, [](const Finding& each) { return each.code == "wide-interval"; });
+        return doubted == (*v.upper >= 3 * *v.lower);
+    };
+    std::vector<std::pair<double, double>> impacts{{0.4, 0}, {3.0, 1.0}, {4.0, 1.5}, {5.2, 2.1}, {6.5, 2.7}};
+    CriticalVelocityEstimate open = estimated(impacts);
+    CHECK(*open.curve.critical_velocity.upper > 3 * *open.curve.critical_velocity.lower);
+    CHECK(agrees(open));
+    impacts.insert(impacts.end(), {{1.2, 0}, {1.3, 0}, {1.4, 0.1}, {1.5, 0.2}, {1.7, 0.35}, {2.0, 0.5}});
+    CriticalVelocityEstimate near = estimated(impacts);
+    CHECK(*near.curve.critical_velocity.upper < 3 * *near.curve.critical_velocity.lower);
+    CHECK(agrees(near));
+}
+
 TEST_CASE("impacts that scatter far less than they state give an estimate whatever they state") {
     const std::vector<std::pair<double, double>> impacts{
         {1.4, 0},     {1.55, 0},    {1.72, 0.12}, {1.81, 0.22}, {1.95, 0.33}, {2.1, 0.44},
