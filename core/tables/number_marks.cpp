@@ -206,7 +206,10 @@ std::vector<Finding> NumberMarks::findings(std::string_view code) const {
 
 std::optional<PrintedNumber> NumberMarks::read(std::string_view cell, std::size_t column) const {
     std::string changed;
-    const std::string_view text = without_blanks_in_numbers(cell, changed);
+    std::string_view text = without_blanks_in_numbers(cell, changed);
+    for (const std::string_view sign : {"\u00b1", "+/-", "+-"})
+        if (text.starts_with(sign) && columns_.contains(column) && columns_.at(column).uncertainties)
+            text = trimmed(text.substr(sign.size()));
     if (text.find_first_of(".,") == std::string_view::npos) return read_with_uncertainty(text);
     std::string plain;
     std::size_t done = 0;

@@ -47,6 +47,8 @@ class NumberMarks {
     void may_hold_thousands(std::size_t column) { columns_[column].thousands = true; }
     /// States that no number of a column reaches a thousand, as no fraction does: "12,500" is 12.5 there.
     void stays_below_thousand(std::size_t column) { columns_[column].below_thousand = true; }
+    /// States that a column holds uncertainties: "±0.4" is 0.4 there.
+    void holds_uncertainties(std::size_t column) { columns_[column].uncertainties = true; }
     /// Takes the numbers of a cell into account. @param column of the cell, any number
     void see(std::string_view cell, std::size_t column);
     /// Reads a cell as read_number(). @throws InputError with both readings where nothing decides, for a mark
@@ -64,6 +66,7 @@ class NumberMarks {
         std::size_t others = 0;  ///< with a mark that separates decimals for certain
         bool thousands = false;  ///< numbers may be so great
         bool below_thousand = false;
+        bool uncertainties = false;
         std::size_t whole = 0;  ///< numbers without a mark, counted if they may be thousands
     };
     [[nodiscard]] bool is_decimal(char mark, std::string_view number, std::size_t column) const;

@@ -251,6 +251,36 @@ void require_diameters(const std::vector<TextBeside>& texts) {
                             "diameters of the particles");
 }
 
+bool calls_invalid(std::string_view text) {
+    if (text.find_first_not_of("+-.,0123456789 ") == std::string_view::npos) return false;
+    static const WordLists words("invalid impacts", " ");
+    const auto mentions = mentions_in(words_in(text), words);
+    return std::ranges::any_of(mentions, [](const Mention& mention) { return !mention.negated; });
+}
+
+void refuse_invalid_row(std::string_view cell, const std::string& column, std::size_t line,
+                        std::size_t position) {
+    throw InputError(
+        fmt::format("{} in {} calls the row invalid, and remarks are not read", in_quotes(cell), column),
+        "a file without this row, or without the remark if the row counts")
+        .at(at_cell(line, position));
+}
+
+std::map<std::string_view, TextBeside> statements_in(const std::vector<TextBeside>& texts) {
+    static const WordLists words("statements", " ");
+    std::map<std::string_view, TextBeside> found;
+    for (const TextBeside& each : texts)
+        for (const Mention& mention : mentions_in(words_in(each.text), words))
+            if (mention.list == "amorphous" ? mention.negated : !mention.negated)
+                found.emplace(mention.list == "amorphous" ? "crystalline part" : mention.list, each);
+    return found;
+}
+
+Finding unused_statement(std::string_view code, const TextBeside& text, std::string_view taken_as) {
+    return {code, Severity::remark,
+            fmt::format("{}: {} is not read: {}", at_line(text.line), in_quotes(text.text), taken_as)};
+}
+
 NameAndUnit cut_heading(std::string_view heading) {
     const auto bracket = heading.find_last_of("[(");
     const auto in = heading.rfind(" in ");

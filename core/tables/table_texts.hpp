@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -67,6 +68,21 @@ void require_units(const std::vector<TextBeside>& texts, const std::vector<Colum
 /// Refuses a text by which sizes are no diameters of the spheres themselves: "radii", "aerodynamic".
 /// @throws InputError at the line of the text
 void require_diameters(const std::vector<TextBeside>& texts);
+
+/// Whether a text calls a row invalid: "excluded", "Ausreißer!", but not "no outlier".
+[[nodiscard]] bool calls_invalid(std::string_view text);
+
+/// Refuses the row of a cell that calls it invalid, where the cells of its column are not read.
+[[noreturn]] void refuse_invalid_row(std::string_view cell, const std::string& column, std::size_t line,
+                                     std::size_t position);
+
+/// What texts state of all numbers of a table, as the vocabulary lists it: "crystalline part", "ignited
+/// sample", "means", "tangential". The first text of each.
+[[nodiscard]] std::map<std::string_view, TextBeside> statements_in(const std::vector<TextBeside>& texts);
+
+/// A remark on a text whose statement is not used, and on what the numbers are taken as.
+[[nodiscard]] Finding unused_statement(std::string_view code, const TextBeside& text,
+                                       std::string_view taken_as);
 
 /// A heading cut into its name and its unit: "passing [%]", "size in um", "d (mm)", "d / mm", "finer %".
 struct NameAndUnit {

@@ -7,6 +7,7 @@
 #include "core/quantities/quantity.hpp"
 #include "core/tables/vocabulary.hpp"
 #include "core/text/error.hpp"
+#include "core/text/text.hpp"
 
 namespace ashimpact {
 
@@ -179,18 +180,31 @@ bool take_units(TableRow& heading, const TableRow& line,
     return found;
 }
 
+namespace {
+
+/// Whether a line begins as a note does: "Note: measured at 40 kV, 40 mA".
+bool begins_as_note(std::string_view text) {
+    static const WordLists words("remark columns", all_marks);
+    const auto colon = text.find(':');
+    return colon != std::string_view::npos && words.holds(trimmed(text.substr(0, colon)));
+}
+
+}  // namespace
+
 std::vector<Finding> take_notes(std::vector<TextLine>& lines, std::size_t first, char separator,
                                 std::string_view code) {
     std::size_t kept = lines.size();
     for (std::size_t i = lines.size(); i-- > first;) {
         std::size_t texts = 0;
-        bool has_number = false;
+        bool has_value = false;  // a number, or a word for none behind a name: "Lime;n.d."
         for_each_cell(lines[i], separator, [&](std::string_view cell, std::size_t) {
-            texts += cell.empty() ? 0 : 1;
-            has_number = has_number || (!cell.empty() && read_number(cell, true));
+            if (cell.empty()) return;
+            has_value = has_value || read_number(cell, true) || (texts > 0 && says_no_number(cell));
+            ++texts;
         });
-        if (texts != 1 || has_number) break;
-        if (i > first && lines[i].number > lines[i - 1].number + 1) kept = i;
+        const bool announced = begins_as_note(trimmed(lines[i].text));
+        if (!announced && has_value) break;
+        if (announced || (i > first && lines[i].number > lines[i - 1].number + 1)) kept = i;
     }
     std::vector<Finding> notes;
     for (std::size_t i = kept; i < lines.size(); ++i)
@@ -214,14 +228,33 @@ bool is_comment(std::string_view text) {
     return word != "#N/A" && word != "#NV" && !(shouts && (word.ends_with('!') || word.ends_with('?')));
 }
 
+/// Whether a comment names the columns of the row below it, which holds numbers.
+bool is_heading_of(const TextLine& comment, const TextLine& row) try {
+    const char separator = separator_of(row.text);
+    const std::vector<std::string> names = cut_row(comment, separator).cells;
+    const std::vector<std::string> cells = cut_row(row, separator).cells;
+    const auto is_number = [](const std::string& cell) { return read_number(cell, true).has_value(); };
+    return names.size() > 1 && names.size() == cells.size() && std::ranges::any_of(cells, is_number) &&
+           std::ranges::none_of(names, is_number);
+} catch (const InputError&) {
+    return false;  // an odd quote
+}
+
 }  // namespace
 
 std::vector<TextLine> lines_with_content(const TextLines& file) {
     std::vector<TextLine> lines;
+    std::optional<TextLine> comment;  // above the first line
     for (const TextLine& line : file.lines()) {
         const std::string_view text = trimmed(line.text);
         const bool has_content = text.find_first_not_of(" \t;,") != std::string_view::npos;
-        if (has_content && !is_comment(text) && !lower_case(text).starts_with("sep=")) lines.push_back(line);
+        if (!has_content || lower_case(text).starts_with("sep=")) continue;
+        if (is_comment(text)) {
+            comment = {line.number, trimmed(text.substr(std::min(text.find_first_not_of('#'), text.size())))};
+            continue;
+        }
+        if (lines.empty() && comment && is_heading_of(*comment, line)) lines.push_back(*comment);
+        lines.push_back(line);
     }
     return lines;
 }

@@ -97,12 +97,13 @@ void for_each_cell(const TextLine& line, char separator, Visitor&& visitor) {
 [[nodiscard]] bool take_units(TableRow& heading, const TableRow& line,
                               const std::function<bool(std::string_view)>& is_unit);
 
-/// Removes lines of one text from the end of a table, behind a blank line: "* not detected". Remarks of @p
-/// code name them. @param first index of the first line below the heading
+/// Removes lines of text from the end of a table, behind a blank line or announced: "* not detected", "Note:
+/// 40 kV, 40 mA". Remarks of @p code name them. @param first index of the first line below the heading
 [[nodiscard]] std::vector<Finding> take_notes(std::vector<TextLine>& lines, std::size_t first, char separator,
                                               std::string_view code);
 
-/// Lines other than blank ones, comments (#) and the `sep=` line of a spreadsheet.
+/// Lines other than blank ones, comments (#) and the `sep=` line of a spreadsheet. A comment above the first
+/// line is a heading if that line has numbers in as many cells, as numpy.savetxt() writes it.
 [[nodiscard]] std::vector<TextLine> lines_with_content(const TextLines& file);
 
 }  // namespace ashimpact

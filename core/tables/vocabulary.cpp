@@ -209,7 +209,16 @@ WordLists::WordLists(std::string_view group, std::string_view kept) : kept_(kept
 }
 
 std::optional<std::string_view> WordLists::list_of(std::string_view text) const {
-    const auto found = words_.find(word_key(text, kept_));
+    std::string key = word_key(text, kept_);
+    auto found = words_.find(key);
+    constexpr std::size_t longest_symbol = 4;
+    const std::size_t last_word = text.size() - (text.find_last_of(" _-./(") + 1);
+    if (found == words_.end() && last_word > longest_symbol && key.ends_with('s')) {  // a plural
+        key.pop_back();
+        found = words_.find(key);
+        if (found == words_.end() && key.ends_with("ie"))
+            found = words_.find(key.replace(key.size() - 2, 2, "y"));
+    }
     return found == words_.end() ? std::nullopt : std::optional<std::string_view>(found->second);
 }
 

@@ -20,7 +20,8 @@ class WordLists {
     /// @throws std::logic_error if the file has no such group, or a word in two of its lists
     explicit WordLists(std::string_view group, std::string_view kept = {});
 
-    /// The name of the list that holds a text, as compared by word_key(). Nothing if none does.
+    /// The name of the list that holds a text or its singular, as compared by word_key(). Nothing if none
+    /// does.
     [[nodiscard]] std::optional<std::string_view> list_of(std::string_view text) const;
     [[nodiscard]] bool holds(std::string_view text) const { return list_of(text).has_value(); }
 

@@ -68,14 +68,6 @@ bool is_rounded(double value, double exact) {
            std::abs(value - exact) <= 1.001 * last * (last <= fine * value ? 1 : 0.5);
 }
 
-bool calls_invalid(std::string_view text) {
-    if (verdict_of(text) == "bad") return true;
-    if (text.find_first_not_of("+-.,0123456789 ") == std::string_view::npos) return false;
-    static const WordLists words("invalid impacts", " ");
-    const auto mentions = mentions_in(words_in(text), words);
-    return std::ranges::any_of(mentions, [](const Mention& mention) { return !mention.negated; });
-}
-
 }  // namespace
 
 OutcomeWord outcome_mentioned(std::string_view remark) {
@@ -218,11 +210,8 @@ void RowLabels::require_number(const Column& column, const TableRow& row) {
 void RowLabels::require_valid(const TableRow& row) const {
     for (const Column& column : columns_) {
         const std::string& cell = row.cells[column.column.position];
-        if (cell.empty() || !calls_invalid(cell)) continue;
-        throw InputError(in_quotes(cell) + " in " + name_of(column.column) +
-                             " calls the row invalid, and remarks are not read",
-                         "a file without this row, or without the remark if the row counts")
-            .at(at_cell(row.line, column.column.position));
+        if (!cell.empty() && (verdict_of(cell) == "bad" || calls_invalid(cell)))
+            refuse_invalid_row(cell, name_of(column.column), row.line, column.column.position);
     }
 }
 
