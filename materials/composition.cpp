@@ -66,13 +66,13 @@ void check_fractions(const Analysis& analysis) {
 
 /// Refuses an amorphous phase among fractions of the crystalline part. @throws InputError
 void require_crystalline(const Analysis& analysis, const std::vector<Component>& components) {
-    if (!analysis.of_crystalline_part) return;
+    if (analysis.of_crystalline_part.empty()) return;
     for (std::size_t i = 0; i < components.size(); ++i)
         if (components[i].phase.amorphous)
             throw InputError(
-                "the heading states fractions of the crystalline part, and " + in_quotes(components[i].name) +
-                    " is none: it may be a fraction of the whole",
-                "a heading without \"crystalline\" for fractions of the whole, or a file without " +
+                analysis.of_crystalline_part + " states fractions of the crystalline part, and " +
+                    in_quotes(components[i].name) + " is none: it may be a fraction of the whole",
+                "a file without \"crystalline\" there for fractions of the whole, or without " +
                     in_quotes(components[i].name))
                 .at(analysis.phases[i].place);
 }

@@ -58,7 +58,8 @@ struct Analysis {
     Amorphous amorphous = AmorphousNotStated{};
     std::string amorphous_phase = "glass";  ///< name under which the amorphous part is looked up
     double closure_tolerance = default_closure_tolerance;
-    bool of_crystalline_part = false;  ///< the file states that the fractions are those of its phases alone
+    /// What states that the fractions are those of the crystalline part, "the heading"; empty: nothing does.
+    std::string of_crystalline_part{};
 };
 
 /// How the fractions of the whole follow from independent inputs; kept for the propagation of uncertainty.

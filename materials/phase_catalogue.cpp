@@ -11,6 +11,7 @@
 
 #include "core/quantities/checks.hpp"
 #include "core/quantities/quantity.hpp"
+#include "core/tables/vocabulary.hpp"
 #include "core/text/text.hpp"
 
 namespace ashimpact {
@@ -150,11 +151,11 @@ std::vector<std::string_view> parts_of(std::string_view name) {
     const auto take = [&](std::size_t length) {
         if (const auto part = trimmed(name.substr(0, length)); !part.empty()) parts.push_back(part);
     };
-    constexpr std::array<std::string_view, 4> marks{" - ", " \u2013 ", " (", ", "};
+    constexpr std::array<std::string_view, 5> marks{" - ", " \u2013 ", " (", " [", ", "};
     for (std::size_t at = 0; at < name.size();) {
         const auto* const mark = std::ranges::find_if(
             marks, [&](std::string_view each) { return name.substr(at).starts_with(each); });
-        const bool closes = name.substr(at).starts_with(')') && at + 1 == name.size();
+        const bool closes = (name[at] == ')' || name[at] == ']') && at + 1 == name.size();
         if (mark == marks.end() && !closes) {
             ++at;
             continue;
@@ -294,13 +295,16 @@ std::optional<ResolvedPhase> PhaseCatalogue::known(std::string_view name, std::s
 
 std::optional<ResolvedPhase> PhaseCatalogue::by_parts(std::string_view name) const {
     std::optional<ResolvedPhase> found;
+    static const WordLists rows("XRD rows", "+");
     bool by_formula = false;
+    bool crystalline = false;
     std::size_t unknown = 0;
     for (const std::string_view part : parts_of(name)) {
         if (names_other_form(part)) return std::nullopt;
         auto phase = known(name, part);
         if (!phase) {
             unknown += without_additions(phase_key(part)).empty() ? 0 : 1;
+            crystalline = crystalline || rows.list_of(part) == "crystalline_total";
             continue;
         }
         const bool formula = is_formula(part);
@@ -312,6 +316,9 @@ std::optional<ResolvedPhase> PhaseCatalogue::by_parts(std::string_view name) con
         by_formula = formula;
     }
     if (unknown == 0 || !found) return found;
+    if (found->phase.amorphous && crystalline)
+        throw InputError(in_quotes(name) + " may be " + found->phase.name + " or a crystalline phase",
+                         "one of the two");
     if (by_formula) return std::nullopt;  // "SiO2 (tridymite)"
     if (found->note.empty()) found->note = in_quotes(name) + " is read as " + found->phase.name;
     return found;

@@ -270,20 +270,20 @@ void warn_of_ignored(const Table& table, Layout layout, std::vector<Finding>& wa
 }
 
 /// Fractions of the crystalline part, scaled to 1. @throws InputError where more than rounding is missing
-void take_crystalline_part(XrdSample& sample) {
+void take_crystalline_part(XrdSample& sample, const std::string& stated_by) {
     double sum = 0;
     for (const PhaseFraction& phase : sample.analysis.phases) sum += phase.fraction;
     constexpr double rounding = 0.02;  // of some whole per cent
     if (std::abs(sum - 1) > rounding)
         throw InputError("the fractions of the crystalline part add up to " + per_cent(sum) +
                              ": a phase may be missing, or they be of the whole sample",
-                         "100 % within 2 %, or a heading without \"crystalline\"")
+                         "100 % within 2 %, or a file without \"crystalline\" in " + stated_by)
             .at(sample.analysis.phases.back().place);
     normalise(sample.analysis.phases, sum);
-    sample.analysis.of_crystalline_part = true;
+    sample.analysis.of_crystalline_part = stated_by;
     sample.warnings.push_back({xrd_code, Severity::remark,
-                               "the fractions are those of the crystalline part, as the heading states: an "
-                               "amorphous part is not among them"});
+                               "the fractions are those of the crystalline part, as " + stated_by +
+                                   " states: an amorphous part is not among them"});
 }
 
 }  // namespace
@@ -308,7 +308,7 @@ XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) 
         XrdSample sample =
             layout == Layout::peaks ? sample_of_peaks(group) : sample_of_fractions(group, scale);
         if (volumes) sample.analysis.basis = FractionBasis::volume;
-        if (std::ranges::any_of(table.headings, &Heading::of_crystalline)) take_crystalline_part(sample);
+        if (!table.crystalline.empty()) take_crystalline_part(sample, table.crystalline);
         result.samples.push_back(standardised(sample, group, table));
     }
     return result;

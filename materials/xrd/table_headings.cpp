@@ -2,6 +2,7 @@
 #include "materials/xrd/table_headings.hpp"
 
 #include <algorithm>
+#include <regex>
 #include <utility>
 
 #include "core/tables/table_texts.hpp"
@@ -99,6 +100,22 @@ bool names_other_basis(const Heading& heading) {
     if (heading.states == HeadingUnit::none && !holds_per_cent(heading.text))
         bases.erase("intensity");  // "Surface"
     return !bases.empty();
+}
+
+std::string without_fraction_unit(const std::string& cell, HeadingUnit kind) {
+    const auto end = cell.find_first_not_of("+-.,()0123456789 \u00b1");
+    if (end == std::string::npos || end == 0) return cell;
+    const std::string_view unit = std::string_view(cell).substr(end);
+    return holds_per_cent(unit) && unit_of(unit) == kind ? cell.substr(0, end) + '%' : cell;
+}
+
+bool names_loss(std::string_view text) {
+    static const WordLists words("oxide columns");
+    constexpr std::size_t longest_name = 60;  // regular expressions recurse along it
+    if (words.list_of(text) == "loss") return true;
+    if (text.size() > longest_name) return false;
+    static const std::regex temperature("[ ,_(@-]*(at|bei|à)? *(1[0-9]{3}|[7-9][0-9]{2}) *(°|deg)? *C?[)]?$");
+    return words.list_of(std::regex_replace(std::string(text), temperature, "")) == "loss";
 }
 
 HeadingUnit unit_of(std::string_view text) {

@@ -85,6 +85,13 @@ struct MarkedPhase {
 /// What a text states as the unit of fractions.
 [[nodiscard]] HeadingUnit unit_of(std::string_view text);
 
+/// Whether a text names the loss on ignition: "LOI", "Glühverlust bei 950 °C". Below 700 °C carbonates keep
+/// their CO2: that is another quantity.
+[[nodiscard]] bool names_loss(std::string_view text);
+
+/// The cell "12.3 wt%" as "12.3 %", if it is in that kind of fractions.
+[[nodiscard]] std::string without_fraction_unit(const std::string& cell, HeadingUnit kind);
+
 /// Whether a text holds "%" or a word for it.
 [[nodiscard]] bool holds_per_cent(std::string_view text);
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <regex>
 #include <set>
 #include <span>
 #include <utility>
@@ -140,14 +142,9 @@ void check_units_of_uncertainties(Table& table) {
 
 /// The cell "12.3 wt%" as "12.3 %", if its heading states no other unit.
 std::string without_unit(const std::string& cell, const Heading& heading) {
-    const auto end = cell.find_first_not_of("+-.,()0123456789 \u00b1");
-    if (end == std::string::npos || end == 0 || heading.role == Role::uncertainty) return cell;
-    const std::string_view unit = std::string_view(cell).substr(end);
-    const HeadingUnit kind = heading.role == Role::volume || heading.states == HeadingUnit::volume
-                                 ? HeadingUnit::volume
-                                 : HeadingUnit::weight;
-    if (!holds_per_cent(unit) || unit_of(unit) != kind) return cell;
-    return cell.substr(0, end) + '%';
+    if (heading.role == Role::uncertainty) return cell;
+    const bool is_volume = heading.role == Role::volume || heading.states == HeadingUnit::volume;
+    return without_fraction_unit(cell, is_volume ? HeadingUnit::volume : HeadingUnit::weight);
 }
 
 /// The number of a cell, with uncertainties as standard ones; nothing if the cell states that there is none.
@@ -208,6 +205,29 @@ void refuse_mixed_per_cent(const std::optional<PrintedNumber>& amount, const Pri
         .at(at_cell(row.line, column));
 }
 
+/// Refuses a bracket in the name of a phase that may change its amount, "Quartz (g/kg)" and "Quartz (x10)",
+/// or calls it none, "Quartz (excluded)". @throws InputError
+void require_plain_name(const std::string& name, const Table& table, std::size_t line, std::size_t column) {
+    static const std::regex factor("(?:[x*/]|\u00d7|\u00f7) *[0-9.,]+|[0-9.,]+ *(?:x|\u00d7)");
+    const auto open = name.find_last_of("([");
+    if (open == std::string::npos || name.find_last_of(")]") != name.size() - 1 ||
+        name.size() > longest_heading)
+        return;
+    const std::string inside(trimmed(std::string_view(name).substr(open + 1, name.size() - open - 2)));
+    if (calls_invalid(inside)) refuse_invalid_row(inside, "the name " + in_quotes(name), line, column);
+    const Heading unit = read_heading("x [" + inside + "]");
+    const bool is_unit = unit.states == HeadingUnit::weight || unit.states == HeadingUnit::volume;
+    const bool stated = std::ranges::any_of(table.headings, [&](const Heading& heading) {
+        const bool of_volume = heading.role == Role::volume || heading.states == HeadingUnit::volume;
+        return of_volume == (unit.states == HeadingUnit::volume) && heading.scale == unit.scale;
+    });
+    if ((is_unit && !stated) || std::regex_match(inside, factor))
+        throw InputError(in_quotes(inside) + " in the name " + in_quotes(name) +
+                             " may be a part of the name, or change the amount",
+                         "the name alone, and the amount in the unit of its column")
+            .at(at_cell(line, column));
+}
+
 /// One row a phase: phase and weight, or phase, intensity and RIR.
 std::vector<Entry> long_entries(const Table& table, Layout layout) {
     std::vector<Entry> entries;
@@ -225,6 +245,7 @@ std::vector<Entry> long_entries(const Table& table, Layout layout) {
             return found ? std::optional(found->value) : std::nullopt;
         };
         const MarkedPhase phase = read_phase_name(cell(Role::phase));
+        require_plain_name(phase.name, table, row.line, *table.column(Role::phase));
         Entry entry{.sample = cell(Role::sample), .phase = phase.name, .line = row.line, .mark = phase.mark};
         if (entry.sample.empty() && !entries.empty())
             entry.sample = entries.back().sample;  // named once, above
@@ -293,6 +314,10 @@ std::vector<Entry> wide_entries(const Table& table, Role row_role) {
                 continue;
             }
             const MarkedPhase phase = read_phase_name(row_role == Role::sample ? name : row.cells[label]);
+            if (row_role == Role::phase)
+                require_plain_name(phase.name, table, row.line, label);
+            else
+                require_plain_name(phase.name, table, table.heading_line, i);
             entries.push_back({.sample = row_role == Role::sample ? row.cells[label] : name,
                                .phase = phase.name,
                                .line = row.line,
@@ -324,8 +349,8 @@ void refuse_repeated_roles(const Table& table) {
             *table.column(role) == i)
             continue;
         refuse_line(table.heading_line,
-                    "the columns " + in_quotes(table.headings[*table.column(role)].text) + " and " +
-                        in_quotes(table.headings[i].text) + " hold the same quantity",
+                    "the columns " + in_quotes(table.headings[*table.column(role)].written) + " and " +
+                        in_quotes(table.headings[i].written) + " hold the same quantity",
                     "one of the two");
     }
 }
@@ -499,6 +524,13 @@ void find_uncertainties(Table& table) {
         const auto is_named = [&](const Heading& each) {
             return &each != &heading && word_key(each.text) == word_key(name.of);
         };
+        const bool is_letter =
+            heading.written.size() == 1 && std::islower(static_cast<unsigned char>(heading.written[0])) != 0;
+        if (is_letter && before != nullptr && is_summary(heading.written))
+            refuse_line(
+                table.heading_line,
+                "the column " + in_quotes(heading.written) + " may be a sample, or hold standard deviations",
+                in_quotes("esd") + " for standard uncertainties, else a longer name");
         if (!is_amount || name.of.empty() ||
             !(name.is_uncertainty || std::ranges::any_of(table.headings, is_named))) {
             if (is_amount && !stands_beside(heading)) before = &heading;
@@ -584,7 +616,8 @@ void require_owners_of_uncertainties(const Table& table) {
 void drop_measures(Table& table) {
     const std::size_t label = *table.column(Role::phase);
     std::erase_if(table.rows, [&](const TableRow& row) {
-        if (read_heading(row.cells[label]).role != Role::measure) return false;
+        if (read_heading(row.cells[label]).role != Role::measure && !names_loss(row.cells[label]))
+            return false;
         table.warnings.push_back(
             {xrd_code, Severity::remark,
              at_line(row.line) + " is no phase and left out: " + in_quotes(row.cells[label])});
@@ -636,6 +669,18 @@ bool take_second_heading(TableRow& heading, const TableRow& line,
     return merged;
 }
 
+/// Of several columns named as those of phases, "Phase ID" and "Phase", those with numbers alone name none.
+void drop_numbers_of_phases(Table& table, std::span<const TextLine> rows) {
+    std::vector<bool> names(table.headings.size(), false);
+    for (const TextLine& row : rows)
+        for_each_cell(row, table.separator, [&](std::string_view cell, std::size_t k) {
+            if (k < names.size() && !cell.empty() && !read_number(cell)) names[k] = true;
+        });
+    if (std::ranges::count(table.headings, Role::phase, &Heading::role) < 2) return;
+    for (std::size_t k = 0; k < names.size(); ++k)
+        if (table.headings[k].role == Role::phase && !names[k]) table.headings[k].role = Role::measure;
+}
+
 /// What the headings of amounts state that these are by; empty for "Anteil [%]".
 std::string_view stated_basis(const Table& table) {
     std::string_view basis;
@@ -655,18 +700,23 @@ std::string_view stated_basis(const Table& table) {
 /// @param rows the lines below the heading @throws InputError
 void require_agreeing_texts(Table& table, std::vector<TextBeside> texts, std::span<const TextLine> rows) {
     const bool is_long = names_amounts(table.headings);
+    const auto is_unused = [&](const Heading& heading) {
+        return heading.role == Role::measure ||
+               (heading.role == Role::other && (is_long || heading.written.empty()));
+    };
     const auto is_beside = [&](std::string_view cell, std::size_t k) {
-        if (k >= table.headings.size() || cell.empty()) return false;
         const Heading& heading = table.headings[k];
         if (heading.role == Role::phase || (heading.role == Role::other && heading.written.empty()))
             return true;                       // "Quartz (vol%)", and notes
         constexpr std::size_t most_words = 3;  // of a unit
-        const bool is_unused = heading.role == Role::measure || (heading.role == Role::other && is_long);
-        return is_unused && words_in(cell).size() <= most_words &&
+        return is_unused(heading) && words_in(cell).size() <= most_words &&
                cell.find_first_of("0123456789") == std::string_view::npos;
     };
     for (const TextLine& row : rows)
         for_each_cell(row, table.separator, [&](std::string_view cell, std::size_t k) {
+            if (k >= table.headings.size() || cell.empty()) return;
+            if (is_unused(table.headings[k]) && calls_invalid(cell))
+                refuse_invalid_row(cell, "column " + in_quotes(table.headings[k].written), row.number, k);
             if (is_beside(cell, k)) texts.push_back({row.number, std::string(cell)});
         });
     UncertainColumns columns(table.headings.size());
@@ -678,6 +728,12 @@ void require_agreeing_texts(Table& table, std::vector<TextBeside> texts, std::sp
                  heading.role == Role::ratio_uncertainty)
             columns[k] = {heading.written, heading.coverage, is_uncertainty(heading)};
     }
+    const auto statements = statements_in(texts);
+    if (const auto found = statements.find("crystalline part"); found != statements.end())
+        table.crystalline = at_line(found->second.line);
+    if (const auto found = statements.find("ignited sample"); found != statements.end())
+        table.warnings.push_back(
+            unused_statement(xrd_code, found->second, "the fractions are taken as those of the sample"));
     if (!table.has(Role::intensity)) require_basis(texts, stated_basis(table));
     require_coverage_in_headings(texts, columns, rows, table.separator);
     for (Finding& each : coverage_findings(xrd_code, columns, rows, table.separator))
@@ -709,6 +765,8 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
         if (take_second_heading(headings, second, is_unit) || take_units(headings, second, is_unit)) ++first;
     }
     table.headings = headings_of(headings);
+    if (std::ranges::any_of(table.headings, &Heading::of_crystalline)) table.crystalline = "the heading";
+    drop_numbers_of_phases(table, std::span(lines).subspan(first));
     const bool is_wide = table.has(Role::phase) != table.has(Role::sample) && !names_amounts(table.headings);
     if (is_wide) {
         find_amounts_with_uncertainties(table);
@@ -732,8 +790,10 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
                                   at_line(lines[i].number) + ", above the heading, is not read: " +
                                       in_quotes(trimmed(lines[i].text))});
     for (std::size_t k = 0; k < table.headings.size(); ++k)
-        if (table.headings[k].role == Role::intensity || table.headings[k].scale == Scale::ppm ||
-            table.headings[k].scale == Scale::per_mille)
+        if (is_uncertainty(table.headings[k]))
+            table.marks.holds_uncertainties(k);
+        else if (table.headings[k].role == Role::intensity || table.headings[k].scale == Scale::ppm ||
+                 table.headings[k].scale == Scale::per_mille)
             table.marks.may_hold_thousands(k);
         else if (table.headings[k].role == Role::weight || table.headings[k].role == Role::volume)
             table.marks.stays_below_thousand(k);
@@ -810,7 +870,11 @@ Layout layout_of(const Table& table) {
                         "the column " + in_quotes(only->written) +
                             " may hold intensities, beside reference intensity ratios, or fractions",
                         "\"intensity\" or \"weight %\" as its heading");
-        if (columns == 1 && only->states == HeadingUnit::none)
+        const auto in_cells = [&](const TableRow& row) {
+            const std::string& cell = row.cells[static_cast<std::size_t>(only - table.headings.data())];
+            return says_no_number(cell) || without_unit(cell, *only) != cell;
+        };
+        if (columns == 1 && only->states == HeadingUnit::none && !std::ranges::all_of(table.rows, in_cells))
             refuse_line(line,
                         "the column " + in_quotes(only->written) +
                             " may be a sample, or a quantity that is not known here",

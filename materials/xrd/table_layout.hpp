@@ -34,7 +34,8 @@ struct Table {
     std::vector<Heading> headings;
     std::vector<TableRow> rows;
     char separator = ',';
-    NumberMarks marks{};  ///< of the numbers in the rows
+    NumberMarks marks{};        ///< of the numbers in the rows
+    std::string crystalline{};  ///< what states that the amounts are of the crystalline part; empty: nothing
     std::vector<Finding> warnings{};
 
     /// Index of the first column of a role.

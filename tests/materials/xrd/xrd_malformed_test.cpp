@@ -185,7 +185,7 @@ TEST_CASE("malformed tables") {
     refuses("Phase;wt%;esd\nQuartz;20 \u00b1 0.4;1\nMullite;80;2\n",
             "line 2: the cell and a column state an uncertainty of the fraction");
     refuses("Phase;wt% (kristallin);Gew.-% (gesamt)\nQuartz;60;40\nMullite;40;20\namorph;-;40\n",
-            "line 1: the columns \"wt%\" and \"Gew.-% (gesamt)\" hold the same quantity");
+            "line 1: the columns \"wt% (kristallin)\" and \"Gew.-% (gesamt)\" hold the same quantity");
     refuses("Phase;wt% (crystalline)\nQuartz;40\nMullite;40\n",
             "line 3: the fractions of the crystalline part add up to 80 %: a phase may be missing");
     refuses("phase,weight\n", "line 1: there are no lines below the heading");

@@ -671,6 +671,78 @@ TEST_CASE("what a table says of itself in two ways is refused") {
     CHECK(contains(refusal("Phase;ppm\nQuartz;200.000\nGlass;800.000\n"), "\"200.000\" is"));
 }
 
+TEST_CASE("what a name, a heading or a text beside a table may mean otherwise is refused") {
+    const auto refusal = [](const std::string& table) {
+        return input_error_of(
+            [&] { return compose(read_xrd(table, "t.csv").samples.front().analysis, shipped_catalogue()); });
+    };
+    const auto with_quartz = [](const std::string& name) {
+        return "Phase;wt%\n" + name + ";20\nMullite;30\nGlass;50\n";
+    };
+    for (const auto& [table, says] :
+         {std::pair{with_quartz("Quartz (x10)"),
+                    "line 2, cell 1: \"x10\" in the name \"Quartz (x10)\" may be"},
+          {with_quartz("Quartz [\u00d7 0.1]"), "may be a part of the name, or change the amount"},
+          {with_quartz("Quartz (g/kg)"), "line 2, cell 1: \"g/kg\" in the name \"Quartz (g/kg)\" may be"},
+          {with_quartz("Quartz (excluded)"),
+           "line 2, cell 1: \"excluded\" in the name \"Quartz (excluded)\""},
+          {std::string("Phase;wt%;Remark\nQuartz;20;outlier\nGlass;80;\n"),
+           "line 2, cell 3: \"outlier\" in column \"Remark\" calls the row invalid"},
+          {std::string("Sample;Quartz (x10);Glass\nA;20;80\n"), "line 1, cell 2: \"x10\" in the name"},
+          {std::string("Phase;wt%\nQuartz;20\nGlass (crystalline);80\n"),
+           "line 3: \"Glass (crystalline)\" may be glass-dong2013 or a crystalline phase"},
+          {std::string("Phase;FA1;s\nQuartz;20;1\nGlass;80;99\n"),
+           "the column \"s\" may be a sample, or hold standard deviations"},
+          {std::string("Phase;wt% (crystalline);wt% (whole sample)\nQuartz;100;20\nGlass;;80\n"),
+           "the columns \"wt% (crystalline)\" and \"wt% (whole sample)\" hold the same quantity"}})
+        CHECK_MESSAGE(contains(refusal(table), says), refusal(table));
+    for (const char* text :
+         {"crystalline part only", "without amorphous", "crystalline phases only", "amorphous not considered",
+          "normalised to 100 % crystalline", "ohne amorphen Anteil", "nur kristalline Phasen"})
+        for (const std::string& table :
+             {text + ("\n" + with_quartz("Quartz")), "# " + (text + ("\n" + with_quartz("Quartz"))),
+              with_quartz("Quartz") + "\n" + text + "\n"}) {
+            CAPTURE(table);
+            CHECK(
+                contains(refusal(table), "states fractions of the crystalline part, and \"Glass\" is none"));
+        }
+    const XrdSample part =
+        read_xrd("# without amorphous\nPhase;wt%\nQuartz;20\nMullite;80\n", "t.csv").samples[0];
+    CHECK(contains(joined(texts_of(part.warnings)), "of the crystalline part, as line 1 states"));
+    for (const char* text : {"# loss-free basis", "on an ignited basis", "gl\u00fchverlustfrei"})
+        CHECK(contains(joined(texts_of(read_xrd(text + ("\n" + with_quartz("Quartz")), "t.csv").warnings)),
+                       "is not read: the fractions are taken as those of the sample"));
+    CHECK_FALSE(
+        read_xrd("external standard: corundum\nPhase;wt%\nQuartz;20\nCorundum;30\nGlass;50\n", "t.csv")
+            .samples[0]
+            .analysis.phases[1]
+            .is_standard);
+}
+
+TEST_CASE("what laboratories write beside names and numbers is no reason to refuse a table") {
+    const std::string rows = "\nQuartz;20\nMullite;30\nGlass;50\n";
+    for (const std::string& table :
+         {"Phase ID;Phase;wt%\n1;Quartz;20\n2;Mullite;30\n3;Glass;50\n" + std::string(),
+          "Phase;wt%" + rows + "LOI (950 \u00b0C);3\n",
+          "Phase;wt%" + rows + "Gl\u00fchverlust bei 950 \u00b0C;3\n", "# Phase;wt%" + rows,
+          "Phase;wt%" + rows + "\nmeasured at 40 kV; 40 mA; Cu K\u03b1\n",
+          "Phase;wt%" + rows + "Note: measured at 40 kV; 40\n",
+          std::string("Phase;FA1\nQuartz;20 wt%\nMullite;30 wt%\nGlass;50 wt%\n")}) {
+        CAPTURE(table);
+        CHECK(digest(read_xrd(table, "t.csv").samples.front()) == "Quartz 2000, Mullite 3000, Glass 5000");
+    }
+    CHECK(compose(read_xrd("Phase;wt%\nQuartz;20\nGlass [PONKCS];80\n", "t.csv").samples[0].analysis,
+                  shipped_catalogue())
+              .components.back()
+              .phase.amorphous);
+    for (const char* heading : {"esd", "dev. std", "\u8bef\u5dee", "desv. est."}) {
+        CAPTURE(heading);
+        const XrdResult stated = read_xrd(
+            "Phase;wt%;" + std::string(heading) + "\nQuartz;20;\u00b10.4\nGlass;80;+/- 0.4\n", "t.csv");
+        CHECK(stated.samples[0].analysis.phases[1].standard_uncertainty.value() == doctest::Approx(0.004));
+    }
+}
+
 TEST_CASE("units in a second line, rows that sum up samples, and notes below a table") {
     for (const auto& [unit, basis] :
          {std::pair{"Gew.-%", FractionBasis::weight}, std::pair{"[Vol.-%]", FractionBasis::volume}}) {
