@@ -325,7 +325,18 @@ OxideAnalysis as_received(const OxideAnalysis& analysis, std::vector<Finding>& n
     require_valid_oxides(analysis);
     const double oxides = sum_of(analysis);
     const double loss = listed_loss(analysis);
-    const bool ignited = loss > 0 && std::abs(oxides - 1) < std::abs(oxides + loss - 1);
+    const double excess = std::abs(oxides - 1) - std::abs(oxides + loss - 1);  // above 0: LOI is among 100 %
+    if (!analysis.ignited.empty() && excess > undecided_gap)
+        throw InputError(analysis.ignited + " states oxides of the ignited sample, and they add up to " +
+                             per_cent(oxides) + " without the LOI, to " + per_cent(oxides + loss) +
+                             " with it",
+                         "100 % without the LOI, or a file without this text");
+    if (!analysis.ignited.empty() && loss == 0)
+        notes.push_back({glass_code, Severity::remark,
+                         analysis.ignited +
+                             " states oxides of the ignited sample, and no LOI is given: they are "
+                             "taken as those of the sample"});
+    const bool ignited = loss > 0 && (!analysis.ignited.empty() || excess < 0);
     const double sum = ignited ? oxides : oxides + loss;
     const std::string what = ignited || loss == 0 ? "the oxides add up to " : "oxides and LOI add up to ";
     if (!(sum >= least_sum && sum <= greatest_sum))
@@ -334,8 +345,7 @@ OxideAnalysis as_received(const OxideAnalysis& analysis, std::vector<Finding>& n
         notes.push_back(
             {glass_code, Severity::remark,
              what + per_cent(sum) + ": the gap to 100 % counts as an error common to all of them"});
-    const bool either =
-        loss > remarkable_gap && std::abs(std::abs(oxides - 1) - std::abs(oxides + loss - 1)) < undecided_gap;
+    const bool either = analysis.ignited.empty() && loss > remarkable_gap && std::abs(excess) < undecided_gap;
     if (either)
         notes.push_back({glass_code, Severity::doubt,
                          "the oxides add up to " + per_cent(oxides) + " without the LOI and to " +

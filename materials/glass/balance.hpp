@@ -24,6 +24,8 @@ struct OxideAnalysis {
     std::vector<OxideShare> oxides;                ///< as listed, each once
     std::optional<OxideShare> loss_on_ignition{};  ///< its name is "LOI"
     std::string source{};                          ///< in words; may be empty
+    /// The text beside the table by which the oxides are those of the ignited sample; empty: there is none.
+    std::string ignited{};
 };
 
 /// Standard uncertainties that are assumed where an analysis states none [1]: of an oxide and of a phase,

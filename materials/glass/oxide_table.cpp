@@ -83,14 +83,6 @@ std::string unit_behind_name(const std::string& text) {
     return name.empty() ? name : name + unit;
 }
 
-/// A loss on ignition without its temperature: "LOI" of "LOI (1000 °C)" and "Glühverlust bei 950 °C".
-/// Below 700 °C carbonates keep their CO2: that is another quantity.
-std::string without_temperature(const std::string& text) {
-    if (text.size() > longest_name) return text;
-    static const std::regex temperature("[ ,_(@-]*(at|bei|à)? *(1[0-9]{3}|[7-9][0-9]{2}) *(°|deg)? *C?[)]?$");
-    return std::regex_replace(text, temperature, "");
-}
-
 /// The oxide in a text that does not name it as one: MgO in "MgO (corr.)", K2O in "K20".
 std::optional<NamedOxide> oxide_within(std::string text) {
     text += ' ' + transliterated(text);
@@ -114,7 +106,7 @@ OxideLine read_line(const std::string& text) {
     const std::string& name = line.heading.text;
     const std::string whole = line.heading.coverage.rest.empty() ? text : line.heading.coverage.rest;
     const auto list = words.list_of(name);
-    if (list == "loss" || words.list_of(without_temperature(whole)) == "loss")
+    if (list == "loss" || xrd::names_loss(whole))
         line.role = OxideRole::loss;
     else if (list == "amount")
         line.heading.role = xrd::Role::weight;
@@ -260,6 +252,7 @@ class OxideTable {
 
     std::vector<OxideColumn> samples{};
     std::vector<Finding> warnings{};
+    std::string ignited{};  ///< the text by which the oxides are those of the ignited sample
 
     [[nodiscard]] const NumberMarks& marks() const { return marks_; }
 
@@ -342,6 +335,8 @@ class OxideTable {
             else
                 columns[k] = {each.written, each.coverage, is_uncertainty_column(each.written, headings_[k])};
         }
+        if (const auto statements = statements_in(texts); statements.contains("ignited sample"))
+            ignited = in_quotes(statements.at("ignited sample").text);
         require_coverage_in_headings(texts, columns, table, separator_);
         for (Finding& each : coverage_findings(glass_code, columns, table, separator_))
             warnings.push_back(std::move(each));
@@ -435,7 +430,9 @@ class OxideTable {
     /// States in which columns a number may be a thousand: "4.000" ppm, but not "52.312" %.
     void mark_thousands(bool rows_in_ppm = false) {
         for (std::size_t i = 0; i < headings_.size(); ++i)
-            if (is_parts_per_million(headings_[i].heading))
+            if (is_uncertainty_column(headings_[i].heading.written, headings_[i]))
+                marks_.holds_uncertainties(i);
+            else if (is_parts_per_million(headings_[i].heading))
                 marks_.may_hold_thousands(i);
             else if (!rows_in_ppm)
                 marks_.stays_below_thousand(i);
@@ -620,6 +617,10 @@ std::optional<double> stated_scale(const xrd::Heading& heading, bool per_cent, s
     if (word_key(heading.unit, "%").find("mol") != std::string::npos ||
         word_key(heading.text, "%").find("mol%") != std::string::npos)
         throw InputError("the amounts are in " + heading.unit, "% by weight, as \"wt%\"").at(at_line(line));
+    if (per_cent && heading.scale != xrd::Scale::not_stated && heading.scale != xrd::Scale::per_cent)
+        throw InputError("a cell is per cent, and " + in_quotes(heading.written) + " states another unit",
+                         "one of the two")
+            .at(at_line(line));
     if (is_parts_per_million(heading)) return 1e-6;
     const bool by_weight =
         heading.states != xrd::HeadingUnit::other && heading.states != xrd::HeadingUnit::volume;
@@ -665,7 +666,8 @@ std::optional<OxideNumber> number_of(const OxideCell& cell, const NumberMarks& m
     }
     if (says_no_number(text)) return std::nullopt;
     return at_place(place, [&]() -> std::optional<OxideNumber> {
-        const auto read = marks.read(text, cell.column);
+        const auto read =
+            marks.read(xrd::without_fraction_unit(std::string(text), xrd::HeadingUnit::weight), cell.column);
         if (!read) throw InputError("cannot read " + in_quotes(text), "a number, \"<0.05\" or \"n.d.\"");
         if (read->value < 0)
             throw InputError("the amount of " + cell.what.heading.text + " is " + shortest(read->value),
@@ -845,6 +847,7 @@ OxideResult read_oxide_lines(const TextLines& file, std::optional<DecimalMark> d
     for (const OxideColumn& column : table.samples) {
         OxideSample sample = OxideSampleMaker(column, table.marks()).make();
         if (sample.analysis.oxides.empty()) continue;
+        sample.analysis.ignited = table.ignited;
         const auto same = std::ranges::find(result.samples, sample.name, &OxideSample::name);
         if (same != result.samples.end())
             refuse_line(column.cells.front().line,

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "materials/glass/balance.hpp"
 #include "tests/materials/catalogue.hpp"
 #include "tests/support/checks.hpp"
 
@@ -259,6 +260,30 @@ TEST_CASE("oxides of a sample of another name are told") {
 TEST_CASE("a total that does not fit is doubted") {
     CHECK(tells(only("Oxide,wt%\nSiO2,60\nAl2O3,30\nTotal,99\n").warnings, "the total is given as 99 %"));
     CHECK_FALSE(tells(only("Oxide,wt%\nSiO2,60\nAl2O3,30\nTotal,90.2\n").warnings, "the total"));
+}
+
+TEST_CASE("a text beside the table that the oxides are those of the ignited sample counts") {
+    const auto received = [](const std::string& silica, const std::string& loss) {
+        std::vector<Finding> notes;
+        const OxideAnalysis analysis = as_received(
+            only("# loss-free basis\nOxide;wt%\nSiO2;" + silica + "\nAl2O3;40\n" + loss).analysis, notes);
+        return std::pair{100 * analysis.oxides.front().fraction, notes};
+    };
+    CHECK(received("58.5", "LOI;3\n").first ==
+          doctest::Approx(58.5 * 0.97));  // the sum alone does not decide
+    CHECK(tells(received("60", "").second, "states oxides of the ignited sample, and no LOI is given"));
+    const std::string message = input_error_of([&] { return received("55", "LOI;5\n").first; });
+    CHECK_MESSAGE(message.find("they add up to 95 % without the LOI, to 100 % with it") != std::string::npos,
+                  message);
+}
+
+TEST_CASE("units and signs in the cells of an analysis") {
+    const OxideSample sample = only("Oxide;wt%;\u00b1\nSiO2;60 wt%;\u00b10.4\nAl2O3;40 Gew.-%;+/-0.4\n");
+    CHECK(near(per_cent_of(sample, "SiO2"), 60));
+    CHECK(sample.analysis.oxides[1].standard_uncertainty.value() == doctest::Approx(0.004));
+    CHECK(input_error_of([] {
+              return only("Oxide;ppm\nSiO2;60 %\nAl2O3;40 %\n").name;
+          }).find("a cell is per cent, and \"ppm\" states another unit") != std::string::npos);
 }
 
 TEST_CASE("tables that are no chemical analysis are refused in one line with the place") {
