@@ -192,11 +192,18 @@ void require_columns(const MeasurementHeading& heading) {
     if (heading.correlation && !rebound)
         throw InputError("a correlation beside e_n may be that of v_in with v_r, or of v_in with e_n",
                          "v_r with u(v_r) beside it, or no correlation");
-    const auto other = rebound ? MeasuredQuantity::restitution : MeasuredQuantity::rebound;
-    if (heading.uncertainty_of(other))
-        throw InputError("the uncertainty in column " + in_quotes(heading.uncertainty_of(other)->name) +
-                             " is that of a column that is not there",
-                         "the uncertainty of a column of the table");
+}
+
+/// Leaves out u(v_r) beside e_n, or u(e_n) beside v_r, with a remark.
+void drop_uncertainty_without_value(MeasurementHeading& heading) {
+    for (std::size_t i = 0; i < heading.value.size(); ++i) {
+        if (heading.value[i] || !heading.uncertainty[i]) continue;
+        heading.notes.push_back({impacts_code, Severity::remark,
+                                 "column " + in_quotes(heading.uncertainty[i]->name) +
+                                     " is not used: it is the uncertainty of a column that is not there"});
+        heading.coverages[heading.uncertainty[i]->position].reset();
+        heading.uncertainty[i].reset();
+    }
 }
 
 /// Enters a column that holds no velocity: the outcome, or the correlation of the errors of the two
@@ -308,6 +315,16 @@ void take_checked(MeasurementHeading& heading) {
     heading.checked = std::exchange(restitution, std::nullopt);
 }
 
+/// Whether a heading names an angle: "angle of plate", "Plattenwinkel".
+bool names_angle(std::string_view name) {
+    static const WordLists angles("angle words");
+    return std::ranges::any_of(words_in(name), [&](const std::string& word) {
+        return std::ranges::any_of(angles.words(), [&](const auto& angle) {
+            return word.starts_with(angle.first) || word.ends_with(angle.first);
+        });
+    });
+}
+
 bool is_angle_unit(std::string_view unit) {
     try {
         return !unit.empty() && to_si(1.0, unit, Dimension::angle) > 0.0;
@@ -324,7 +341,7 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
     auto meaning = meaning_in(heading, name, coverage, position);
     if (!meaning) {
         const auto list = column_words().list_of(key_of(name));
-        if (is_angle_unit(unit) && list != "other angle")
+        if ((is_angle_unit(unit) || names_angle(name)) && list != "other angle")
             throw InputError(
                 "column " + in_quotes(cell) + " may hold the angle of incidence, or another one",
                 "\"angle [deg]\" for that from the normal, \"rebound angle [deg]\" for one that is "
@@ -430,11 +447,13 @@ void require_agreeing_units(const TextBeside& beside, const MeasurementHeading& 
 
 void require_stated_angle(const TextBeside& beside, const MeasurementHeading& heading) {
     static const WordLists angles("angle references", " ");
-    static const std::regex degrees("([0-9]+(?:[.,][0-9]+)?) *(?:\u00b0|deg|grad)", std::regex::icase);
+    static const std::regex degrees(
+        "([0-9]+(?:[.,][0-9]+)?) *(?:\u00b0|deg|grad)|(?:angle|winkel)[^0-9]{0,20}([0-9]+(?:[.,][0-9]+)?)",
+        std::regex::icase);
     const std::string text = beside.text.substr(0, longest_heading);
     std::smatch match;
     if (heading.sideways || !std::regex_search(text, match, degrees)) return;
-    const double angle = read_number(match.str(1)).value_or(PrintedNumber{}).value;
+    const double angle = read_number(match.str(match[1].matched ? 1 : 2)).value_or(PrintedNumber{}).value;
     const bool is_normal = angle == 0.0 || angle == 90.0;  // from the normal, or from the wall
     for (const Mention& mention : mentions_in(words_in(text), angles))
         if (!is_normal && !mention.negated && mention.list == "oblique")
@@ -463,6 +482,7 @@ MeasurementHeading read_measurement_heading(const std::vector<std::string>& cell
     take_captured(heading);
     take_checked(heading);
     require_columns(heading);
+    drop_uncertainty_without_value(heading);
     settle_sideways(heading);
     return heading;
 }

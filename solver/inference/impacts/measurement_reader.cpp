@@ -97,6 +97,8 @@ class TableCells {
         if (heading.checked) holds_numbers[heading.checked->position] = true;
         if (heading.correlation) holds_numbers[*heading.correlation] = true;
         if (heading.sideways) holds_numbers[heading.sideways->position] = true;
+        for (const auto& column : heading.uncertainty)
+            if (column) marks_.holds_uncertainties(column->position);
         constexpr double small_unit = 0.05;  // of cm/s, mm/s: a velocity may be thousands
         for (const auto& column : heading.value)
             if (column && !column->is_fraction && column->to_si < small_unit)
@@ -643,6 +645,14 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
         require_agreeing_units(text, heading);
         require_stated_angle(text, heading);
     }
+    const auto statements = statements_in(texts);
+    if (const auto means = statements.find("means"); means != statements.end())
+        set.warnings.push_back(
+            unused_statement(impacts_code, means->second, "each row counts as one impact"));
+    if (const auto found = statements.find("tangential"); found != statements.end() && !heading.sideways)
+        refuse_line(found->second.line,
+                    in_quotes(found->second.text) + " may state that the velocities are those along the wall",
+                    "velocities normal to it, and a file without this text; or a column \"v_t [m/s]\"");
     require_coverage_in_headings(texts, heading.coverages, rows, separator);
     for (Finding& note : coverage_findings(impacts_code, heading.coverages, rows, separator))
         set.warnings.push_back(std::move(note));

@@ -82,6 +82,10 @@ TEST_CASE("what the texts beside impacts and their columns state counts, or the 
           {"v_in [m/s];v_r [m/s];u [%]\n0.3;0;5\n0.75;0.08;5\n", "is relative to a reading of 0"},
           {marked("unit", "cm/s"), "\"cm/s\" states cm/s, and column \"v_in\""},
           {marked("", "all velocities in mm/s"), "states mm/s"},
+          {"v_in [m/s];v_r [m/s];angle of plate\n0.75;0.08;60\n", "may hold the angle of incidence"},
+          {"v_in [m/s];v_r [m/s];Plattenwinkel\n0.75;0.08;60\n", "may hold the angle of incidence"},
+          {"# angle of plate 30\n" + given, "states an angle of the impacts"},
+          {given + "\ntangential velocities\n", "may state that the velocities are those along the wall"},
           {marked("Ausschluss", "x"), "marks rows as valid or not"},
           {marked("\u00e0 exclure", "x"), "marks rows as valid or not"},
           {marked("Vermerk 2", "x"), "marks rows as valid or not"},
@@ -97,6 +101,19 @@ TEST_CASE("what the texts beside impacts and their columns state counts, or the 
           std::string("v_in [m/s];v_rn [m/s];rebound angle [deg]\n0.75;0.08;60\n"), marked("Vermerk 2", "y"),
           marked("unit", "m/s"), marked("Bemerkung", "gas 12 mm/s")})
         CHECK_MESSAGE(input_error_of([&] { return read_measurements(table, "a.csv"); }).empty(), table);
+    for (const auto& [table, says] :
+         {std::pair{"# each row is a mean of 5\n" + given, "is not read: each row counts as one impact"},
+          {std::string("v_in [m/s];e_n;u(v_r) [m/s]\n0.75;0.1;0.02\n1.4;0.3;0.02\n"),
+           "column \"u(v_r)\" is not used: it is the uncertainty of a column that is not there"},
+          {given + "\nNote: camera A; lens B\n", "line 5 below the table is not read"}}) {
+        CAPTURE(table);
+        CHECK(contains(warnings_of(read_measurements(table, "a.csv")), says));
+    }
+    CHECK(read_measurements("# v_in [m/s];v_r [m/s]\n0.75;0.08\n", "a.csv").points.size() == 1);
+    CHECK(noise_of_rebound("v_in;v_r;\u00b1\n2.1;0.4;\u00b10.02\n") == doctest::Approx(0.02));
+    CHECK(read_measurements("v_in [m/s];v_r [m/s];tangential velocities [m/s]\n0.75;0.08;0.3\n", "a.csv")
+              .points.front()
+              .tangential == doctest::Approx(0.3));
     CHECK(read_measurements("v_in [m/s];v_r [m/s];remark\n0.75;0.08;mean of 3\n1.4;0.55;\n", "a.csv")
               .points.size() == 2);
     CHECK(noise_of_incident(
