@@ -289,6 +289,9 @@ class SieveTable {
     }
 
     void add(const TableRow& row) {
+        for (std::size_t k = 0; k < std::min(columns_.size(), row.cells.size()); ++k)
+            if (!columns_[k].column && calls_invalid(row.cells[k]))
+                refuse_invalid_row(row.cells[k], "column " + in_quotes(columns_[k].written), row.line, k);
         if (!row.cells.empty() && is_summary(row.cells.front()))
             return note(at_line(row.line) + " is no size and left out: " + in_quotes(row.cells.front()));
         static const WordLists pans("sieve pans");

@@ -278,6 +278,7 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
     titled("millimetres.csv", "# sizes in mm");
     titled("aerodynamic.csv", "# aerodynamic diameters");
     sandbox.write("unit-column.csv", "size [um];passing [%];unit\n10;20;mm\n20;100;mm\n");
+    sandbox.write("outlier.csv", "size [um];passing [%];remark\n10;20;outlier\n20;100;\n");
     sandbox.write("pan.csv", "size [um];passing [%]\n10;20\n20;100\nBoden;100\n");
     sandbox.write("cells.csv", "size;passing [%]\n10 um;20\n0.02 mm;100\n");
     struct Refused {
@@ -319,6 +320,7 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
           Refused{"counted.csv", "states shares by number"},
           Refused{"oversize.csv", "states what is coarser, and the heading \"passing [%]\" the contrary"},
           Refused{"radii.csv", "states radii; allowed: diameters of the particles"},
+          Refused{"outlier.csv", "line 2, cell 3: \"outlier\" in column \"remark\" calls the row invalid"},
           Refused{"pan.csv", "\"Boden\" is below every sieve: nothing passes it"},
           Refused{"cells.csv", "\"0.02 mm\" is not in um, as other sizes are"},
           Refused{"gap.csv", "does not begin where"},
