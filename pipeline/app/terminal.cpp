@@ -274,12 +274,14 @@ void Progress::update(std::uint64_t done) {
     const auto now = Clock::now();
     if (!shown_ || done == before_ || now - last_ < period) return;
     last_ = now;
-    const double rate =
-        static_cast<double>(done - before_) / std::chrono::duration<double>(now - start_).count();
-    const double part = static_cast<double>(done) / static_cast<double>(total_);
-    const std::string line =
-        fmt::format("\r\x1b[K{:5.1f} %, {}, {} left", 100 * part, rate_text(rate, total_, noun_),
-                    time_text(static_cast<double>(total_ - done) / rate));
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    const double rate = static_cast<double>(done - before_) / seconds;
+    const std::string line = total_ == 0
+                                 ? fmt::format("\r\x1b[K{} {} in {}", done, noun_, time_text(seconds))
+                                 : fmt::format("\r\x1b[K{:5.1f} %, {}, {} left",
+                                               100 * static_cast<double>(done) / static_cast<double>(total_),
+                                               rate_text(rate, total_, noun_),
+                                               time_text(static_cast<double>(total_ - done) / rate));
     std::fputs(line.c_str(), stderr);
     dirty_ = true;
 }

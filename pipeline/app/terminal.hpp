@@ -60,7 +60,8 @@ void set_program_word(const char* typed);
 /// Progress of a computation as one line on standard error: the share done, the rate, the time left.
 class Progress {
   public:
-    /// @param done at the start, not counted in the rate @param noun such as "impacts"
+    /// @param total 0 if it is not known @param done at the start, not counted in the rate
+    /// @param noun such as "impacts"
     Progress(std::uint64_t total, std::uint64_t done, bool shown, const char* noun = "impacts");
     ~Progress();
     Progress(const Progress&) = delete;

@@ -262,7 +262,8 @@ TEST_CASE(
         std::string options, says;
     } refused[] = {
         {"--sizes mixed.csv --uncertainty 0.1" + jkr_free,
-         "mixed.csv: line 2, cell 2: \"100 mm/s\" is no size or velocity; allowed: a number > 0 in m/s"},
+         "mixed.csv: line 2, cell 2: \"100 mm/s\" in column \"v_c [m/s]\" is not a positive number; allowed: "
+         "a number above 0 in m/s"},
         {"--sizes jkr.csv --law jkr " + silver + "--free time_step",
          "--free: \"time_step\" cannot follow from velocities over sizes"},
         {"--sizes jkr.csv --uncertainty 0.1 -o fit.txt" + jkr_free, "fit.txt"},
@@ -272,12 +273,12 @@ TEST_CASE(
         {"--sizes jkr.csv --uncertainty 0.1 --law jkr --work-of-adhesion 0.1 " + silver +
              "--free yield_pressure",
          "--free: yield_pressure is free, and"},
-        {"--sizes bare.csv --uncertainty 0.1" + jkr_free, "bare.csv: line 1: \"d\" has no unit"},
+        {"--sizes bare.csv --uncertainty 0.1" + jkr_free, "bare.csv: line 1: column \"d\" has no unit"},
         {"--sizes coverage.csv --uncertainty 0.1" + jkr_free, "line 1: \"k=2\" states \"k=2\""},
         {"--sizes coverage-column.csv --uncertainty 0.1" + jkr_free,
          "and the column \"u(v_c) [m/s]\" does not"},
         {"--sizes negative.csv --uncertainty 0.1" + jkr_free,
-         "negative.csv: line 2, cell 2: \"-0.1\" is no size"},
+         "negative.csv: line 2, cell 2: \"-0.1\" in column \"v_c [m/s]\" is not a positive number"},
         {"--law jkr --free density", "--law: is given without --sizes"},
         {"--free damping", "/calibration: damping is free, and no case determines it"}};
     for (const auto& row : refused) {

@@ -190,13 +190,15 @@ std::vector<FreeConstant> free_constants(const CommandOptions& options) {
 }
 
 /// Calibrates and prints. @param conclusion the sentence below the table
-CalibrationSummary print_calibration(const Case& data, const CalibrationProblem& problem,
+CalibrationSummary print_calibration(const Case& data, CalibrationProblem problem,
                                      std::string (*conclusion)(const CalibrationSummary&), bool json,
                                      std::ostream& out) {
-    const CalibrationSummary summary = calibrate(problem);
-    const auto profiles = [&] {  // what takes most of the time
-        Progress progress(summary.constants.size(), 0, on_terminal(), "constants");
-        return profile_constants(problem, summary, [&](std::size_t done) { progress.update(done); });
+    CalibrationSummary summary;
+    const auto profiles = [&] {
+        Progress progress(0, 0, on_terminal(), "trials");
+        problem.on_trial = [&, done = std::uint64_t{0}]() mutable { progress.update(++done); };
+        summary = calibrate(problem);
+        return profile_constants(problem, summary);
     }();
     const auto velocities =
         rows_of(data, problem.critical_velocities, summary.critical_velocities, Dimension::velocity);
@@ -240,8 +242,10 @@ void run_calibrate_command(const CommandOptions& options, std::ostream& out) {
     if (options.has("--sizes")) {
         const SizeCalibration sizes = read_size_calibration(options, free);
         if (options.has("--output")) report::require_converter(report::format_of(options["--output"]));
-        const CalibrationSummary summary =
-            print_calibration(sizes.data, sizes.problem, conclusion_of_sizes, options.has("--json"), out);
+        const CalibrationSummary summary = at_place(FileName{options["--sizes"]}, [&] {
+            return print_calibration(sizes.data, sizes.problem, conclusion_of_sizes, options.has("--json"),
+                                     out);
+        });
         if (!options.has("--output")) return;
         draw_calibration(sizes.problem, summary, options["--output"]);
         if (!options.has("--json")) out << options["--output"] << '\n';

@@ -70,7 +70,8 @@ SizeHeading read_size_heading(const std::string& cell, const SizeHeading* before
         unit.clear();
     }
     heading.column = meaning<SizeColumn>(words, name);
-    if (heading.column && unit.empty()) throw InputError(in_quotes(cell) + " has no unit", size_headings);
+    if (heading.column && unit.empty())
+        throw InputError("column " + in_quotes(cell) + " has no unit", size_headings);
     const xrd::UncertaintyName uncertain = xrd::uncertainty_name(heading.column ? "" : name.c_str());
     const bool follows = before != nullptr && before->column == SizeColumn::velocity;
     const bool is_coverage = !heading.coverage.stated.empty() && (name.empty() || name.starts_with('['));
@@ -83,13 +84,15 @@ SizeHeading read_size_heading(const std::string& cell, const SizeHeading* before
     }
     if (!heading.column) return heading;
     if (heading.column == SizeColumn::uncertainty && !heading.coverage.problem.empty())
-        throw InputError(in_quotes(cell) + ": " + heading.coverage.problem,
+        throw InputError("the uncertainties in column " + in_quotes(cell) + ": " + heading.coverage.problem,
                          "u(v_c) [m/s], U(v_c) [m/s] (k=2)");
     heading.unit_name = heading.is_relative ? "%" : unit;
-    heading.unit = to_si(1, heading.unit_name,
-                         heading.is_relative                      ? Dimension::fraction
-                         : heading.column == SizeColumn::diameter ? Dimension::length
-                                                                  : Dimension::velocity);
+    heading.unit = at_place("column " + in_quotes(cell), [&] {
+        return to_si(1, heading.unit_name,
+                     heading.is_relative                      ? Dimension::fraction
+                     : heading.column == SizeColumn::diameter ? Dimension::length
+                                                              : Dimension::velocity);
+    });
     return heading;
 }
 
@@ -149,7 +152,9 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
                             heading.written);
                 if (!heading.written.empty()) note("column " + in_quotes(heading.written) + " is not used");
             } else if (std::ranges::count(found, heading.column, &SizeHeading::column) > 1) {
-                throw InputError(in_quotes(heading.written) + " is the same column again",
+                throw InputError(fmt::format("{} columns hold {}, the first {}",
+                                             std::ranges::count(found, heading.column, &SizeHeading::column),
+                                             name_of(*heading.column), in_quotes(heading.written)),
                                  "each column once");
             }
         }
@@ -170,6 +175,7 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
         const SizeHeading& heading = headings[k];
         if (!heading.column) continue;
         uncertain[k] = {heading.written, heading.coverage, heading.column == SizeColumn::uncertainty};
+        if (heading.column == SizeColumn::uncertainty) marks.holds_uncertainties(k);
         const bool is_size = heading.column == SizeColumn::diameter;
         if (!heading.is_relative && heading.unit < (is_size ? 1e-7 : 0.05))
             marks.may_hold_thousands(k);  // of nm, mm/s
@@ -207,8 +213,10 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
         TableRow row = cut_row(line, separator);
         while (row.cells.size() > headings.size() && row.cells.back().empty()) row.cells.pop_back();
         if (row.cells.size() != headings.size())
-            refuse_line(row.line, fmt::format("has {} cells", row.cells.size()),
-                        fmt::format("{}, as the heading", headings.size()));
+            refuse_line(row.line,
+                        fmt::format("the line has {}, the heading {}", counted(row.cells.size(), "cell"),
+                                    headings.size()),
+                        "as many cells as headings");
         if (const std::string label = row_labels.summary_in(row); !label.empty()) {
             note(at_line(row.line) + " is no size and left out: " + in_quotes(label));
             continue;
@@ -221,8 +229,9 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
                 if (!heading.column) return;
                 const auto number = marks.read(without_unit(row.cells[k], heading.unit_name), k);
                 if (!number || !(number->value > 0) || (number->per_cent && !heading.is_relative))
-                    throw InputError(in_quotes(row.cells[k]) + " is no size or velocity",
-                                     "a number > 0 in " + heading.unit_name);
+                    throw InputError(fmt::format("{} in column {} is not a positive number",
+                                                 in_quotes(row.cells[k]), in_quotes(heading.written)),
+                                     "a number above 0 in " + heading.unit_name);
                 const double value = number->value * heading.unit;
                 if (heading.column == SizeColumn::uncertainty) {
                     sized.uncertainty = value / heading.coverage.factor;
@@ -238,7 +247,8 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
                     if (!std::exchange(told_uncertain, true))
                         note("uncertainties of sizes are not used, the first in " + at_cell(row.line, k));
                 } else if (holds_size(headings, SizeColumn::uncertainty)) {
-                    throw InputError(in_quotes(row.cells[k]) + " and a column state its uncertainty", "one");
+                    throw InputError(in_quotes(row.cells[k]) + " and a column state its uncertainty",
+                                     "one of them");
                 } else {
                     sized.uncertainty =
                         *number->standard_uncertainty * heading.unit / heading.coverage.factor;

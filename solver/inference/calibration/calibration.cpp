@@ -168,8 +168,11 @@ Eigen::VectorXd logarithmic_residuals(const CalibrationProblem& problem,
     Eigen::VectorXd result(
         static_cast<Eigen::Index>(problem.critical_velocities.size() + problem.contact_times.size()));
     Eigen::Index row = 0;
-    for (const CriticalVelocityObservation& o : problem.critical_velocities)
-        result[row++] = std::log(predicted_velocity(samples[o.sample], o.law, o.critical_damping) / o.value);
+    for (const double each :
+         in_parallel(problem.critical_velocities, [&](const CriticalVelocityObservation& o) {
+             return std::log(predicted_velocity(samples[o.sample], o.law, o.critical_damping) / o.value);
+         }))
+        result[row++] = each;
     for (const ContactTimeObservation& o : problem.contact_times)
         result[row++] = std::log(predicted_time(samples[o.sample], o, o.velocity) / o.value);
     return result;
@@ -239,6 +242,7 @@ class CalibrationObjective {
     /// Those of another problem with the same observations, with the weights of this one.
     [[nodiscard]] Eigen::VectorXd residuals(const CalibrationProblem& problem,
                                             const Eigen::VectorXd& logarithms) const {
+        if (problem.on_trial) problem.on_trial();
         return covariance_.matrixL().solve(
             logarithmic_residuals(problem, samples_with(problem, slots_, logarithms)));
     }
@@ -566,8 +570,7 @@ std::vector<CalibrationResponse> response_to_contact_modulus(const CalibrationPr
 }
 
 std::vector<ConstantProfile> profile_constants(const CalibrationProblem& problem,
-                                               const CalibrationSummary& summary,
-                                               const std::function<void(std::size_t done)>& on_profile) {
+                                               const CalibrationSummary& summary) {
     const auto count = static_cast<Eigen::Index>(summary.constants.size());
     Eigen::VectorXd best(count);
     for (Eigen::Index i = 0; i < count; ++i)
@@ -590,7 +593,6 @@ std::vector<ConstantProfile> profile_constants(const CalibrationProblem& problem
         if (!profile.identifiable)
             profile.statement = statement_of(summary, static_cast<std::size_t>(i), profile);
         profiles.push_back(std::move(profile));
-        if (on_profile) on_profile(profiles.size());
     }
     return profiles;
 }

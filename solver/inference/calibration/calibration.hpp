@@ -78,6 +78,7 @@ struct CalibrationProblem {
     std::vector<FreeConstant> free;
     std::vector<CriticalVelocityObservation> critical_velocities;
     std::vector<ContactTimeObservation> contact_times;
+    std::function<void()> on_trial{};  ///< called for each trial of the constants; may be empty
 };
 
 /// A calibrated constant with the 95 % interval that its standard uncertainty implies (in the logarithm).
@@ -170,10 +171,8 @@ struct ConstantProfile {
 
 /// Profile-likelihood intervals of the constants of a calibration, in their order.
 /// @param summary of that problem
-/// @param on_profile called after each constant with how many are done; may be empty
 /// @throws ConvergenceError
-[[nodiscard]] std::vector<ConstantProfile> profile_constants(
-    const CalibrationProblem& problem, const CalibrationSummary& summary,
-    const std::function<void(std::size_t done)>& on_profile = {});
+[[nodiscard]] std::vector<ConstantProfile> profile_constants(const CalibrationProblem& problem,
+                                                             const CalibrationSummary& summary);
 
 }  // namespace ashimpact
