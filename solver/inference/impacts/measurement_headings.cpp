@@ -465,7 +465,8 @@ void require_stated_angle(const TextBeside& beside, const MeasurementHeading& he
 }
 
 bool names_incident_velocity(const std::vector<std::string>& cells) {
-    return std::any_of(cells.begin(), cells.end(), [](const std::string& cell) {
+    const bool is_title = cells.size() < 2;  // "Velocities in mm/s"
+    return !is_title && std::any_of(cells.begin(), cells.end(), [](const std::string& cell) {
         const StatedCoverage coverage = read_coverage(cell);
         const std::string_view name = split(coverage.rest).name;
         auto meaning = value_before_plus_minus(name);
