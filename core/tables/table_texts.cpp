@@ -27,6 +27,58 @@ std::vector<TextBeside> texts_beside(const TextLines& file, std::span<const Text
     return texts;
 }
 
+CutTable cut_table(const TextLines& file, std::vector<TextLine> lines, std::size_t place,
+                   std::string_view code, Severity of_titles,
+                   const std::function<bool(TableRow&, const TableRow&)>& take_second) {
+    CutTable table{.separator = separator_of(lines[place].text)};
+    table.heading = cut_row(lines[place], table.separator);
+    std::size_t first = place + 1;  // of the rows
+    if (first < lines.size()) {
+        const TableRow second = cut_row(lines[first], table.separator);
+        const auto is_unit = [](std::string_view text) { return read_unit(ascii_unit(text)).has_value(); };
+        if (take_second ? take_second(table.heading, second) : take_units(table.heading, second, is_unit))
+            ++first;
+    }
+    for (std::size_t i = 0; i < place; ++i)
+        table.findings.push_back({code, of_titles,
+                                  at_line(lines[i].number) + ", above the heading, is not read: " +
+                                      in_quotes(trimmed(lines[i].text))});
+    table.rows.assign(lines.begin() + static_cast<std::ptrdiff_t>(first), lines.end());
+    for (Finding& each : take_notes(lines, first, table.separator, code))
+        table.findings.push_back(std::move(each));
+    const std::size_t rows = lines.size() - first;
+    table.notes.assign(table.rows.begin() + static_cast<std::ptrdiff_t>(rows), table.rows.end());
+    table.rows.resize(rows);
+    table.texts = texts_beside(file, std::span<const TextLine>(lines).subspan(place));
+    return table;
+}
+
+void CutTable::take_unused_cells(const std::function<bool(std::size_t column)>& is_unused) {
+    for (const TextLine& row : rows)
+        for_each_cell(row, separator, [&](std::string_view cell, std::size_t k) {
+            if (!cell.empty() && is_unused(k)) texts.push_back({row.number, std::string(cell)});
+        });
+}
+
+void CutTable::show(NumberMarks& marks) const {
+    for (const TextLine& row : rows)
+        for_each_cell(row, separator, [&](std::string_view cell, std::size_t k) { marks.see(cell, k); });
+}
+
+void require_cells(TableRow& row, std::size_t columns) {
+    while (row.cells.size() > columns && row.cells.back().empty()) row.cells.pop_back();
+    if (row.cells.size() != columns)
+        refuse_line(
+            row.line,
+            fmt::format("the line has {}, the heading has {}", counted(row.cells.size(), "cell"), columns),
+            "as many cells as headings (a decimal comma needs another separator, or quotes)");
+}
+
+Finding left_out(std::string_view code, std::size_t line, std::string_view noun, std::string_view label) {
+    return {code, Severity::remark,
+            fmt::format("{} is no {} and left out: {}", at_line(line), noun, in_quotes(label))};
+}
+
 std::set<std::string_view> bases_in(std::string_view text, bool of_fractions) {
     static const WordLists bases("bases", " ");
     static const WordLists shares("words for fractions", "%");
@@ -103,8 +155,7 @@ void for_each_uncertain(const UncertainColumns& columns, std::span<const TextLin
     }
 }
 
-}  // namespace
-
+/// Refuses uncertainties whose coverage only a text beside the table states. @throws InputError at its line
 void require_coverage_in_headings(const std::vector<TextBeside>& texts, const UncertainColumns& columns,
                                   std::span<const TextLine> rows, char separator) {
     for (const TextBeside& each : texts) {
@@ -142,18 +193,21 @@ void require_coverage_in_headings(const std::vector<TextBeside>& texts, const Un
     }
 }
 
-std::vector<Finding> coverage_findings(std::string_view code, const UncertainColumns& columns,
-                                       std::span<const TextLine> rows, char separator) {
+}  // namespace
+
+void check_coverage(std::string_view code, const std::vector<TextBeside>& texts,
+                    const UncertainColumns& columns, std::span<const TextLine> rows, char separator,
+                    std::vector<Finding>& findings) {
+    require_coverage_in_headings(texts, columns, rows, separator);
     UncertainColumns stated(columns.size());
     for (std::size_t k = 0; k < columns.size(); ++k)
         if (columns[k] && (columns[k]->coverage.factor != 1 || !columns[k]->coverage.problem.empty()))
             stated[k] = columns[k];
-    if (!std::ranges::any_of(stated, [](const auto& column) { return column.has_value(); })) return {};
+    if (!std::ranges::any_of(stated, [](const auto& column) { return column.has_value(); })) return;
     for_each_uncertain(stated, rows, separator, [&](std::size_t k, std::string_view) {
         stated[k]->is_uncertainty = true;
         return std::ranges::all_of(stated, [](const auto& each) { return !each || each->is_uncertainty; });
     });
-    std::vector<Finding> findings;
     std::map<double, std::vector<std::string>> divided;
     for (const auto& column : stated) {
         if (!column) continue;
@@ -174,7 +228,6 @@ std::vector<Finding> coverage_findings(std::string_view code, const UncertainCol
             {code, Severity::remark,
              fmt::format("uncertainties of {} {} are divided by {} for standard ones, as the heading says",
                          headings.size() == 1 ? "column" : "columns", joined(headings), shortest(factor))});
-    return findings;
 }
 
 namespace {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "core/finding.hpp"
+#include "core/tables/number_marks.hpp"
 #include "core/tables/text_lines.hpp"
 #include "core/tables/vocabulary.hpp"
 #include "core/units/units.hpp"
@@ -26,6 +28,34 @@ struct TextBeside {
 /// The lines of a file that do not belong to its table: titles, comments and notes.
 /// @param table heading and rows
 [[nodiscard]] std::vector<TextBeside> texts_beside(const TextLines& file, std::span<const TextLine> table);
+
+/// A table in a file, cut at its heading.
+struct CutTable {
+    char separator = ',';
+    TableRow heading{};  ///< with the names or units of a second line, if there is one
+    std::vector<TextLine> rows{};
+    std::vector<TextLine> notes{};    ///< below the table
+    std::vector<TextBeside> texts{};  ///< titles, comments and notes
+    std::vector<Finding> findings{};  ///< on titles and notes, which are not read
+
+    /// Adds the cells of columns that are not used to the texts.
+    void take_unused_cells(const std::function<bool(std::size_t column)>& is_unused);
+    /// Takes the numbers of all cells into account.
+    void show(NumberMarks& marks) const;
+};
+
+/// @param lines of the file with content @param place of the heading among them
+/// @param take_second takes a second line into the heading if it is part of it; none: one of units
+[[nodiscard]] CutTable cut_table(const TextLines& file, std::vector<TextLine> lines, std::size_t place,
+                                 std::string_view code, Severity of_titles,
+                                 const std::function<bool(TableRow&, const TableRow&)>& take_second = {});
+
+/// Refuses a row with another number of cells than the heading; empty ones at its end do not count.
+void require_cells(TableRow& row, std::size_t columns);
+
+/// A remark on a row that sums up others, or is none of what the table lists. @param noun such as "sample"
+[[nodiscard]] Finding left_out(std::string_view code, std::size_t line, std::string_view noun,
+                               std::string_view label);
 
 /// What a text states that fractions are by: "weight", "volume", "mole", "number", "intensity".
 /// @param of_fractions counts a word only beside one for fractions: "Vol.-%", "by volume", but not "Vol. 45"
@@ -44,15 +74,13 @@ struct UncertainColumn {
 };
 using UncertainColumns = std::vector<std::optional<UncertainColumn>>;  ///< by position; none: of other texts
 
-/// Refuses uncertainties whose coverage only a text beside the table states: "# errors are 2 sigma".
-/// @throws InputError at the line of the text
-void require_coverage_in_headings(const std::vector<TextBeside>& texts, const UncertainColumns& columns,
-                                  std::span<const TextLine> rows, char separator);
-
-/// Remarks of that code on columns whose uncertainties are not standard ones: one for all that are divided by
-/// the same number, one for each that cannot be read, and for each that holds no uncertainties.
-[[nodiscard]] std::vector<Finding> coverage_findings(std::string_view code, const UncertainColumns& columns,
-                                                     std::span<const TextLine> rows, char separator);
+/// Adds remarks of that code on columns whose uncertainties are not standard ones: one for all that are
+/// divided by the same number, one for each that cannot be read, and for each that holds no uncertainties.
+/// @throws InputError at the line of a text beside the table that alone states their coverage: "# errors are
+/// 2 sigma"
+void check_coverage(std::string_view code, const std::vector<TextBeside>& texts,
+                    const UncertainColumns& columns, std::span<const TextLine> rows, char separator,
+                    std::vector<Finding>& findings);
 
 /// A column of a quantity in a unit.
 struct ColumnUnit {

@@ -48,11 +48,6 @@ constexpr const char* name_ends = " _()[]/:,";
 /// A longer text names no oxide and no loss on ignition. Regular expressions recurse along it.
 constexpr std::size_t longest_name = 60;
 
-bool is_parts_per_million(const xrd::Heading& heading) {
-    const std::string unit = word_key(heading.unit);
-    return heading.scale == xrd::Scale::ppm || unit == "mgkg" || unit == "ugg" || unit == "gt";
-}
-
 /// The words for a loss on ignition and for other columns.
 const WordLists& column_words() {
     static const WordLists words("oxide columns");
@@ -337,9 +332,7 @@ class OxideTable {
         }
         if (const auto statements = statements_in(texts); statements.contains("ignited sample"))
             ignited = in_quotes(statements.at("ignited sample").text);
-        require_coverage_in_headings(texts, columns, table, separator_);
-        for (Finding& each : coverage_findings(glass_code, columns, table, separator_))
-            warnings.push_back(std::move(each));
+        check_coverage(glass_code, texts, columns, table, separator_, warnings);
     }
 
     void take_titles(std::size_t heading) {
@@ -432,7 +425,7 @@ class OxideTable {
         for (std::size_t i = 0; i < headings_.size(); ++i)
             if (is_uncertainty_column(headings_[i].heading.written, headings_[i]))
                 marks_.holds_uncertainties(i);
-            else if (is_parts_per_million(headings_[i].heading))
+            else if (headings_[i].heading.scale == xrd::Scale::ppm)
                 marks_.may_hold_thousands(i);
             else if (!rows_in_ppm)
                 marks_.stays_below_thousand(i);
@@ -450,7 +443,7 @@ class OxideTable {
     void add_row(const TableRow& row, const TableRow& names, std::size_t label) {
         const std::string name = label < row.cells.size() ? row.cells[label] : std::string();
         if (!samples.empty() && (is_summary(name) || xrd::coverage_of_row(name, samples.back().sample))) {
-            note(at_line(row.line) + " is no sample and left out: " + in_quotes(name));
+            warnings.push_back(left_out(glass_code, row.line, "sample", name));
             return;
         }
         OxideColumn sample{.sample = name};
@@ -512,7 +505,7 @@ class OxideTable {
         std::vector<OxideLine> lines;
         for (std::size_t r = first; r < rows_.size(); ++r) lines.push_back(line_of(rows_[r], names));
         mark_thousands(std::ranges::any_of(
-            lines, [](const OxideLine& line) { return is_parts_per_million(line.heading); }));
+            lines, [](const OxideLine& line) { return line.heading.scale == xrd::Scale::ppm; }));
         for (std::size_t r = first; r < rows_.size(); ++r) add_oxide_row(rows_[r], names, amounts, lines);
         return {has_heading ? std::optional(rows_[first - 1].line) : std::nullopt, names};
     }
@@ -621,7 +614,7 @@ std::optional<double> stated_scale(const xrd::Heading& heading, bool per_cent, s
         throw InputError("a cell is per cent, and " + in_quotes(heading.written) + " states another unit",
                          "one of the two")
             .at(at_line(line));
-    if (is_parts_per_million(heading)) return 1e-6;
+    if (heading.scale == xrd::Scale::ppm) return 1e-6;
     const bool by_weight =
         heading.states != xrd::HeadingUnit::other && heading.states != xrd::HeadingUnit::volume;
     if (by_weight && heading.scale == xrd::Scale::per_mille) return 1e-3;
@@ -862,37 +855,18 @@ OxideResult read_oxide_lines(const TextLines& file, std::optional<DecimalMark> d
     return result;
 }
 
-bool holds_oxides(const TextLines& file) {
-    try {
-        return !OxideTable(file, std::nullopt).samples.empty();
-    } catch (const InputError&) {
-        return false;
-    }
-}
-
-OxideResult read_any(std::string_view text, const TableOptions& options) {
-    if (is_workbook(text)) {
-        const ChosenSheet chosen(text, {.name = options.sheet,
-                                        .option = "the name of a sheet (in a case \"oxides_sheet\")",
-                                        .code = glass_code,
-                                        .limits = oxide_limits,
-                                        .holds_table = holds_oxides});
-        return chosen.read([&](const TextLines& lines) {
-            OxideResult result = read_oxide_lines(lines, options.decimal);
-            for (Finding& warning : result.warnings) warning.text = in_rows(warning.text);
-            result.warnings.insert(result.warnings.begin(), chosen.findings().begin(),
-                                   chosen.findings().end());
-            return result;
-        });
-    }
-    if (!options.sheet.empty())
-        throw InputError("a sheet is named, and the file is no spreadsheet", "an .xlsx or .ods");
-    const TextLines file(text, oxide_limits);
-    OxideResult result = read_oxide_lines(file, options.decimal);
-    if (file.was_latin1())
-        result.warnings.push_back(
-            {glass_code, Severity::background, "the file is not UTF-8 and was read as Latin-1"});
-    return result;
+OxideResult read_any(std::string_view bytes, const TableOptions& options) {
+    const TableFile file(bytes,
+                         {.name = options.sheet,
+                          .option = "the name of a sheet (in a case \"oxides_sheet\")",
+                          .code = glass_code,
+                          .limits = oxide_limits,
+                          .holds_table = [](const TextLines& lines) { return OxideTable(lines, {}), true; }});
+    return file.read([&](const TextLines& lines) {
+        OxideResult result = read_oxide_lines(lines, options.decimal);
+        file.tell(result.warnings);
+        return result;
+    });
 }
 
 OxideShare share_in(const std::string& name, const View& node) {

@@ -288,10 +288,6 @@ void take_crystalline_part(XrdSample& sample, const std::string& stated_by) {
 
 }  // namespace
 
-bool looks_like_table(const TextLines& file) {
-    return has_heading(file);
-}
-
 XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     const Table table = parse_table(file, decimal);
     const Layout layout = layout_of(table);

@@ -281,7 +281,7 @@ RowMeaning meaning_of_row(std::string_view name) {
     if (open != std::string_view::npos && open > 0 && holds_per_cent(name.substr(open)))
         name = name.substr(0, open);
     const std::string key = without_per_cent(key_of(name));
-    return is_total(key) ? RowMeaning::total : meaning<RowMeaning>(words, key).value_or(RowMeaning::phase);
+    return is_total(name) ? RowMeaning::total : meaning<RowMeaning>(words, key).value_or(RowMeaning::phase);
 }
 
 MarkedPhase read_phase_name(std::string_view text) {

@@ -15,6 +15,7 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "core/units/units.hpp"
+#include "materials/xrd/readers.hpp"
 #include "materials/xrd/xrd.hpp"
 
 namespace ashimpact::xrd {
@@ -94,17 +95,6 @@ std::optional<std::size_t> find_heading(const std::vector<TextLine>& lines) {
         }
     }
     return possible;
-}
-
-TableRow checked_row(const TextLine& line, const Table& table) {
-    TableRow row = cut_row(line, table.separator);
-    while (row.cells.size() > table.headings.size() && row.cells.back().empty()) row.cells.pop_back();
-    if (row.cells.size() != table.headings.size())
-        refuse_line(line.number,
-                    "the line has " + std::to_string(row.cells.size()) + " cells, the heading has " +
-                        std::to_string(table.headings.size()),
-                    "as many cells as headings (a decimal comma needs another separator, or quotes)");
-    return row;
 }
 
 bool is_uncertainty(const Heading& heading) {
@@ -397,7 +387,7 @@ void take_rows_of_uncertainties(std::vector<TableRow>& rows, std::size_t first, 
     rows.resize(first + coverages.size());
 }
 
-bool has_heading(const TextLines& file) {
+bool looks_like_table(const TextLines& file) {
     return find_heading(lines_with_content(file)).has_value();
 }
 
@@ -412,10 +402,7 @@ void drop_summaries(Table& table) {
     bool follows = false;
     std::erase_if(table.rows, [&](const TableRow& row) {
         follows = is_sum(row) && (follows || row.cells[label].size() > 1);
-        if (follows)
-            table.warnings.push_back(
-                {xrd_code, Severity::remark,
-                 at_line(row.line) + " is no sample and left out: " + in_quotes(row.cells[label])});
+        if (follows) table.warnings.push_back(left_out(xrd_code, row.line, "sample", row.cells[label]));
         return follows;
     });
 }
@@ -618,9 +605,7 @@ void drop_measures(Table& table) {
     std::erase_if(table.rows, [&](const TableRow& row) {
         if (read_heading(row.cells[label]).role != Role::measure && !names_loss(row.cells[label]))
             return false;
-        table.warnings.push_back(
-            {xrd_code, Severity::remark,
-             at_line(row.line) + " is no phase and left out: " + in_quotes(row.cells[label])});
+        table.warnings.push_back(left_out(xrd_code, row.line, "phase", row.cells[label]));
         return true;
     });
 }
@@ -735,9 +720,7 @@ void require_agreeing_texts(Table& table, std::vector<TextBeside> texts, std::sp
         table.warnings.push_back(
             unused_statement(xrd_code, found->second, "the fractions are taken as those of the sample"));
     if (!table.has(Role::intensity)) require_basis(texts, stated_basis(table));
-    require_coverage_in_headings(texts, columns, rows, table.separator);
-    for (Finding& each : coverage_findings(xrd_code, columns, rows, table.separator))
-        table.warnings.push_back(std::move(each));
+    check_coverage(xrd_code, texts, columns, rows, table.separator, table.warnings);
 }
 
 }  // namespace
@@ -748,25 +731,23 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     if (!heading)
         refuse_line(lines.empty() ? 1 : lines[0].number, "no heading line was found",
                     std::string(heading_help));
-    Table table{.heading_line = lines[*heading].number,
-                .headings = {},
-                .rows = {},
-                .separator = separator_of(lines[*heading].text),
-                .marks = NumberMarks(decimal, file.of_sheet())};
-    TableRow headings = cut_row(lines[*heading], table.separator);
-    std::size_t first = *heading + 1;  // of the rows
     const auto is_unit = [](std::string_view whole) {
         const std::string text = read_coverage(whole).rest;  // of "wt% ± 2s"
         return !text.empty() && (unit_of(text) != HeadingUnit::other || role_of_text(text) != Role::other ||
                                  read_unit(ascii_unit(text)));
     };
-    if (first < lines.size()) {
-        const TableRow second = cut_row(lines[first], table.separator);
-        if (take_second_heading(headings, second, is_unit) || take_units(headings, second, is_unit)) ++first;
-    }
-    table.headings = headings_of(headings);
+    const CutTable cut = cut_table(file, std::move(lines), *heading, xrd_code, Severity::background,
+                                   [&](TableRow& names, const TableRow& second) {
+                                       return take_second_heading(names, second, is_unit) ||
+                                              take_units(names, second, is_unit);
+                                   });
+    Table table{.heading_line = cut.heading.line,
+                .headings = headings_of(cut.heading),
+                .rows = {},
+                .separator = cut.separator,
+                .marks = NumberMarks(decimal, file.of_sheet())};
     if (std::ranges::any_of(table.headings, &Heading::of_crystalline)) table.crystalline = "the heading";
-    drop_numbers_of_phases(table, std::span(lines).subspan(first));
+    drop_numbers_of_phases(table, cut.rows);
     const bool is_wide = table.has(Role::phase) != table.has(Role::sample) && !names_amounts(table.headings);
     if (is_wide) {
         find_amounts_with_uncertainties(table);
@@ -785,10 +766,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
                         "the heading " + in_quotes(each.written) + " states one uncertainty, " + number +
                             ", for all numbers of its column",
                         "a column of the uncertainties, with the heading " + in_quotes("esd"));
-    for (std::size_t i = 0; i < *heading; ++i)
-        table.warnings.push_back({xrd_code, Severity::background,
-                                  at_line(lines[i].number) + ", above the heading, is not read: " +
-                                      in_quotes(trimmed(lines[i].text))});
+    table.warnings = cut.findings;
     for (std::size_t k = 0; k < table.headings.size(); ++k)
         if (is_uncertainty(table.headings[k]))
             table.marks.holds_uncertainties(k);
@@ -797,29 +775,25 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
             table.marks.may_hold_thousands(k);
         else if (table.headings[k].role == Role::weight || table.headings[k].role == Role::volume)
             table.marks.stays_below_thousand(k);
-    const std::vector<TextLine> all = lines;
-    for (Finding& each : take_notes(lines, first, table.separator, xrd_code))
-        table.warnings.push_back(std::move(each));
-    const std::span<const TextLine> kept(lines);
-    const std::vector<TextBeside> texts = texts_beside(file, kept.subspan(*heading));
-    require_agreeing_texts(table, texts, kept.subspan(first));
-    for (std::size_t i = first; i < lines.size(); ++i) {
-        table.rows.push_back(checked_row(lines[i], table));
+    require_agreeing_texts(table, cut.texts, cut.rows);
+    for (const TextLine& line : cut.rows) {
+        table.rows.push_back(cut_row(line, table.separator));
+        require_cells(table.rows.back(), table.headings.size());
         for (std::size_t k = 0; k < table.headings.size(); ++k)
             if (table.headings[k].role != Role::phase && table.headings[k].role != Role::sample &&
                 table.headings[k].role != Role::measure)
                 table.marks.see(table.rows.back().cells[k], k);
         if (table.rows.size() * table.headings.size() > most_cells)
-            refuse_line(lines[i].number, "the table is too large for an XRD result",
+            refuse_line(line.number, "the table is too large for an XRD result",
                         std::to_string(most_cells) + " cells or fewer");
     }
     if (table.rows.empty())
         refuse_line(file.last_line(), "there are no lines below the heading", "one line a phase or a sample");
     if (table.has(Role::phase)) {
-        take_notes_on_phases(table, std::span(all).subspan(lines.size()));
+        take_notes_on_phases(table, cut.notes);
         drop_measures(table);
     }
-    take_texts_on_phases(table, texts);
+    take_texts_on_phases(table, cut.texts);
     if (table.has(Role::sample) && !table.has(Role::phase)) {
         take_rows_of_uncertainties(table.rows, 0, *table.column(Role::sample), xrd_code, table.warnings);
         drop_summaries(table);

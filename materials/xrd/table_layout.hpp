@@ -55,9 +55,6 @@ enum class Layout {
     one_column_a_sample,  ///< and a row per phase
 };
 
-/// Whether one of the first lines can be the heading of a table.
-[[nodiscard]] bool has_heading(const TextLines& file);
-
 /// The coverage that the label of a row of uncertainties states: "esd", "FA1 esd", "2s"; none of other rows.
 [[nodiscard]] std::optional<StatedCoverage> coverage_of_row(std::string_view label, std::string_view sample);
 

@@ -74,25 +74,6 @@ constexpr std::array readers{
 
 constexpr TextLimits xrd_limits{.content = "an XRD result", .bytes = longest_xrd_file};
 
-/// Reads a table in a spreadsheet; messages name rows and cells.
-XrdResult read_from_workbook(std::string_view bytes, const TableOptions& options) {
-    const ChosenSheet chosen(bytes, {.name = options.sheet,
-                                     .option = "the name of a sheet (--sheet, in a case \"xrd_sheet\")",
-                                     .code = xrd_code,
-                                     .limits = xrd_limits,
-                                     .holds_table = xrd::looks_like_table});
-    return chosen.read([&](const TextLines& lines) {
-        XrdResult result = xrd::read_table(lines, options.decimal);
-        for (Finding& warning : result.warnings) warning.text = in_rows(warning.text);
-        result.warnings.insert(result.warnings.begin(), chosen.findings().begin(), chosen.findings().end());
-        for (XrdSample& sample : result.samples) {
-            for (Finding& warning : sample.warnings) warning.text = in_rows(warning.text);
-            for (PhaseFraction& phase : sample.analysis.phases) phase.place = chosen.place(phase.place);
-        }
-        return result;
-    });
-}
-
 XrdResult read_text(const TextLines& file, std::optional<DecimalMark> decimal) {
     for (const Reader& reader : readers) {
         if (!reader.recognises(file)) continue;
@@ -103,16 +84,22 @@ XrdResult read_text(const TextLines& file, std::optional<DecimalMark> decimal) {
     refuse_line(1, "the format is not known", xrd::known_formats);
 }
 
-XrdResult read(std::string_view text, const TableOptions& options) {
-    if (is_workbook(text)) return read_from_workbook(text, options);
-    if (!options.sheet.empty())
-        throw InputError("a sheet is named, and the file is no spreadsheet", "an .xlsx or .ods");
-    const TextLines file(text, xrd_limits);
-    XrdResult result = read_text(file, options.decimal);
-    if (file.was_latin1())
-        result.warnings.push_back(
-            {xrd_code, Severity::background, "the file is not UTF-8 and was read as Latin-1"});
-    return result;
+XrdResult read(std::string_view bytes, const TableOptions& options) {
+    const TableFile file(bytes, {.name = options.sheet,
+                                 .option = "the name of a sheet (--sheet, in a case \"xrd_sheet\")",
+                                 .code = xrd_code,
+                                 .limits = xrd_limits,
+                                 .holds_table = xrd::looks_like_table});
+    return file.read([&](const TextLines& lines) {
+        XrdResult result =
+            lines.of_sheet() ? xrd::read_table(lines, options.decimal) : read_text(lines, options.decimal);
+        file.tell(result.warnings);
+        for (XrdSample& sample : result.samples) {
+            file.in_its_words(sample.warnings);
+            for (PhaseFraction& phase : sample.analysis.phases) phase.place = file.place(phase.place);
+        }
+        return result;
+    });
 }
 
 }  // namespace

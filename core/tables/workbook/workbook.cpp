@@ -26,9 +26,31 @@ std::string named_sheets(const std::vector<const Sheet*>& sheets) {
     return joined(names);
 }
 
+/// A text about lines of a file, in words for rows of a sheet: "line 7" becomes "row 7".
+std::string in_rows(std::string text) {
+    for (const auto& [word, row] :
+         {std::pair<std::string_view, const char*>{"line ", "row "}, {"lines ", "rows "}})
+        for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; ++at) {
+            const std::size_t digit = at + word.size();
+            const bool begins = at == 0 || std::isalpha(static_cast<unsigned char>(text[at - 1])) == 0;
+            if (begins && digit < text.size() && std::isdigit(static_cast<unsigned char>(text[digit])) != 0)
+                text.replace(at, word.size(), row);
+        }
+    return text;
+}
+
 std::unique_ptr<TextLines> lines_of(const Sheet& sheet, TextLimits limits) {
     limits.of_sheet = true;
     return std::make_unique<TextLines>(sheet.as_text(), limits);
+}
+
+bool holds_table(const Sheet& sheet, const SheetRequest& request) {
+    const auto lines = lines_of(sheet, request.limits);
+    try {
+        return request.holds_table(*lines);
+    } catch (const InputError&) {
+        return false;
+    }
 }
 
 /// The sheets that may be meant, those with a table if there are any.
@@ -39,7 +61,7 @@ std::vector<const Sheet*> candidates(const std::vector<Sheet>& sheets, const She
         if (sheet.name() == request.name) return {&sheet};
         if (sheet.empty()) continue;
         named.push_back(&sheet);
-        if (request.holds_table(*lines_of(sheet, request.limits))) with_table.push_back(&sheet);
+        if (holds_table(sheet, request)) with_table.push_back(&sheet);
     }
     if (!request.name.empty())
         throw InputError("there is no sheet " + in_quotes(request.name), named_sheets(named))
@@ -51,7 +73,7 @@ std::vector<const Sheet*> candidates(const std::vector<Sheet>& sheets, const She
 const Sheet& chosen(const std::vector<Sheet>& sheets, const SheetRequest& request) {
     const auto possible = candidates(sheets, request);
     if (possible.size() == 1) return *possible.front();
-    if (request.holds_table(*lines_of(*possible.front(), request.limits)))
+    if (holds_table(*possible.front(), request))
         throw InputError(std::to_string(possible.size()) + " sheets hold a table",
                          request.option + " and one of " + named_sheets(possible));
     throw InputError("no sheet holds " + std::string(request.limits.content) + " with its headings",
@@ -158,7 +180,16 @@ bool is_workbook(std::string_view bytes) {
     return bytes.starts_with(zip_mark) || bytes.starts_with(old_excel_mark);
 }
 
-ChosenSheet::ChosenSheet(std::string_view bytes, const SheetRequest& request) {
+TableFile::TableFile(std::string_view bytes, const SheetRequest& request) {
+    if (!is_workbook(bytes)) {
+        if (!request.name.empty())
+            throw InputError("a sheet is named, and the file is no spreadsheet", "an .xlsx or .ods");
+        lines_ = std::make_unique<TextLines>(bytes, request.limits);
+        if (lines_->was_latin1())
+            findings_.push_back(
+                {request.code, Severity::background, "the file is not UTF-8 and was read as Latin-1"});
+        return;
+    }
     const std::vector<Sheet> sheets = read_workbook(bytes);
     const Sheet& sheet = chosen(sheets, request);
     name_ = sheet.name();
@@ -173,7 +204,7 @@ ChosenSheet::ChosenSheet(std::string_view bytes, const SheetRequest& request) {
         if (&other != &sheet && !other.empty()) others.push_back(&other);
     if (!others.empty())
         findings_.push_back({request.code, Severity::background,
-                             "the sheet " + in_quotes(name_) + " is read, not " + named_sheets(others)});
+                             "the sheet " + in_quotes(*name_) + " is read, not " + named_sheets(others)});
     for (const auto& [what, count] :
          {std::pair{"rows", sheet.hidden_rows()}, std::pair{"columns", sheet.hidden_columns()}})
         if (count > 0)
@@ -181,8 +212,9 @@ ChosenSheet::ChosenSheet(std::string_view bytes, const SheetRequest& request) {
                 {request.code, Severity::remark, fmt::format("hidden {} are read as well: {}", what, count)});
 }
 
-std::string ChosenSheet::place(const std::string& line) const {
-    const std::string sheet = "sheet " + in_quotes(name_);
+std::string TableFile::place(const std::string& line) const {
+    if (!name_) return line;
+    const std::string sheet = "sheet " + in_quotes(*name_);
     constexpr std::string_view word = "line ";
     if (!line.starts_with(word)) return line.empty() ? sheet : sheet + ": " + line;
     std::size_t end = word.size();
@@ -195,20 +227,19 @@ std::string ChosenSheet::place(const std::string& line) const {
     return sheet + ", cell " + cell_name(row - 1, column - 1) + line.substr(end);
 }
 
-InputError ChosenSheet::in_sheet(const InputError& error) const {
-    return InputError(in_rows(error.problem()), in_rows(error.allowed())).at(place(error.place()));
+InputError TableFile::in_sheet(const InputError& error) const {
+    return name_ ? InputError(in_rows(error.problem()), in_rows(error.allowed())).at(place(error.place()))
+                 : error;
 }
 
-std::string in_rows(std::string text) {
-    for (const auto& [word, row] :
-         {std::pair<std::string_view, const char*>{"line ", "row "}, {"lines ", "rows "}})
-        for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; ++at) {
-            const std::size_t digit = at + word.size();
-            const bool begins = at == 0 || std::isalpha(static_cast<unsigned char>(text[at - 1])) == 0;
-            if (begins && digit < text.size() && std::isdigit(static_cast<unsigned char>(text[digit])) != 0)
-                text.replace(at, word.size(), row);
-        }
-    return text;
+void TableFile::in_its_words(std::vector<Finding>& findings) const {
+    if (!name_) return;
+    for (Finding& each : findings) each.text = in_rows(std::move(each.text));
+}
+
+void TableFile::tell(std::vector<Finding>& findings) const {
+    in_its_words(findings);
+    findings.insert(findings.begin(), findings_.begin(), findings_.end());
 }
 
 }  // namespace ashimpact

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -75,26 +76,28 @@ class Sheet {
 struct SheetRequest {
     std::string name{};     ///< empty: the only one that holds such a table
     std::string option;     ///< how the user names one, for messages: "--sheet"
-    std::string_view code;  ///< of the findings on the choice
+    std::string_view code;  ///< of the findings on the file
     TextLimits limits{};
-    bool (*holds_table)(const TextLines&);
+    bool (*holds_table)(const TextLines&);  ///< may throw an InputError: then none
 };
 
-/// The selected sheet as lines of text. Its messages name rows and cells.
-class ChosenSheet {
+/// A file with a table as lines of text: a text, or the selected sheet of a workbook, whose messages name
+/// rows and cells.
+class TableFile {
   public:
     /// @throws InputError if no sheet, or more than one, holds such a table, or none has that name
-    ChosenSheet(std::string_view bytes, const SheetRequest& request);
-
-    /// Sheets that are not read, and hidden rows.
-    [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
+    TableFile(std::string_view bytes, const SheetRequest& request);
 
     /// Whether a formula in a line sums up lines above it.
     [[nodiscard]] bool sums_up(std::size_t line) const { return summaries_.contains(line); }
 
-    /// "line 7, cell 2" is `sheet "XRD", cell B7`, and "line 7" is row 7 of it.
+    /// In a sheet "line 7, cell 2" is `sheet "XRD", cell B7`, and "line 7" is row 7 of it.
     [[nodiscard]] std::string place(const std::string& line) const;
-    /// Returns what @p read makes of the lines. The places of its errors are rows and cells of the sheet.
+    /// In a sheet, has findings name its rows.
+    void in_its_words(std::vector<Finding>& findings) const;
+    /// The same, and puts those on the file before them: sheets that are not read, hidden rows, Latin-1.
+    void tell(std::vector<Finding>& findings) const;
+    /// Returns what @p read makes of the lines. The places of its errors are rows and cells of a sheet.
     template <class Read>
     auto read(Read&& read) const {
         try {
@@ -107,13 +110,10 @@ class ChosenSheet {
   private:
     [[nodiscard]] InputError in_sheet(const InputError& error) const;
 
-    std::string name_;
+    std::optional<std::string> name_{};  ///< of the sheet; none: the file is a text
     std::unique_ptr<TextLines> lines_;
     std::set<std::size_t> summaries_;
     std::vector<Finding> findings_;
 };
-
-/// A text about lines of a file, in words for rows of a sheet: "line 7" becomes "row 7".
-[[nodiscard]] std::string in_rows(std::string text);
 
 }  // namespace ashimpact

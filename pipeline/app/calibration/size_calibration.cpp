@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <utility>
@@ -118,33 +119,23 @@ std::size_t size_heading_place(const std::vector<TextLine>& lines) {
             }))
             return i;
     }
-    refuse_line(lines.front().number, "no line names the columns of a table of critical velocities",
-                size_headings);
-}
-
-bool holds_sizes(const TextLines& file) {
-    try {
-        return size_heading_place(lines_with_content(file)) + 1 > 0;
-    } catch (const InputError&) {
-        return false;
-    }
+    refuse_line(lines.empty() ? 1 : lines.front().number,
+                "no line names the columns of a table of critical velocities", size_headings);
 }
 
 std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<DecimalMark> decimal,
                                            std::vector<Finding>& findings) {
     constexpr auto code = "calibration";
     std::vector<TextLine> lines = lines_with_content(file);
-    const std::size_t place = size_heading_place(lines);
-    std::size_t first = place + 1;
-    const char separator = separator_of(lines[place].text);
     const auto note = [&](std::string text) {
         findings.push_back({code, Severity::remark, std::move(text)});
     };
-    TableRow names = cut_row(lines[place], separator);
-    const auto is_unit = [](std::string_view text) { return read_unit(ascii_unit(text)).has_value(); };
-    if (first < lines.size() && take_units(names, cut_row(lines[first], separator), is_unit)) ++first;
+    const std::size_t place = size_heading_place(lines);
+    CutTable table = cut_table(file, std::move(lines), place, code, Severity::remark);
+    const TableRow& names = table.heading;
+    const char separator = table.separator;
     LabelColumns labels{.columns = names.cells.size()};
-    const std::vector<SizeHeading> headings = at_place(at_line(lines[place].number), [&] {
+    const std::vector<SizeHeading> headings = at_place(at_line(names.line), [&] {
         auto found = size_headings_in(names);
         for (const SizeHeading& heading : found) {
             if (!heading.column) {
@@ -163,14 +154,11 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
                 throw InputError(fmt::format("the column {} is missing", name_of(needed)), size_headings);
         return found;
     });
-    for (std::size_t i = 0; i < place; ++i)
-        note(at_line(lines[i].number) +
-             ", above the heading, is not read: " + in_quotes(trimmed(lines[i].text)));
-    for (Finding& each : take_notes(lines, first, separator, code)) findings.push_back(std::move(each));
-    const std::span rows = std::span<const TextLine>(lines).subspan(first);
+    std::ranges::move(table.findings, std::back_inserter(findings));
+    const std::span<const TextLine> rows(table.rows);
     UncertainColumns uncertain(headings.size());
     std::vector<ColumnUnit> units;
-    NumberMarks marks(decimal);
+    NumberMarks marks(decimal, file.of_sheet());
     for (std::size_t k = 0; k < headings.size(); ++k) {
         const SizeHeading& heading = headings[k];
         if (!heading.column) continue;
@@ -183,42 +171,29 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
             units.push_back(
                 {heading.written, heading.unit, is_size ? Dimension::length : Dimension::velocity});
     }
-    auto texts = texts_beside(file, std::span<const TextLine>(lines).subspan(place));
-    require_coverage_in_headings(texts, uncertain, rows, separator);
-    for (const TextLine& line : rows)
-        for_each_cell(line, separator, [&](std::string_view cell, std::size_t k) {
-            if (k < headings.size() && !headings[k].column && !cell.empty())
-                texts.push_back({line.number, std::string(cell)});
-        });
-    require_units(texts, units);
-    require_diameters(texts);
-    for (Finding& each : coverage_findings(code, uncertain, rows, separator))
-        findings.push_back(std::move(each));
-    for (const TextLine& line : rows)
-        for_each_cell(line, separator,
-                      [&](std::string_view cell, std::size_t column) { marks.see(cell, column); });
+    check_coverage(code, table.texts, uncertain, rows, separator, findings);
+    table.take_unused_cells([&](std::size_t k) { return k < headings.size() && !headings[k].column; });
+    require_units(table.texts, units);
+    require_diameters(table.texts);
+    table.show(marks);
     std::vector<SizedVelocity> found;
     std::vector<MeasuredRow> measured;
     std::vector<TextLine> of_sizes;
     for (const TextLine& line : rows) {
         const std::string label = cut_row(line, separator).cells.front();
         if (is_summary(label))
-            note(at_line(line.number) + " is no size and left out: " + in_quotes(label));
+            findings.push_back(left_out(code, line.number, "size", label));
         else
             of_sizes.push_back(line);
     }
     const RowLabels row_labels(labels, of_sizes, separator);
     bool told_uncertain = false;
+    bool told_implausible = false;
     for (const TextLine& line : of_sizes) {
         TableRow row = cut_row(line, separator);
-        while (row.cells.size() > headings.size() && row.cells.back().empty()) row.cells.pop_back();
-        if (row.cells.size() != headings.size())
-            refuse_line(row.line,
-                        fmt::format("the line has {}, the heading {}", counted(row.cells.size(), "cell"),
-                                    headings.size()),
-                        "as many cells as headings");
+        require_cells(row, headings.size());
         if (const std::string label = row_labels.summary_in(row); !label.empty()) {
-            note(at_line(row.line) + " is no size and left out: " + in_quotes(label));
+            findings.push_back(left_out(code, row.line, "size", label));
             continue;
         }
         SizedVelocity sized;
@@ -239,8 +214,8 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
                     return;
                 }
                 const bool is_size = heading.column == SizeColumn::diameter;
-                if (auto doubt = implausible(*plausible_range(is_size ? "diameter" : "velocity"), {value}))
-                    findings.push_back(*std::move(doubt));
+                auto doubt = implausible(*plausible_range(is_size ? "diameter" : "velocity"), {value});
+                if (doubt && !std::exchange(told_implausible, true)) findings.push_back(*std::move(doubt));
                 (is_size ? sized.diameter : sized.velocity) = value;
                 if (!number->standard_uncertainty) return;
                 if (is_size) {
@@ -266,21 +241,16 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
 
 std::vector<SizedVelocity> read_size_table(const std::string& bytes, const TableOptions& options,
                                            std::vector<Finding>& findings) {
-    if (!is_workbook(bytes)) {
-        if (!options.sheet.empty())
-            throw InputError("a sheet is named, and the file is no spreadsheet", "an .xlsx or .ods")
-                .at("--sheet");
-        return read_size_lines(TextLines(bytes, size_limits), options.decimal, findings);
-    }
-    const ChosenSheet sheet(bytes, {.name = options.sheet,
-                                    .option = "--sheet",
-                                    .code = "calibration",
-                                    .limits = size_limits,
-                                    .holds_table = holds_sizes});
-    findings = sheet.findings();
-    return sheet.read([&](const TextLines& lines) {
+    const TableFile file(bytes, {.name = options.sheet,
+                                 .option = "--sheet",
+                                 .code = "calibration",
+                                 .limits = size_limits,
+                                 .holds_table = [](const TextLines& lines) {
+                                     return size_heading_place(lines_with_content(lines)), true;
+                                 }});
+    return file.read([&](const TextLines& lines) {
         auto rows = read_size_lines(lines, options.decimal, findings);
-        for (Finding& each : findings) each.text = in_rows(std::move(each.text));
+        file.tell(findings);
         return rows;
     });
 }
@@ -306,10 +276,6 @@ std::vector<SizedVelocity> read_sizes(const CommandOptions& options) {
     std::vector<Finding> findings;
     auto rows =
         at_place(FileName{name}, [&] { return read_size_table(bytes, table_options(options), findings); });
-    const auto is_doubt = [](const Finding& each) { return each.severity == Severity::doubt; };
-    const auto first = std::ranges::find_if(findings, is_doubt);
-    if (first != findings.end())
-        findings.erase(std::remove_if(first + 1, findings.end(), is_doubt), findings.end());
     warn_of(findings, name);
     return rows;
 }

@@ -60,11 +60,6 @@ SieveHeading sieve_heading(const std::string& cell) {
     return heading;
 }
 
-bool is_length_unit(std::string_view text) {
-    const auto unit = read_unit(ascii_unit(text));
-    return unit && unit->powers == std::array<double, 4>{1, 0, 0, 0};
-}
-
 bool is_size(SieveColumn column) {
     return column == SieveColumn::size || column == SieveColumn::from || column == SieveColumn::to;
 }
@@ -81,27 +76,17 @@ class SieveTable {
                 file.lines().front().number, "no line names the columns of a sieve table",
                 "\"size [um]\" with \"passing [%]\" or \"residue [%]\"; or \"from [um]\", \"to [um]\", "
                 "\"share [%]\"");
-        auto first = static_cast<std::size_t>(heading - lines.begin()) + 1;
-        for (std::size_t i = 0; i + 1 < first; ++i)
-            note(at_line(lines[i].number) +
-                 ", above the heading, is not read: " + in_quotes(trimmed(lines[i].text)));
-        const std::size_t heading_line = lines[first - 1].number;
-        if (TableRow names = cut_row(*heading, separator_);
-            first < lines.size() && take_units(names, cut_row(lines[first], separator_), is_sieve_unit)) {
-            take_columns(names);
-            ++first;
-        }
+        const auto place = static_cast<std::size_t>(heading - lines.begin());
+        CutTable table = cut_table(
+            file, std::move(lines), place, "deposition", Severity::remark,
+            [](TableRow& names, const TableRow& second) { return take_units(names, second, is_sieve_unit); });
+        const std::size_t heading_line = table.heading.line;
+        take_columns(table.heading);
         settle(heading_line);
-        for (Finding& each : take_notes(lines, first, separator_, "deposition"))
-            notes_.push_back(std::move(each));
-        const std::span<const TextLine> below = std::span<const TextLine>(lines).subspan(first);
-        auto texts = texts_beside(file, std::span<const TextLine>(lines).subspan(first - 1));
-        for (const TextLine& line : below)
-            for_each_cell(line, separator_, [&](std::string_view cell, std::size_t k) {
-                if (k < columns_.size() && !columns_[k].column && !cell.empty())
-                    texts.push_back({line.number, std::string(cell)});
-            });
-        require_agreeing_texts(texts);
+        std::ranges::move(table.findings, std::back_inserter(notes_));
+        const std::span<const TextLine> below(table.rows);
+        table.take_unused_cells([&](std::size_t k) { return k < columns_.size() && !columns_[k].column; });
+        require_agreeing_texts(table.texts);
         take_units_of_cells(heading_line, below);
         for (std::size_t k = 0; k < columns_.size(); ++k)
             if (columns_[k].column && is_size(*columns_[k].column) &&
@@ -109,9 +94,7 @@ class SieveTable {
                 marks_.may_hold_thousands(k);
             else if (columns_[k].column && !is_size(*columns_[k].column) && columns_[k].scale > 1e-3)
                 marks_.stays_below_thousand(k);
-        for (const TextLine& line : below)
-            for_each_cell(line, separator_,
-                          [&](std::string_view cell, std::size_t k) { marks_.see(cell, k); });
+        table.show(marks_);
         for (const TextLine& line : below) add(cut_row(line, separator_));
         last_line_ = below.empty() ? heading_line : below.back().number;
     }
@@ -241,7 +224,8 @@ class SieveTable {
     }
 
     static bool is_sieve_unit(std::string_view text) {
-        return is_length_unit(text) ||
+        const auto unit = read_unit(ascii_unit(text));
+        return (unit && unit->powers == read_unit("m")->powers) ||
                xrd::read_heading(fmt::format("x [{}]", text)).states != xrd::HeadingUnit::other;
     }
 
@@ -292,8 +276,8 @@ class SieveTable {
         for (std::size_t k = 0; k < std::min(columns_.size(), row.cells.size()); ++k)
             if (!columns_[k].column && calls_invalid(row.cells[k]))
                 refuse_invalid_row(row.cells[k], "column " + in_quotes(columns_[k].written), row.line, k);
-        if (!row.cells.empty() && is_summary(row.cells.front()))
-            return note(at_line(row.line) + " is no size and left out: " + in_quotes(row.cells.front()));
+        if (is_summary(row.cells.front()))
+            return notes_.push_back(left_out("deposition", row.line, "size", row.cells.front()));
         static const WordLists pans("sieve pans");
         const auto is_floor = [&] {
             const auto sieve = place(SieveColumn::to) ? place(SieveColumn::to) : place(SieveColumn::size);
@@ -310,7 +294,7 @@ class SieveTable {
                     in_quotes(row.cells.front()) +
                         " is below every sieve: " + (is_finer ? "nothing passes it" : "all is coarser"),
                     is_finer ? "0 %, or a table without this row" : "100 %, or a table without this row");
-            return note(at_line(row.line) + " is no size and left out: " + in_quotes(row.cells.front()));
+            return notes_.push_back(left_out("deposition", row.line, "size", row.cells.front()));
         }
         if (row.cells.size() < columns_.size())
             refuse_line(row.line, counted(row.cells.size(), "cell"),
@@ -479,32 +463,23 @@ class SieveTable {
     std::size_t last_line_ = 1;
 };
 
-bool holds_sieve_table(const TextLines& file) {
-    try {
-        return SieveTable(file, std::nullopt), true;
-    } catch (const InputError&) {
-        return false;
-    }
-}
-
 }  // namespace
 
 ParticleSizes read_sieve_table(std::string_view bytes, const TableOptions& options,
                                std::vector<Finding>& notes) {
-    if (is_workbook(bytes)) {
-        const ChosenSheet sheet(bytes, {.name = options.sheet,
-                                        .option = "--sheet",
-                                        .code = "deposition",
-                                        .limits = sieve_limits,
-                                        .holds_table = holds_sieve_table});
-        notes.insert(notes.end(), sheet.findings().begin(), sheet.findings().end());
-        return sheet.read(
-            [&](const TextLines& lines) { return SieveTable(lines, options.decimal).sizes(notes); });
-    }
-    if (!options.sheet.empty())
-        throw InputError("a sheet is named, and the file is no spreadsheet", "an .xlsx or .ods")
-            .at("--sheet");
-    return SieveTable(TextLines(bytes, sieve_limits), options.decimal).sizes(notes);
+    const TableFile file(bytes,
+                         {.name = options.sheet,
+                          .option = "--sheet",
+                          .code = "deposition",
+                          .limits = sieve_limits,
+                          .holds_table = [](const TextLines& lines) { return SieveTable(lines, {}), true; }});
+    return file.read([&](const TextLines& lines) {
+        std::vector<Finding> told;
+        ParticleSizes sizes = SieveTable(lines, options.decimal).sizes(told);
+        file.tell(told);
+        std::ranges::move(told, std::back_inserter(notes));
+        return sizes;
+    });
 }
 
 }  // namespace ashimpact

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <span>
 #include <string>
@@ -241,14 +242,6 @@ class TableCells {
     const MeasurementHeading& heading_;
     NumberMarks marks_;
 };
-
-void require_cells(const MeasurementHeading& heading, TableRow& row) {
-    while (row.cells.size() > heading.columns && row.cells.back().empty()) row.cells.pop_back();
-    if (row.cells.size() == heading.columns) return;
-    throw InputError("the line has " + std::to_string(row.cells.size()) + " cells, the heading " +
-                         std::to_string(heading.columns),
-                     "as many as the heading");
-}
 
 std::optional<VelocityNoise> noise_of_rebound(const Entry& velocity, const Entry& rebound) {
     if (!velocity.standard_uncertainty && !rebound.standard_uncertainty) return std::nullopt;
@@ -624,28 +617,22 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
     auto lines = lines_with_content(file);
     if (lines.empty()) throw InputError("the file holds no table", "a heading and one line an impact");
     const std::size_t place = heading_place(lines);
-    const char separator = separator_of(lines[place].text);
-    TableRow headings = cut_row(lines[place], separator);
-    std::size_t first = place + 1;  // of the rows
-    const auto is_unit = [](std::string_view text) { return read_unit(ascii_unit(text)).has_value(); };
-    if (first < lines.size() && take_units(headings, cut_row(lines[first], separator), is_unit)) ++first;
+    const CutTable table = cut_table(file, std::move(lines), place, impacts_code, Severity::background);
+    const std::string heading_line = at_line(table.heading.line);
     MeasurementHeading heading =
-        at_place(at_line(lines[place].number), [&] { return read_measurement_heading(headings.cells); });
-    take_units_of_cells(heading, std::span(lines).subspan(first), separator);
+        at_place(heading_line, [&] { return read_measurement_heading(table.heading.cells); });
+    const std::span rows(table.rows);
+    take_units_of_cells(heading, rows, table.separator);
     take_units_of_values(heading);
-    MeasurementSet set{
-        .source = std::string(name), .points = {}, .warnings = at_place(at_line(lines[place].number), [&] {
-                                                       return warnings_of(heading);
-                                                   })};
-    for (Finding& note : take_notes(lines, first, separator, impacts_code))
-        set.warnings.push_back(std::move(note));
-    const std::span rows = std::span<const TextLine>(lines).subspan(first);
-    const auto texts = texts_beside(file, std::span<const TextLine>(lines).subspan(place));
-    for (const TextBeside& text : texts) {
+    MeasurementSet set{.source = std::string(name), .points = {}, .warnings = at_place(heading_line, [&] {
+                                                                      return warnings_of(heading);
+                                                                  })};
+    std::ranges::copy(table.findings, std::back_inserter(set.warnings));
+    for (const TextBeside& text : table.texts) {
         require_agreeing_units(text, heading);
         require_stated_angle(text, heading);
     }
-    const auto statements = statements_in(texts);
+    const auto statements = statements_in(table.texts);
     if (const auto means = statements.find("means"); means != statements.end())
         set.warnings.push_back(
             unused_statement(impacts_code, means->second, "each row counts as one impact"));
@@ -653,25 +640,17 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
         refuse_line(found->second.line,
                     in_quotes(found->second.text) + " may state that the velocities are those along the wall",
                     "velocities normal to it, and a file without this text; or a column \"v_t [m/s]\"");
-    require_coverage_in_headings(texts, heading.coverages, rows, separator);
-    for (Finding& note : coverage_findings(impacts_code, heading.coverages, rows, separator))
-        set.warnings.push_back(std::move(note));
-    const TableCells cells(heading, rows, separator, NumberMarks(decimal, file.of_sheet()));
-    const RowLabels labels(heading, rows, separator);
-    for (std::size_t i = 0; i < place; ++i)
-        set.warnings.push_back({impacts_code, Severity::background,
-                                at_line(lines[i].number) + ", above the heading, is not read: " +
-                                    in_quotes(trimmed(lines[i].text))});
+    check_coverage(impacts_code, table.texts, heading.coverages, rows, table.separator, set.warnings);
+    const TableCells cells(heading, rows, table.separator, NumberMarks(decimal, file.of_sheet()));
+    const RowLabels labels(heading, rows, table.separator);
     Unread unread(heading);
     StatedUncertainties stated;
-    for (std::size_t i = first; i < lines.size(); ++i) {
-        TableRow row = cut_row(lines[i], separator);
+    for (const TextLine& line : rows) {
+        TableRow row = cut_row(line, table.separator);
         at_place(at_line(row.line), [&] {
-            require_cells(heading, row);
+            require_cells(row, heading.columns);
             if (const std::string summary = labels.summary_in(row); !summary.empty()) {
-                set.warnings.push_back({impacts_code, Severity::remark,
-                                        "line " + std::to_string(row.line) +
-                                            " is no impact and left out: " + in_quotes(summary)});
+                set.warnings.push_back(left_out(impacts_code, row.line, "impact", summary));
                 return;
             }
             for (const auto* columns : {&heading.unused, &heading.remarks})
@@ -711,7 +690,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
         throw InputError(
             "the correlation of two velocities is that of their uncertainties, which are not stated",
             "columns u(v_in) and u(v_r) beside it")
-            .at(at_line(lines[place].number));
+            .at(heading_line);
     add_implausible(*heading.of(MeasuredQuantity::velocity), set);
     if (set.points.empty() && set.unknown > 0)
         throw InputError("the outcome of every impact is unknown", "rebounds or captures");
@@ -728,36 +707,23 @@ bool holds_impacts(const TextLines& file) {
     return names_incident_velocity(cut_row(line, separator_of(line.text)).cells);
 }
 
-/// Reads a table in a spreadsheet; messages name rows and cells.
-MeasurementSet read_from_workbook(std::string_view bytes, std::string_view name,
-                                  const TableOptions& options) {
-    const ChosenSheet chosen(bytes, {.name = options.sheet,
-                                     .option = "the name of a sheet (--sheet, in a case \"sheet\")",
-                                     .code = impacts_code,
-                                     .limits = impact_table,
-                                     .holds_table = holds_impacts});
-    return chosen.read([&](const TextLines& lines) {
-        MeasurementSet set = read_table(lines, name, options.decimal);
-        for (const Measurement& point : set.points)
-            if (chosen.sums_up(point.line)) refuse_summary_row(point.line, "a formula");
-        for (Finding& warning : set.warnings) warning.text = in_rows(std::move(warning.text));
-        set.warnings.insert(set.warnings.begin(), chosen.findings().begin(), chosen.findings().end());
-        validate(set);
-        return set;
-    });
-}
-
 }  // namespace
 
 MeasurementSet read_measurements(std::string_view text, std::string_view name, const TableOptions& options) {
     return at_place(FileName{std::string(name)}, [&] {
-        if (is_workbook(text)) return read_from_workbook(text, name, options);
-        if (!options.sheet.empty())
-            throw InputError("a sheet is named, and the file is no spreadsheet", "an .xlsx or .ods");
-        if (trimmed(text).empty()) throw InputError("the file is empty", "a table of impacts").at("line 1");
-        MeasurementSet set = read_table(TextLines(text, impact_table), name, options.decimal);
-        validate(set);
-        return set;
+        const TableFile file(text, {.name = options.sheet,
+                                    .option = "the name of a sheet (--sheet, in a case \"sheet\")",
+                                    .code = impacts_code,
+                                    .limits = impact_table,
+                                    .holds_table = holds_impacts});
+        return file.read([&](const TextLines& lines) {
+            MeasurementSet set = read_table(lines, name, options.decimal);
+            for (const Measurement& point : set.points)
+                if (file.sums_up(point.line)) refuse_summary_row(point.line, "a formula");
+            file.tell(set.warnings);
+            validate(set);
+            return set;
+        });
     });
 }
 

@@ -201,7 +201,7 @@ TEST_CASE("malformed tables") {
     refuses("phase,wt%\nQuartz,60\nMullite,", "line 3: the last line stops before its amount");
     refuses("sample,phase,wt%\na,Quartz,60\na,Quartz,4\n", "is there twice in the sample \"a\"");
     refuses("phase,wt%\nQuartz,inf\n", "line 2, cell 2: cannot read \"inf\"");
-    refuses("phase,wt%\nQuartz\n", "line 2: the line has 1 cells, the heading has 2");
+    refuses("phase,wt%\nQuartz\n", "line 2: the line has 1 cell, the heading has 2");
     refuses("phase,wt%\nQuartz,12,5\n", "line 2: the line has 3 cells, the heading has 2");
     refuses("phase,wt%\n\"Quartz,12\n", "line 2: a quote is not closed");
     refuses("phase,wt%\n,12\n", "line 2: the line names no phase");
