@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -196,7 +197,8 @@ CalibrationSummary print_calibration(const Case& data, CalibrationProblem proble
     CalibrationSummary summary;
     const auto profiles = [&] {
         Progress progress(0, 0, on_terminal(), "trials");
-        problem.on_trial = [&, done = std::uint64_t{0}]() mutable { progress.update(++done); };
+        std::uint64_t done = 0;
+        problem.on_trial = [&] { progress.update(++done); };
         summary = calibrate(problem);
         return profile_constants(problem, summary);
     }();
