@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/quantities/quantity.hpp"
+#include "core/text/error.hpp"
 #include "core/text/text.hpp"
 
 namespace ashimpact {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "core/quantities/quantity.hpp"
 #include "core/tables/vocabulary.hpp"
