@@ -51,7 +51,7 @@ struct Writing {
 
 /// The doubts about all quantities of a document, which are found by their keys; the JSON pointer of each is
 /// in its text. Of a column the value that is furthest outside counts. @param bare whether numbers without a
-/// unit are quantities in SI, as in a case; in an artifact they are not
+/// unit are quantities in SI, as in a case and its artifact; in other artifacts they are not
 [[nodiscard]] std::vector<Finding> implausible_values(const Json& document, const std::string& pointer = {},
                                                       bool bare = true);
 

@@ -176,7 +176,7 @@ Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view f
         if (edited) {
             require_possible_result(document);
             if (file != histories_artifact)
-                doubts = implausible_values(document.at("result"), "/result", false);
+                doubts = implausible_values(document.at("result"), "/result", file == case_artifact);
             spdlog::warn("warning: {}: was edited after ashimpact wrote it; its values count", path.string());
         }
         return Artifact{std::string(file),

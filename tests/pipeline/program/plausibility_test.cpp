@@ -190,4 +190,28 @@ TEST_CASE("a critical velocity above 500 m/s is outside the model; JSON keeps th
     CHECK(sandbox.read("out/report.html") == containing("above 500 m/s, outside the model"));
     CHECK(test::succeeded(sandbox, "inspect out/3-analytic.json").out ==
           containing("above 500 m/s, outside the model"));
+
+TEST_CASE("a bare number in an edited 0-case.json is checked as one of a case file") {
+    const Sandbox sandbox;
+    test::write_example(sandbox, test::with_one_sample(test::example_case(), {"hertz"}));
+    test::succeeded(sandbox, "run case.json -o out");
+    const Json artifact = sandbox.json("out/0-case.json");
+    const auto edit = [&](const std::string& edits) {
+        sandbox.write("out/0-case.json", test::edited(artifact, edits).dump());
+    };
+    for (const auto& [edits, says] :
+         {std::pair{
+              "/result/samples/0/diameter = 88",
+              "0-case.json: /result/samples/0/diameter: 88 has no unit and is 88 m, did you mean 88 um?"},
+          {"/result/roughness = 5", "0-case.json: /result/roughness: 5 has no unit and is 5 m"}}) {
+        CAPTURE(edits);
+        edit(edits);
+        check_refused(sandbox, "run -o out --from modulus", says);
+    }
+    edit("/result/samples/0/work_of_adhesion = 300 ; /result/friction = 20");
+    const auto run = test::succeeded(sandbox, "run -o out --from modulus");
+    CHECK(run.err ==
+          containing("/result/samples/0/work_of_adhesion: 300 J/m2 is outside of what is plausible"));
+    CHECK(run.err == containing("/result/friction: 20 is outside of what is plausible"));
+}
 }
