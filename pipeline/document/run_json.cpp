@@ -235,7 +235,8 @@ void read_artifact(const Artifacts& artifacts, std::string_view file, Run& run) 
                                .file = artifact.file,
                                .sha256 = sha256(artifact.bytes),
                                .citations = document.at("citations").texts(),
-                               .notes = read_notes(document)});
+                               .notes = read_notes(document),
+                               .edited = artifact.edited});
     });
 }
 

@@ -35,6 +35,7 @@ struct StageRecord {
     std::string sha256{};  ///< of the bytes of that file
     std::vector<std::string> citations{};
     std::vector<Note> notes{};
+    bool edited = false;  ///< the artifact was read, and is not what ashimpact wrote
 
     void note(const Finding& finding, const std::string& sample = {}, const std::optional<Law>& law = {}) {
         notes.push_back({std::string(finding.code), finding.severity, stage, sample, law, finding.text});

@@ -103,55 +103,86 @@ std::string shown(const Json& value) {
     return text.size() > 60 ? fmt::format("{} values", value.size()) : text;
 }
 
-/// The values of a list, and how many they are where not all fit.
-std::string listed(const Json& list) {
+/// The values of a list from a place on, and how many it has where not all are shown.
+std::string listed(const Json& list, std::size_t from) {
     std::string text;
-    for (const Json& value : list) {
-        if (text.size() > 50) return text + fmt::format(", … ({} values)", list.size());
-        text += (text.empty() ? "" : ", ") + shown(value);
-    }
-    return text.empty() ? "none" : text;
+    for (std::size_t i = from; i < list.size() && text.size() <= 50; ++i)
+        text += (i == 0 ? "" : i == from ? "…, " : ", ") + shown(list[i]);
+    const bool whole = from == 0 && text.size() <= 50;
+    return list.empty() ? "none" : whole ? text : text + fmt::format(" … ({} values)", list.size());
 }
 
 /// The beginning of a long text, whole characters.
 std::string shortened(const std::string& text) {
     if (text.size() <= 200) return text;
     return std::string(whole_start(text, 180)) + "…";
+/// The values of one input as a reader takes them in: lists from where they differ, numbers with all digits
+/// where they are the same rounded.
+std::vector<std::string> shown_beside(const std::vector<Json>& values) {
+    const Json& first = values.front();
+    std::size_t same = 0;  // entries at the begin of lists
+    const auto begins_alike = [&](const Json& value) {
+        return same < value.size() && value[same] == first[same];
+    };
+    if (std::ranges::all_of(values, &Json::is_array))
+        while (std::ranges::all_of(values, begins_alike)) ++same;
+    std::vector<std::string> texts;
+    for (const Json& value : values)
+        texts.push_back(value.is_null()    ? "–"
+                        : value.is_array() ? listed(value, std::min(same, value.size()))
+                                           : shown(value));
+    if (std::ranges::count(texts, texts.front()) == std::ssize(texts))
+        std::ranges::transform(values, texts.begin(), [](const Json& value) { return value.dump(); });
+    return texts;
+}
+
 }
 
 /// An input by its path; entries of lists with names go by these.
-using Inputs = std::vector<std::pair<std::string, std::string>>;
+using Inputs = std::vector<std::pair<std::string, Json>>;
 
 void flatten(const Json& node, const std::string& path, Inputs& into) {
     const bool quantity = node.is_object() && node.contains("value");
     if (node.is_object() && !quantity) {
         for (const auto& [key, value] : node.items())
-            if (key != "published" && key != "name")
-                flatten(value, path.empty() ? key : fmt::format("{}, {}", path, key), into);
+            if (key != "name") flatten(value, path.empty() ? key : fmt::format("{}, {}", path, key), into);
         return;
     }
     const bool named =
         node.is_array() && !node.empty() && node.front().is_object() && node.front().contains("name");
     const bool structured = node.is_array() && !node.empty() && node.front().is_structured();
     if (!named && !structured) {
-        into.emplace_back(path, node.is_array() ? listed(node) : shown(node));
+        into.emplace_back(path, node);
         return;
     }
     for (std::size_t i = 0; i < node.size(); ++i)
         flatten(node[i], path + ", " + (named ? node[i].value("name", "?") : std::to_string(i + 1)), into);
 }
 
-std::string value_at(const Inputs& inputs, const std::string& path) {
+Json value_at(const Inputs& inputs, const std::string& path) {
     for (const auto& [key, value] : inputs)
         if (key == path) return value;
-    return "–";
+    return nullptr;
+}
+
+/// Artifacts that were edited in one of the runs: their values are inputs, as the case is.
+std::vector<std::string> edited_artifacts(const std::vector<RunData>& runs) {
+    std::vector<std::string> files;
+    for (const RunData& run : runs)
+        for (const StageRecord& record : run.run().records)
+            if (record.edited && record.file != case_artifact && std::ranges::count(files, record.file) == 0)
+                files.push_back(record.file);
+    std::ranges::sort(files);
+    return files;
 }
 
 /// Where the inputs of several runs differ.
 std::string differences_html(const std::vector<RunData>& runs) {
+    const auto edited = edited_artifacts(runs);
     std::vector<Inputs> all;
     std::vector<std::string> paths;
     for (const RunData& run : runs) {
+        for (const std::string& file : edited) flatten(result_json(run.run(), file), file, inputs);
         Inputs inputs;
         flatten(case_json(run.data()), "", inputs);
         for (const auto& [path, value] : inputs)
@@ -159,17 +190,14 @@ std::string differences_html(const std::vector<RunData>& runs) {
         all.push_back(std::move(inputs));
     }
     NumberTable table{.columns = {"input"}};
+        std::vector<Json> values;
+        for (const Inputs& inputs : all) values.push_back(value_at(inputs, path));
+        if (std::ranges::count(values, values.front()) == std::ssize(values)) continue;
     for (const RunData& run : runs) table.columns.push_back(run.label());
     for (const std::string& path : paths) {
         std::vector<Cell> row{path};
-        bool differs = false;
-        const std::string first = value_at(all.front(), path);
-        for (const Inputs& inputs : all) {
-            std::string value = value_at(inputs, path);
-            differs = differs || value != first;
-            row.emplace_back(shortened(value));
-        }
-        if (differs) table.rows.push_back(std::move(row));
+        for (const std::string& text : shown_beside(values)) row.emplace_back(shortened(text));
+        table.rows.push_back(std::move(row));
     }
     constexpr std::string_view title = "What differs between the inputs";
     return html_section("differences", title,
