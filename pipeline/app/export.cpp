@@ -124,25 +124,36 @@ void read_ranges(const CommandOptions& options, ExportSubject& subject) {
             .at("--velocity");
 }
 
-/// The subject with the damping of one velocity, and a line on that.
+/// What one damping at every velocity does to the impacts of a sample: e there, and v_c beside the run's.
+std::string one_damping_line(const ExportSubject& followed, const ExportSubject& constant,
+                             const Laboratory& laboratory, double velocity) {
+    const auto text = [](const std::optional<double>& v) { return v ? readable(*v, "m/s") : "not finite"; };
+    const auto critical = threshold_at(followed, laboratory.diameter).value;
+    const DampingCurve& damping =
+        std::ranges::find(followed.sizes, laboratory.diameter, &AshSize::diameter)->damping;
+    const auto fastest = critical && damping.depends_on_velocity()
+                             ? std::optional(velocity_at_place(damping.nodes.back().t, *critical))
+                             : std::nullopt;
+    std::string measured;
+    if (fastest && velocity > *fastest)
+        measured = fmt::format("no impact was faster than {}; the damping is that there", text(fastest));
+    else if (!laboratory.impacts.empty() && velocity < laboratory.impacts.front().velocity)
+        measured = fmt::format("no impact was slower than {}; {}", text(laboratory.impacts.front().velocity),
+                               critical && velocity <= *critical ? "the damping is the critical one"
+                                                                 : "the damping is that of the run's curve");
+    else
+        measured = "e is the measured one there";
+    return fmt::format("damping of {}: that of {} at every velocity: {}. v_c is {}, that of the run {}",
+                       laboratory.sample, text(velocity), measured,
+                       text(threshold_at(constant, laboratory.diameter).value), text(critical));
+}
+
+/// The subject with the damping of one velocity, and a line on that for each sample.
 ExportSubject with_one_damping(const ExportSubject& subject, double velocity) {
     ExportSubject constant = with_damping_at(subject, velocity);
-    for (const AshSize& size : subject.sizes) {
-        const auto critical = threshold_at(subject, size.diameter).value;
-        if (!critical || !size.damping.depends_on_velocity()) continue;
-        const double fastest = velocity_at_place(size.damping.nodes.back().t, *critical);
-        if (velocity <= fastest) continue;
-        spdlog::warn("warning: --at: no impact was faster than {}; the damping is that there",
-                     readable(fastest, "m/s"));
-        constant.origins.push_back(fmt::format(
-            "at every velocity the damping is that of {}, the fastest impact: none was as fast as {}",
-            readable(fastest, "m/s"), readable(velocity, "m/s")));
-        return constant;
-    }
-    constant.origins.push_back(fmt::format(
-        "at every velocity the damping is that of {}, so that e is the measured one there and v_c "
-        "is not that of the run unless it is that velocity",
-        readable(velocity, "m/s")));
+    constant.dampings.clear();
+    for (const Laboratory& laboratory : subject.laboratory)
+        constant.dampings.push_back(one_damping_line(subject, constant, laboratory, velocity));
     return constant;
 }
 
@@ -174,7 +185,11 @@ ExportSubject subject_of(const CommandOptions& options, const ExportCode& code) 
                         subject.sizes.size(), code.name),
             "one of them by --sample; table, openfoam and fluent take several")
             .at("--sample");
-    if (options.has("--at")) return with_one_damping(subject, options.positive("--at", Dimension::velocity));
+    if (options.has("--at")) {
+        ExportSubject constant = with_one_damping(subject, options.positive("--at", Dimension::velocity));
+        for (const std::string& line : constant.dampings) spdlog::warn("warning: --at: {}", line);
+        return constant;
+    }
     if (subject.partner && !code.pairs_follow && subject.depends_on_velocity()) {
         const double critical = threshold_at(subject, subject.from_diameter).value.value_or(0);
         spdlog::warn(

@@ -268,7 +268,8 @@ TemplateValues common_values(const ExportSubject& subject) {
 
 ExportFile assumptions(const ExportSubject& subject, const std::vector<std::string>& conversions) {
     std::string text = "# Assumptions and conversions\n\n## The numbers and where they come from\n\n";
-    for (const std::string& origin : subject.origins) text += "- " + origin + "\n";
+    for (const auto* lines : {&subject.edits, &subject.origins, &subject.dampings})
+        for (const std::string& line : *lines) text += "- " + line + "\n";
     text += fmt::format(
         "- {}{}: {}\n- damping: {}\n{}- law {}, contact ends at {}; one impact on {}, {}\n",
         range_words(subject),

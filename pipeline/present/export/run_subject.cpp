@@ -270,8 +270,8 @@ DampingCurve curve_of(const RunSample& sample, const CriticalDamping& critical,
     return curve;
 }
 
-/// The sample as a known size. @param origins a line each
-AshSize size_with_damping(const RunSample& sample, std::vector<std::string>& origins) {
+/// The sample as a known size. @param subject gets the lines on its numbers
+AshSize size_with_damping(const RunSample& sample, ExportSubject& subject) {
     const CriticalDamping critical = critical_damping(sample);
     require_agreement(sample, critical);
     AshSize size{.diameter = 2 * sample.contact.radius.value,
@@ -290,16 +290,17 @@ AshSize size_with_damping(const RunSample& sample, std::vector<std::string>& ori
                         smallest, along.source, size.damping.nodes.size(),
                         readable(velocity_at_place(size.damping.nodes.back().t, *critical.velocity), "m/s"));
     }
-    origins.insert(origins.end(),
-                   {fmt::format("sample {} of a run of ashimpact, diameter {}", as_text(sample.name),
-                                readable(size.diameter, "m")),
-                    fmt::format("E* = {}, contact modulus of {} together (2-contact.json)",
-                                readable(sample.contact.contact_modulus.quantity),
-                                sample.contact.partner ? "both spheres" : "particle and wall"),
-                    fmt::format("w = {}, work of adhesion of the pair of surfaces (2-contact.json)",
-                                readable(sample.contact.work_of_adhesion.quantity)),
-                    fmt::format("density {} (2-contact.json)", readable(sample.contact.density.quantity)),
-                    "damping: " + damping});
+    subject.dampings.push_back(fmt::format("damping of {}: {}", as_text(sample.name), damping));
+    subject.origins.insert(
+        subject.origins.end(),
+        {fmt::format("sample {} of a run of ashimpact, diameter {}", as_text(sample.name),
+                     readable(size.diameter, "m")),
+         fmt::format("E* = {}, contact modulus of {} together (2-contact.json)",
+                     readable(sample.contact.contact_modulus.quantity),
+                     sample.contact.partner ? "both spheres" : "particle and wall"),
+         fmt::format("w = {}, work of adhesion of the pair of surfaces (2-contact.json)",
+                     readable(sample.contact.work_of_adhesion.quantity)),
+         fmt::format("density {} (2-contact.json)", readable(sample.contact.density.quantity))});
     return size;
 }
 
@@ -354,7 +355,7 @@ ExportSubject subject_of_run(const RunChoice& choice) {
                           .to_diameter = 0};
     for (const std::size_t i : chosen) {
         const RunSample sample = run_sample(run, law, i);
-        subject.sizes.push_back(size_with_damping(sample, subject.origins));
+        subject.sizes.push_back(size_with_damping(sample, subject));
         subject.laboratory.push_back(laboratory_of(sample, subject.sizes.back().diameter));
         add_temperature_doubts(run, law.law, i, subject.doubts);
         if (const auto& partner = sample.contact.partner)

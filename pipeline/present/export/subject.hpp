@@ -54,7 +54,9 @@ struct ExportSubject {
     std::optional<double> to_velocity{};   ///< largest v_in; none: ten times the largest v_c, at least 10 m/s
     std::optional<double> velocity{};      ///< of one more impact to check [m/s]
     double friction = 0;                   ///< coefficient of Coulomb friction; 0: none was asked for [1]
-    std::vector<std::string> origins{};    ///< sources of E, w and damping, a line each
+    std::vector<std::string> origins{};    ///< sources of E and w, without a run also of damping, a line each
+    std::vector<std::string> dampings{};   ///< of a run: the damping of each sample, a line each
+    std::vector<std::string> edits{};      ///< of a run: its artifacts that were edited, a line each
     std::vector<std::string> doubts{};     ///< of a run at a temperature, a line each
     std::vector<Laboratory> laboratory{};  ///< of a run; a sample each
     std::optional<StiffContact> stiff{};   ///< what contact and damping were before they were softened
