@@ -417,6 +417,7 @@ ExportFile expected_json(const ExportSubject& subject, std::string_view code, co
     if (subject.friction > 0) document["friction"] = subject.friction;
     if (subject.stiff)
         document["softening"] = {{"factor", subject.stiff->factor}, {"stretch", stretch_of(subject)}};
+    if (!subject.edits.empty()) document["edited"] = subject.edits;
     if (!subject.laboratory.empty()) document["laboratory"] = laboratory_json(subject);
     document.update(more);
     document["impacts"] = Json::array();

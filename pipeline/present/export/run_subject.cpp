@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -322,6 +323,17 @@ void add_temperature_doubts(const Run& run, Law law, std::size_t i, std::vector<
             doubts.push_back(as_text(sample.name) + ": " + finding.text);
 }
 
+/// A line for each artifact of a run that was edited, also where a later one states it.
+std::vector<std::string> edits_of(const Run& run) {
+    std::set<std::string> lines;
+    for (const StageRecord& record : run.records) {
+        if (record.edited) lines.insert(record.file + " was edited after ashimpact wrote it");
+        for (const Note& note : record.notes)
+            if (note.code == "edited" || note.code == "rests-on-edit") lines.insert(note.text);
+    }
+    return {lines.begin(), lines.end()};
+}
+
 void require_two_diameters(const std::vector<AshSize>& sizes) {
     const auto twice = std::ranges::adjacent_find(sizes, {}, &AshSize::diameter);
     if (twice != sizes.end())
@@ -353,6 +365,7 @@ ExportSubject subject_of_run(const RunChoice& choice) {
                           .sizes = {},
                           .from_diameter = 0,
                           .to_diameter = 0};
+    subject.edits = edits_of(run);
     for (const std::size_t i : chosen) {
         const RunSample sample = run_sample(run, law, i);
         subject.sizes.push_back(size_with_damping(sample, subject));

@@ -337,3 +337,43 @@ TEST_CASE("a run whose standard output is closed has written its files, and says
     CHECK(sandbox.read("err") == containing("warning: standard output: cannot be written"));
     CHECK(sandbox.has("out/comparison.json"));
 }
+
+TEST_CASE("reports side by side list what was edited, to the last value of a list; exports state it") {
+    const Sandbox sandbox;
+    put_quick_run(sandbox);
+    const auto differences = [&](const char* other) {
+        test::succeeded(sandbox, std::string("report one ") + other + " -o both.html");
+        const std::string page = sandbox.read("both.html");
+        const auto from = page.find("<h2 id=\"differences\">");
+        REQUIRE(from != std::string::npos);
+        return page.substr(from, page.find("</section>", from) - from);
+    };
+    std::filesystem::copy(sandbox.path("one"), sandbox.path("two"));
+    CHECK(differences("two") == containing("the runs have the same inputs"));
+    Json artifact = sandbox.json("two/2-contact.json");
+    Json& modulus = artifact["result"]["samples"][0]["contact_modulus"]["value"];
+    modulus = 1.1 * modulus.get<double>();
+    sandbox.write("two/2-contact.json", artifact.dump());
+    test::succeeded(sandbox, "run -o two --from analytic");
+    CHECK(differences("two") != containing("the runs have the same inputs"));
+    CHECK(differences("two") == containing("2-contact.json, samples, fine, contact_modulus"));
+
+    test::succeeded(sandbox, "export table two -o exported");
+    CHECK(sandbox.read("exported/assumptions.md") ==
+          containing("- 2-contact.json was edited after ashimpact wrote it"));
+    CHECK(sandbox.json("exported/expected.json")["edited"] ==
+          Json{"2-contact.json was edited after ashimpact wrote it"});
+    test::succeeded(sandbox, "export table one -o plain");
+    CHECK_FALSE(sandbox.json("plain/expected.json").contains("edited"));
+    CHECK(sandbox.read("plain/assumptions.md") != containing("edited"));
+
+    Json impacts = sandbox.json("one/0-case.json")["result"];
+    Json& rebounds = impacts["samples"][0]["restitution"]["rebound_velocity"]["values"];
+    rebounds.back() = 0.99 * rebounds.back().get<double>();
+    artifact = sandbox.json("one/0-case.json");
+    artifact["result"] = impacts;
+    std::filesystem::copy(sandbox.path("one"), sandbox.path("three"));
+    sandbox.write("three/0-case.json", artifact.dump());
+    test::succeeded(sandbox, "run -o three --from modulus");
+    CHECK(differences("three") == containing("samples, fine, restitution, rebound_velocity, values"));
+}
