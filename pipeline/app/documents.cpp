@@ -115,6 +115,11 @@ std::string set_text(const PhaseSet& set) {
     return table.text();
 }
 
+/// Whether an artifact with a hash of its result was edited; older sweeps have none.
+bool is_known_edited(const Json& document) {
+    return document.at("provenance").contains("result_sha256") && is_edited(document);
+}
+
 void run_inspect_command(const CommandOptions& options, std::ostream& out) {
     const std::string& file = options["artifact"];
     const std::string bytes = read_file(file);
@@ -123,8 +128,7 @@ void run_inspect_command(const CommandOptions& options, std::ostream& out) {
         require_schema_version(document, true);
         validate_document(document, schema_of_artifact(document));
         require_quantities(View(document));
-        if (document.at("provenance").contains("result_sha256") && is_edited(document))
-            spdlog::warn("warning: {}: was edited after ashimpact wrote it", file);
+        if (is_known_edited(document)) spdlog::warn("warning: {}: was edited after ashimpact wrote it", file);
         out << artifact_text(document, {.all = options.has("--all")},
                              spdlog::should_log(spdlog::level::debug));
     });
@@ -272,6 +276,11 @@ std::optional<Json> sweep_result(const std::string& file) {
         Json document = parse_json(read_file(file));
         if (!document.is_object() || document.value("schema", Json()) != "sweep-result") return std::nullopt;
         validate_document(document, "sweep-result");
+        if (is_known_edited(document)) {
+            const std::string text = "was edited after ashimpact wrote it; its values count";
+            spdlog::warn("warning: {}: {}", file, text);
+            document["warnings"].push_back("the result " + text);
+        }
         return document;
     });
 }

@@ -89,15 +89,6 @@ std::string run_identity(const Json& case_result, const Json& inputs) {
     return sha256(hashed + case_result.dump());
 }
 
-/// Writes the identity of its run and a hash of its result, which reveals later edits, into the provenance of
-/// an artifact.
-void seal(Json& document, const std::string& run) {
-    Json& provenance = document["provenance"];
-    provenance[run_key] = run;
-    provenance[result_key] =
-        sha256(as_read_back(document["result"]).dump(-1, ' ', false, Json::error_handler_t::replace));
-}
-
 }  // namespace
 
 const Artifact& Artifacts::at(std::string_view file) const {
@@ -159,7 +150,8 @@ Artifact sealed_artifact(const Envelope& envelope, Json result, const std::strin
                   {"notes", std::move(notes)},
                   {"result", std::move(result)}};
     if (envelope.rests_on_edit) document["provenance"]["edited"] = true;
-    seal(document, run.empty() ? run_identity(document.at("result"), inputs) : run);
+    document["provenance"][run_key] = run.empty() ? run_identity(document.at("result"), inputs) : run;
+    seal_result(document);
     std::string bytes = write_json(document);
     return {record.file, std::make_shared<const Json>(std::move(document)), std::move(bytes)};
 }
@@ -207,6 +199,11 @@ std::string run_of(const Json& document) {
         throw InputError("\"run\" is missing: the artifact of no run", "an artifact as ashimpact wrote it")
             .at("/provenance");
     return provenance[run_key].get<std::string>();
+}
+
+void seal_result(Json& document) {
+    document["provenance"][result_key] =
+        sha256(as_read_back(document["result"]).dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 bool is_edited(const Json& document) {

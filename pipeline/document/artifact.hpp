@@ -66,6 +66,9 @@ struct Envelope {
 /// Identity of the run that an artifact is of. @throws InputError if it has none
 [[nodiscard]] std::string run_of(const Json& document);
 
+/// Writes a hash of its result, which reveals later edits, into the provenance of an artifact.
+void seal_result(Json& document);
+
 /// Whether the result of an artifact is not what ashimpact wrote. Layout and comments do not count.
 [[nodiscard]] bool is_edited(const Json& document);
 

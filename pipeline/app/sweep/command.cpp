@@ -16,6 +16,7 @@
 #include "pipeline/app/sweep/sweep.hpp"
 #include "pipeline/app/sweep/workers.hpp"
 #include "pipeline/app/terminal.hpp"
+#include "pipeline/document/artifact.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/schema.hpp"
 #include "pipeline/present/report/page/page.hpp"
@@ -393,18 +394,20 @@ Json sweep_artifact(const SweepPlan& plan, const SweepProgress& progress, const 
     if (progress.failed.total() > 0)
         warnings.push_back(std::to_string(progress.failed.total()) + " of " + std::to_string(plan.impacts()) +
                            " impacts did not converge; they are left out, see /result/not_converged");
-    return {{"schema", "sweep-result"},
-            {"schema_version", schema_version},
-            {"stage", "sweep"},
-            {"provenance",
-             {{"program", "ashimpact"},
-              {"version", program_version()},
-              {"revision", program_revision()},
-              {"inputs", Json::array({{{"file", spec.file}, {"sha256", spec.sha256}}})},
-              {"options", parse_json(plan.canonical())}}},
-            {"citations", citations_of(plan)},
-            {"warnings", warnings},
-            {"result", std::move(result)}};
+    Json document{{"schema", "sweep-result"},
+                  {"schema_version", schema_version},
+                  {"stage", "sweep"},
+                  {"provenance",
+                   {{"program", "ashimpact"},
+                    {"version", program_version()},
+                    {"revision", program_revision()},
+                    {"inputs", Json::array({{{"file", spec.file}, {"sha256", spec.sha256}}})},
+                    {"options", parse_json(plan.canonical())}}},
+                  {"citations", citations_of(plan)},
+                  {"warnings", warnings},
+                  {"result", std::move(result)}};
+    seal_result(document);
+    return document;
 }
 
 }  // namespace ashimpact

@@ -133,6 +133,19 @@ TEST_CASE("the program's own artifact is what its schema says, and inspect shows
     const test::Ended inspected = test::run(sandbox, {ASHIMPACT_PROGRAM, "inspect", "out.json"});
     CHECK(inspected.status == 0);
     CHECK(inspected.out == test::containing("sensitivity"));
+    CHECK(inspected.err != test::containing("edited"));
+    Json edited = sandbox.json("out.json");
+    edited["result"]["laws"][0]["captured"] = 1;
+    sandbox.write("out.json", edited.dump());
+    for (const char* command : {"inspect", "report"}) {
+        const test::Ended shown = test::run(sandbox, {ASHIMPACT_PROGRAM, command, "out.json"});
+        CHECK(shown.status == 0);
+        CHECK(shown.err == test::containing("out.json: was edited after ashimpact wrote it"));
+    }
+    CHECK(sandbox.read("out.html") == test::containing("was edited after ashimpact wrote it"));
+    edited["provenance"].erase("result_sha256");  // as of older versions
+    sandbox.write("out.json", edited.dump());
+    CHECK(test::run(sandbox, {ASHIMPACT_PROGRAM, "inspect", "out.json"}).err != test::containing("edited"));
 }
 
 TEST_CASE("the example of the help text is a sweep that runs") {
