@@ -198,12 +198,15 @@ class RunFolder {
             else
                 files.push_back({file.path.filename().string(), std::move(file.content)});
         }
-        remove_old_figures(folder_ / report::figures_folder, figures);
         for (const Artifact& artifact : artifacts) files.push_back({artifact.file, artifact.bytes});
         const bool reported =
             std::ranges::find(files, report::report_file, &NamedContent::name) != files.end();
         if (!reported && report::is_own_page(folder_ / report::report_file))
             files.push_back({std::string(report::report_file), {}});  // removes the outdated report
+        for (const NamedContent& file : files)
+            if (!file.content.empty()) require_replaceable(folder_ / file.name, file.content);
+        for (const FileContent& figure : figures) require_replaceable(figure.path, figure.content);
+        remove_old_figures(folder_ / report::figures_folder, figures);
         replace_files(folder_, files);
         if (!figures.empty()) write_files(figures);
     }

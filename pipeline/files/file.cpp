@@ -15,6 +15,7 @@
 #include <nettle/sha2.h>
 #include <unistd.h>
 
+#include "core/json/document.hpp"
 #include "core/text/error.hpp"
 
 namespace ashimpact {
@@ -114,6 +115,15 @@ class Staged {
     std::error_code ignored_;
 };
 
+std::string kind_of(std::string_view bytes) {
+    for (const std::string_view mark : {own_page_mark, own_figure_mark})
+        if (bytes.find(mark) != std::string_view::npos) return std::string(mark);
+    if (bytes.starts_with("%PDF")) return "PDF";
+    const Json document = bytes.starts_with('{') ? Json::parse(bytes, nullptr, false) : Json();
+    if (document.is_object()) return "JSON " + document.value("schema", Json()).dump();
+    return std::string(bytes.substr(0, bytes.find('\n')));
+}
+
 }  // namespace
 
 std::string read_file(const std::filesystem::path& path) {
@@ -168,6 +178,15 @@ void write_through(const std::filesystem::path& path, const std::string& content
     if (const int error = write_bytes(path, content, true)) refuse_write(path, reason(error));
 }
 
+void require_replaceable(const std::filesystem::path& path, std::string_view content) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored) || std::filesystem::is_empty(path, ignored)) return;
+    if (kind_of(read_file(path)) != kind_of(content))
+        throw InputError("is there already, and is nothing that this command writes",
+                         "another name, or the file removed")
+            .at(FileName{path.string()});
+}
+
 void write_files(std::span<const FileContent> files) {
     Staged staged;
     for (const FileContent& file : files) staged.add(file);
@@ -175,6 +194,7 @@ void write_files(std::span<const FileContent> files) {
 }
 
 void write_file(const std::filesystem::path& path, const std::string& content) {
+    require_replaceable(path, content);
     const FileContent file{path, content};
     write_files(std::span(&file, 1));
 }

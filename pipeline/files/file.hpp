@@ -38,6 +38,14 @@ struct FileContent {
 /// Writes a file in place and waits until it is on the disk. @throws InputError if it cannot be written
 void write_through(const std::filesystem::path& path, const std::string& content);
 
+/// Marks by which own pages and figures are known.
+inline constexpr std::string_view own_page_mark = "<meta name=\"generator\" content=\"ashimpact\">";
+inline constexpr std::string_view own_figure_mark = "<metadata>ashimpact</metadata>";
+
+/// Refuses to replace a file of another kind than the new content. The kind is known by a mark, the schema of
+/// a JSON document, or the first line. An empty file, a device or a pipe may get anything. @throws InputError
+void require_replaceable(const std::filesystem::path& path, std::string_view content);
+
 /// Writes files so that no reader ever sees an incomplete one: each under a temporary name in the same
 /// folder, then all are renamed in order. If anything fails before the first rename, the old files remain
 /// unchanged. Signals that end the program are blocked only during the renames. Folders are made as needed. A
@@ -45,7 +53,7 @@ void write_through(const std::filesystem::path& path, const std::string& content
 /// @throws InputError if a file cannot be written
 void write_files(std::span<const FileContent> files);
 
-/// The same for one file.
+/// The same for one file, which may replace only one of its kind, see require_replaceable().
 void write_file(const std::filesystem::path& path, const std::string& content);
 
 /// SHA-256 of some bytes, 64 hexadecimal digits.

@@ -211,11 +211,11 @@ TEST_CASE("if one file cannot be written, none is touched") {
 
 TEST_CASE("a symbolic link stays one, and a device stays a device") {
     const Sandbox sandbox;
-    sandbox.write("target", "before");
+    sandbox.write("target", "a line\nbefore");
     std::filesystem::create_symlink("target", sandbox.folder() / "link");
-    write_file(sandbox.folder() / "link", "after");
+    write_file(sandbox.folder() / "link", "a line\nafter");
     CHECK(std::filesystem::is_symlink(sandbox.folder() / "link"));
-    CHECK(sandbox.read("target") == "after");
+    CHECK(sandbox.read("target") == "a line\nafter");
 
     std::filesystem::create_symlink("/dev/null", sandbox.folder() / "nothing");
     write_file(sandbox.folder() / "nothing", "lost");

@@ -208,16 +208,6 @@ Json options_json(const CommandOptions& options) {
     if (!by_law) json["run"] = options["run"];
     return json;
 }
-
-/// Refuses to write over a file of that name that is no deposition.
-void require_own(const std::filesystem::path& file) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored)) return;
-    const Json earlier = Json::parse(read_file(file), nullptr, false);
-    if (earlier.is_object() && earlier.value("schema", "") == "deposit") return;
-    throw InputError("is there already, and no result of deposit", "another -o").at(FileName{file.string()});
-}
-
 }  // namespace
 
 Deposition write_deposition(const CommandOptions& options, const TableOptions& table) {
@@ -235,7 +225,7 @@ Deposition write_deposition(const CommandOptions& options, const TableOptions& t
         }
     const std::filesystem::path folder(options["--output"]);
     require_writable_folder(folder);
-    require_own(folder / deposit_artifact);
+    require_replaceable(folder / deposit_artifact, R"({"schema": "deposit"})");
     SizesChoice sizes = read_sizes(options["--sizes"], table);
     warn_of(sizes.notes, sizes.file ? sizes.file->file : "--sizes");
     tube.sizes = sizes.words;

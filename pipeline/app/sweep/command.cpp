@@ -92,6 +92,7 @@ void check_outputs(const SweepFiles& files, const std::filesystem::path& spec, c
     for (const auto& file : {files.result, files.checkpoint, files.rows, files.table})
         if ((with_table || file != files.table) && is_same_file(file, spec))
             refuse(file, "is the spec, which would be lost", another);
+    require_replaceable(files.result, R"({"schema": "sweep-result"})");
     if (with_report && std::filesystem::exists(files.report) && !report::is_own_page(files.report))
         refuse(files.report, "is there already and is no report of ours", "another -o, or --no-report");
     if (with_table) check_table(files, plan);

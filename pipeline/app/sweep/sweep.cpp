@@ -2,6 +2,7 @@
 #include "pipeline/app/sweep/sweep.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <map>
 
@@ -46,7 +47,7 @@ void save_checkpoint(const std::filesystem::path& file, const SweepPlan& plan,
                      const SweepProgress& progress) {
     Checkpoint checkpoint{.spec = plan.hash(), .progress = packed(progress)};
     checkpoint.digest = sha256(checkpoint.progress);
-    write_file(file, packed(std::move(checkpoint)));
+    write_files(std::array{FileContent{file, packed(std::move(checkpoint))}});
 }
 
 /// Hands out the blocks of a sweep, merges and saves their results.

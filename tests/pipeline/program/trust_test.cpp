@@ -198,3 +198,28 @@ TEST_CASE("what init says can be typed as it stands, and so can the examples of 
     check_refused(sandbox, "modulus my-case/ash.csv --amorphous-fraction '42 +- 200 %'",
                   "--amorphous-fraction: a standard uncertainty of 2; allowed: a fraction of the whole");
 }
+
+TEST_CASE("an output replaces only a file of its kind, whatever the command") {
+    const Sandbox sandbox;
+    test::put_built_in_run(sandbox);
+    sandbox.write("mine.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
+    sandbox.write("mine.html", "<p>mine</p>");
+    sandbox.write("mine.csv", "v_in [m/s],e_n\n1,0.5\n");
+    const std::string impact =
+        "impact --law hertz --radius '44 um' --density 2600 --contact-modulus '90 GPa' --velocity 1 "
+        "--trajectory ";
+    for (const std::string& command :
+         {std::string("report results -o results/0-case.json"), std::string("report results -o mine.html"),
+          std::string("report results -o mine.csv"), std::string("figure restitution results -o mine.svg"),
+          impact + "mine.csv", impact + "results/2-contact.json", impact + "results/report.html"}) {
+        CAPTURE(command);
+        check_refused(sandbox, command, "is there already, and is nothing that this command writes");
+    }
+    sandbox.write("empty.html", "");
+    for (const std::string& command :
+         {std::string("report results -o empty.html"), std::string("report results"),
+          std::string("figure restitution results -o own.svg"), impact + "own.csv"})
+        for (int time = 0; time < 2; ++time) test::succeeded(sandbox, command);
+    sandbox.write("results/report.html", "<p>mine</p>");
+    check_refused(sandbox, "run -o results --from comparison", "results/report.html: is there already");
+}

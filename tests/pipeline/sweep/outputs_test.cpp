@@ -118,6 +118,11 @@ TEST_CASE("a sweep does not touch a table, rows or a checkpoint that no sweep wr
     check_refused(sandbox, "spec.json", "q.json", "q.h5: is there already and is no table of a sweep");
     check_refused(sandbox, "spec.json", "r.json", "r.json.rows: is there already and holds no rows");
     check_refused(sandbox, "spec.json", "c.json", "c.json.checkpoint: is there already and is no checkpoint");
+    sandbox.write("other.json", small_grid().dump());
+    sandbox.write("0-case.json", R"({"schema": "0-case"})");
+    for (const std::string file : {"other.json", "0-case.json"})
+        check_refused(sandbox, "spec.json", file,
+                      file + ": is there already, and is nothing that this command writes");
     check_refused(sandbox, "spec.json", "/dev/null", "is no regular file");
     check_refused(sandbox, "spec.json", std::string(300, 'x'), "File name too long");
 }

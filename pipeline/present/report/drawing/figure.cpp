@@ -16,6 +16,7 @@
 
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
+#include "pipeline/files/file.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 
 namespace ashimpact::report {
@@ -25,7 +26,6 @@ namespace {
 constexpr double wide_pixels = 840;
 constexpr double narrow_pixels = 340;
 constexpr double legend_row = 20;
-constexpr std::string_view own_mark = "<metadata>ashimpact</metadata>";
 
 struct LegendEntry {
     std::string text;
@@ -244,11 +244,11 @@ std::string svg_of(const Figure& figure, Width form, const std::string& style) {
         "role=\"img\"><title>{4}</title>{8}<style>{5}</style><defs>{6}</defs><rect class=\"paper\" "
         "width=\"{0}\" height=\"{1}\"/>{7}</svg>\n",
         pixels(width), pixels(top), pixels(millimetres), pixels(millimetres * top / width), label, style,
-        marker_definitions(), body, own_mark);
+        marker_definitions(), body, own_figure_mark);
 }
 
 bool is_own_svg(std::string_view svg) {
-    return svg.find(own_mark) != std::string_view::npos;
+    return svg.find(own_figure_mark) != std::string_view::npos;
 }
 
 std::string csv_of(const NumberTable& table) {

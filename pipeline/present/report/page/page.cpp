@@ -22,8 +22,6 @@ namespace ashimpact::report {
 
 namespace {
 
-constexpr std::string_view generator = "<meta name=\"generator\" content=\"ashimpact\">";
-
 std::string embedded(std::string_view path) {
     const auto content = embedded_file(path);
     if (!content) throw std::logic_error("not embedded: " + std::string(path));
@@ -116,6 +114,8 @@ std::string listed(const Json& list, std::size_t from) {
 std::string shortened(const std::string& text) {
     if (text.size() <= 200) return text;
     return std::string(whole_start(text, 180)) + "…";
+}
+
 /// The values of one input as a reader takes them in: lists from where they differ, numbers with all digits
 /// where they are the same rounded.
 std::vector<std::string> shown_beside(const std::vector<Json>& values) {
@@ -134,8 +134,6 @@ std::vector<std::string> shown_beside(const std::vector<Json>& values) {
     if (std::ranges::count(texts, texts.front()) == std::ssize(texts))
         std::ranges::transform(values, texts.begin(), [](const Json& value) { return value.dump(); });
     return texts;
-}
-
 }
 
 /// An input by its path; entries of lists with names go by these.
@@ -178,23 +176,23 @@ std::vector<std::string> edited_artifacts(const std::vector<RunData>& runs) {
 
 /// Where the inputs of several runs differ.
 std::string differences_html(const std::vector<RunData>& runs) {
-    const auto edited = edited_artifacts(runs);
     std::vector<Inputs> all;
     std::vector<std::string> paths;
+    const auto edited = edited_artifacts(runs);
     for (const RunData& run : runs) {
-        for (const std::string& file : edited) flatten(result_json(run.run(), file), file, inputs);
         Inputs inputs;
         flatten(case_json(run.data()), "", inputs);
+        for (const std::string& file : edited) flatten(result_json(run.run(), file), file, inputs);
         for (const auto& [path, value] : inputs)
             if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
         all.push_back(std::move(inputs));
     }
     NumberTable table{.columns = {"input"}};
+    for (const RunData& run : runs) table.columns.push_back(run.label());
+    for (const std::string& path : paths) {
         std::vector<Json> values;
         for (const Inputs& inputs : all) values.push_back(value_at(inputs, path));
         if (std::ranges::count(values, values.front()) == std::ssize(values)) continue;
-    for (const RunData& run : runs) table.columns.push_back(run.label());
-    for (const std::string& path : paths) {
         std::vector<Cell> row{path};
         for (const std::string& text : shown_beside(values)) row.emplace_back(shortened(text));
         table.rows.push_back(std::move(row));
@@ -407,7 +405,7 @@ bool is_own_page(const std::filesystem::path& file) {
     constexpr std::size_t head = 4096;
     std::error_code ignored;
     return std::filesystem::is_regular_file(file, ignored) &&
-           read_start(file, head).find(generator) != std::string::npos;
+           read_start(file, head).find(own_page_mark) != std::string::npos;
 }
 
 std::string html_page(const std::string& title, const std::string& body) {
@@ -422,8 +420,8 @@ std::string html_page(const std::string& title, const std::string& body) {
         "href=\"data:,\">\n<style>{}</style>\n</head>\n<body>\n"
         "<svg width=\"0\" height=\"0\" aria-hidden=\"true\" focusable=\"false\" "
         "class=\"defs\"><defs>{}</defs></svg>\n{}<script>{}</script>\n</body>\n</html>\n",
-        policy_hash(style), policy_hash(script), generator, escaped(title), style, marker_definitions(), body,
-        script);
+        policy_hash(style), policy_hash(script), own_page_mark, escaped(title), style, marker_definitions(),
+        body, script);
 }
 
 }  // namespace ashimpact::report
