@@ -93,6 +93,7 @@ ObliqueResult oblique_result(const ObliqueImpact& impact, const ImpactResult& so
     result.before = energy_of(impact.bodies, mass, normal.velocity, impact.tangential, 0);
     if (result.normal.outcome == Outcome::capture) {
         result.tangential.regime = SlidingRegime::captured;
+        result.stopped = result.before.sliding + result.before.spin;
         if (impact.tangential.velocity != 0) result.tangential_restitution = 0;
         return result;
     }

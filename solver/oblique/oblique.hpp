@@ -79,6 +79,7 @@ struct ObliqueResult {
     double repulsive_impulse = 0;  ///< P_r, that friction acts on; 0 of a capture [N s]
     ObliqueEnergy before{};
     ObliqueEnergy after{};
+    double stopped = 0;  ///< energy of sliding and spin that a capture ends; the model leaves open how [J]
 };
 
 /// @throws InputError for friction below 0 and for numbers that are not finite, or too great to compute with

@@ -100,7 +100,8 @@ void add_oblique(Json& json, const ObliqueImpact& impact, const ObliqueResult& r
                            {"incident_spin", joule(result.before.spin)},
                            {"remaining_sliding", joule(result.after.sliding)},
                            {"remaining_spin", joule(result.after.spin)},
-                           {"friction", joule(result.tangential.friction_work)}});
+                           {"friction", joule(result.tangential.friction_work)},
+                           {"stopped", joule(result.stopped)}});
 }
 
 std::string oblique_text(const ObliqueImpact& impact, const ObliqueResult& result) {
@@ -117,6 +118,8 @@ std::string oblique_text(const ObliqueImpact& impact, const ObliqueResult& resul
         list.add("spin", readable(result.tangential.after.spin, "rad/s"));
         list.add("impulse ratio", readable_number(*result.impulse_ratio));
         list.add("lost in sliding", readable(result.tangential.friction_work, "J"));
+    } else if (result.stopped > 0) {
+        list.add("lost along the wall", readable(result.stopped, "J"));
     }
     return list.text(0);
 }

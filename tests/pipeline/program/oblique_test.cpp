@@ -59,6 +59,17 @@ TEST_CASE("an angle splits the velocity, and a normal impact stays as it was") {
     CHECK(number_in(captured, "tangential_restitution") == 0);
     CHECK(captured["rebound_angle"].is_null());
     CHECK(captured["spin"].is_null());
+    for (const Json& json : {oblique, rolling, captured}) {  // what comes in along the wall is accounted for
+        const Json& energy = json["energy"];
+        const auto sum = [&](std::initializer_list<const char*> keys) {
+            double total = 0;
+            for (const char* key : keys) total += number_in(energy, key);
+            return total;
+        };
+        CHECK(relative_difference(sum({"remaining_sliding", "remaining_spin", "friction", "stopped"}),
+                                  sum({"incident_sliding", "incident_spin"})) < 1e-9);
+    }
+    CHECK(number_in(captured["energy"], "stopped") > 0);
     const std::string text =
         succeeded(sandbox, "impact --velocity '4 m/s' --angle '60 deg' --friction 0.2" + oblique_ash).out;
     CHECK(text == containing("mu = 0.2: slides throughout"));
