@@ -126,8 +126,9 @@ std::string result_text(const CriticalVelocityProblem& problem, const CriticalVe
     list.add(at_angle ? "critical velocity, normal" : "critical velocity",
              verdict_text(result, problem.law.is_plastic()));
     if (scheme)
-        list.add("by the paper's scheme", fmt::format("{}, time step {}", value_text(scheme->velocity, "m/s"),
-                                                      readable(scheme->time_step, "s")));
+        list.add(at_angle ? "by the paper's scheme, normal" : "by the paper's scheme",
+                 fmt::format("{}, time step {}", value_text(scheme->velocity, "m/s"),
+                             readable(scheme->time_step, "s")));
     if (result.verdict == CaptureVerdict::finite && !outside_model(*result.value)) {
         list.add("contact time",
                  result.contact_time
@@ -160,7 +161,7 @@ void run_critical_velocity_command(const CommandOptions& options, std::ostream& 
     const auto angle = read_angle(options);
     std::optional<ByScheme> scheme;
     if (result.value) {
-        if (const auto doubt = outside_model(*result.value / std::cos(angle.value_or(0)))) {
+        if (const auto doubt = outside_model(*result.value)) {
             warn_of({*doubt});
             doubts.push_back(*doubt);
         }
@@ -181,10 +182,12 @@ void run_critical_velocity_command(const CommandOptions& options, std::ostream& 
         Json json{{"law", problem.law.name()}};
         json.update(critical_velocity_json(law_critical_velocity(problem), problem.damping.law));
         if (angle) add_at_angle(json, *angle, result.value);
-        if (scheme)
+        if (scheme) {
             json["paper_explicit"] = {
                 {"critical_velocity", quantity_json(scheme->velocity, Dimension::velocity)},
                 {"time_step", quantity_json(scheme->time_step, Dimension::time)}};
+            if (angle) add_at_angle(json["paper_explicit"], *angle, scheme->velocity);
+        }
         add_further_damping(json, problem.damping, problem.contact);
         add_requested(json, damping);
         add_notes(json, doubts);

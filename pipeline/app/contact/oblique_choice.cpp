@@ -135,12 +135,12 @@ void add_at_angle(Json& json, double angle, const std::optional<double>& normal)
 
 std::string at_angle_text(double angle, const std::optional<double>& normal) {
     if (!normal) return {};
-    const double total = *normal / std::cos(angle);
     TextList list;
     list.add(fmt::format("at {} degrees", readable_number(angle / degree)),
-             outside_model(total) ? value_text(total, "m/s")
-                                  : fmt::format("{}, of which {} is normal to the wall",
-                                                value_text(total, "m/s"), value_text(*normal, "m/s")));
+             outside_model(*normal)
+                 ? value_text(*normal, "m/s")
+                 : fmt::format("{}, of which {} is normal to the wall",
+                               readable(*normal / std::cos(angle), "m/s"), value_text(*normal, "m/s")));
     return list.text(0);
 }
 

@@ -89,6 +89,17 @@ TEST_CASE("the critical velocity at an angle is that of the sphere") {
                               number_in(oblique, "critical_velocity")) < 1e-15);
     CHECK(succeeded(sandbox, "critical-velocity --angle '60 deg'" + oblique_ash).out ==
           containing("critical velocity, normal"));
+    const Json scheme = oblique_answer(sandbox, "critical-velocity --angle '60 deg' --method paper-explicit");
+    CHECK(relative_difference(number_in(scheme["paper_explicit"], "critical_velocity"),
+                              number_in(scheme, "critical_velocity")) < 0.1);
+    CHECK(relative_difference(number_in(scheme["paper_explicit"], "normal_critical_velocity"),
+                              number_in(scheme, "normal_critical_velocity")) < 0.1);
+    // Far along the wall, the sphere is faster than 500 m/s, and its normal velocity is inside the model.
+    const auto grazing = succeeded(sandbox, "critical-velocity --angle '89.99 deg'" + oblique_ash);
+    CHECK(grazing.err != containing("outside the model"));
+    CHECK(grazing.out != containing("outside the model"));
+    const Json far = oblique_answer(sandbox, "critical-velocity --angle '89.99 deg'");
+    CHECK(number_in(far, "critical_velocity") > 500);
 }
 
 TEST_CASE("options of impacts at an angle that miss or contradict one another") {
