@@ -252,6 +252,19 @@ TEST_CASE(
         sandbox.write("refused.csv", text);
         test::check_refused(sandbox, "calibrate" + of_one + "refused.csv", says);
     }
+    const auto published = test::succeeded(
+        sandbox,
+        "calibrate --law jkr --density 2500 --contact-modulus '70 GPa' --uncertainty '10 %' --free "
+        "work_of_adhesion --sizes jungmann2018");
+    CHECK(published.err == test::containing("jungmann2018: 1 of 2 critical velocities used; left out: 1 a "
+                                            "range or a bound, no single value"));
+    CHECK(published.err == test::containing("is outside of what is plausible, 1e-5 to 20 J/m2"));
+    sandbox.write("undamped.csv",
+                  "d [um],v_c [m/s]\n2,0.2336\n5,0.1088\n10,0.06108\n20,0.03428\n50,0.01597\n");
+    test::check_refused(sandbox,
+                        "calibrate --law jkr --density 2500 --contact-modulus '70 GPa' --uncertainty '10 %' "
+                        "--free work_of_adhesion --free damping --sizes undamped.csv",
+                        "damping is not identifiable");
     sandbox.write("coverage.csv", "# k=2\nd [um];v_c [m/s]\n1;0.1 \u00b1 0.02\n");
     sandbox.write("coverage-column.csv", "# k=2\nd [um];v_c [m/s];u(v_c) [m/s]\n1;0.1;0.02\n");
     sandbox.write("mixed.csv", "d [um],v_c [m/s]\n1,100 mm/s\n");

@@ -11,6 +11,7 @@
 
 #include "core/json/document.hpp"
 #include "core/json/view.hpp"
+#include "core/plausibility.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
@@ -190,6 +191,16 @@ std::vector<FreeConstant> free_constants(const CommandOptions& options) {
     return all;
 }
 
+/// The doubts about constants that are far from plausible.
+std::vector<Finding> implausible_constants(const Case& data, const CalibrationSummary& summary) {
+    std::vector<Finding> doubts;
+    for (const CalibratedConstant& constant : summary.constants)
+        if (const PlausibleRange* range = plausible_range(name_of(constant.quantity)))
+            if (auto doubt = implausible_at(title_of(data, constant), *range, {constant.value}))
+                doubts.push_back(*std::move(doubt));
+    return doubts;
+}
+
 /// Calibrates and prints. @param conclusion the sentence below the table
 CalibrationSummary print_calibration(const Case& data, CalibrationProblem problem,
                                      std::string (*conclusion)(const CalibrationSummary&), bool json,
@@ -202,6 +213,8 @@ CalibrationSummary print_calibration(const Case& data, CalibrationProblem proble
         summary = calibrate(problem);
         return profile_constants(problem, summary);
     }();
+    const auto doubts = implausible_constants(data, summary);
+    warn_of(doubts);
     const auto velocities =
         rows_of(data, problem.critical_velocities, summary.critical_velocities, Dimension::velocity);
     const auto times = rows_of(data, problem.contact_times, summary.contact_times, Dimension::time);
@@ -210,17 +223,18 @@ CalibrationSummary print_calibration(const Case& data, CalibrationProblem proble
         return summary;
     }
     const auto fits = fits_the_data(summary);
-    out << write_json({{"constants", constants_json(data, summary, profiles)},
-                       {"correlation", matrix_json(summary.correlation)},
-                       {"critical_velocities", rows_json(velocities)},
-                       {"contact_times", rows_json(times)},
-                       {"chi_squared", summary.chi_squared},
-                       {"degrees_of_freedom", summary.degrees_of_freedom},
-                       {"probability", summary.probability},
-                       {"fits", fits ? Json(*fits) : Json(nullptr)},
-                       {"akaike", summary.akaike},
-                       {"iterations", summary.iterations}},
-                      Digits::seventeen);
+    Json document{{"constants", constants_json(data, summary, profiles)},
+                  {"correlation", matrix_json(summary.correlation)},
+                  {"critical_velocities", rows_json(velocities)},
+                  {"contact_times", rows_json(times)},
+                  {"chi_squared", summary.chi_squared},
+                  {"degrees_of_freedom", summary.degrees_of_freedom},
+                  {"probability", summary.probability},
+                  {"fits", fits ? Json(*fits) : Json(nullptr)},
+                  {"akaike", summary.akaike},
+                  {"iterations", summary.iterations}};
+    add_notes(document, doubts);
+    out << write_json(document, Digits::seventeen);
     return summary;
 }
 

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <span>
 #include <utility>
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include "core/plausibility.hpp"
 #include "core/quantities/checks.hpp"
@@ -255,12 +257,24 @@ std::vector<SizedVelocity> read_size_table(const std::string& bytes, const Table
     });
 }
 
-/// The measured velocities of a source that are single values of a known size.
+/// The measured velocities of a source that are single values of a known size. Warns of the others.
 std::vector<SizedVelocity> sized_velocities(const LiteratureSource& source) {
     std::vector<SizedVelocity> rows;
+    std::map<std::string_view, std::size_t> unused;  // by the reason
     for (const LiteratureVelocity& each : source.velocities)
-        if (each.diameter && each.value() && each.basis == VelocityBasis::measured)
+        if (each.basis != VelocityBasis::measured)
+            ++unused["not measured by these authors"];
+        else if (!each.value())
+            ++unused["a range or a bound, no single value"];
+        else if (!each.diameter)
+            ++unused["without a size"];
+        else
             rows.push_back({*each.diameter, *each.value()});
+    std::vector<std::string> reasons;
+    for (const auto& [reason, count] : unused) reasons.push_back(fmt::format("{} {}", count, reason));
+    if (!reasons.empty())
+        spdlog::warn("warning: --sizes: {}: {} of {} critical velocities used; left out: {}", source.key,
+                     rows.size(), source.velocities.size(), joined(reasons));
     return rows;
 }
 

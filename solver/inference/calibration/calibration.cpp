@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/calibration/velocities_over_sizes.hpp"
@@ -202,10 +203,24 @@ void require_solvable(const CalibrationProblem& problem) {
                          "at least one free constant and as many observations");
 }
 
+/// Refuses constants that a fit takes to where they change no observation.
+[[noreturn]] void refuse_unidentified(const std::vector<std::string>& names) {
+    throw InputError(joined(names) + (names.size() == 1 ? " is" : " are") +
+                         " not identifiable: the fit goes to where an observation no longer depends on " +
+                         (names.size() == 1 ? "it" : "them") + ", which is bounded from one side at most",
+                     "fewer free constants, such as with a damping that is stated, 0 for none");
+}
+
 /// A problem's samples with these logarithms of the fitted numbers in place.
 std::vector<CalibrationSample> samples_with(const CalibrationProblem& problem,
                                             const std::vector<CalibrationSlot>& slots,
                                             const Eigen::VectorXd& logarithms) {
+    constexpr double most = 92;  // ln of 1e40, beyond which no quantity is taken
+    std::vector<std::string> unidentified;
+    for (std::size_t i = 0; i < slots.size(); ++i)
+        if (!(std::abs(logarithms[static_cast<Eigen::Index>(i)]) < most))
+            unidentified.emplace_back(name_of(slots[i].quantity));
+    if (!unidentified.empty()) refuse_unidentified(unidentified);
     std::vector<CalibrationSample> samples = problem.samples;
     for (std::size_t i = 0; i < slots.size(); ++i) {
         const double value = std::exp(logarithms[static_cast<Eigen::Index>(i)]);
@@ -324,6 +339,11 @@ gsl::NonlinearFit fit_from(const CalibrationProblem& problem, Eigen::VectorXd lo
 CalibrationSummary summary_of(const CalibrationProblem& problem, const std::vector<CalibrationSlot>& slots,
                               const gsl::NonlinearFit& fit) {
     const Eigen::VectorXd deviation = fit.covariance.diagonal().cwiseSqrt();
+    std::vector<std::string> unidentified;
+    for (std::size_t i = 0; i < slots.size(); ++i)
+        if (const double own = deviation[static_cast<Eigen::Index>(i)]; !(own > 0) || !std::isfinite(own))
+            unidentified.emplace_back(name_of(slots[i].quantity));
+    if (!unidentified.empty()) refuse_unidentified(unidentified);
     CalibrationSummary summary;
     summary.constants = constants_of(slots, fit);
     summary.correlation = fit.covariance.cwiseQuotient(deviation * deviation.transpose());
