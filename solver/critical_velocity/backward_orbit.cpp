@@ -275,15 +275,17 @@ class FoldArrival {
     Terms total_{};
 };
 
-/// Time that the critical orbit takes from cohesive radius @p c to rest at the fold of the gap branch, c_f:
-/// with U(c_f) - U(c) = (pi lambda/8) (c - c_f)^2 (c^2 + 2 c c_f/3 + c_f^2/3) the integral of delta'(c)/v is
-/// an arsinh.
-Extended gap_time_to_rest(const CohesiveZone& zone, Extended c) {
+/// The critical orbit in the gap at cohesive radius @p c: its speed, and the time it takes to rest at the
+/// fold of the gap branch, c_f. With U(c_f) - U(c) = (pi lambda/8) (c - c_f)^2 (c^2 + 2 c c_f/3 + c_f^2/3),
+/// free of cancellation, the integral of delta'(c)/v is an arsinh.
+Arrival gap_arrival(const CohesiveZone& zone, Extended c) {
     const Extended fold = zone.pull_off().cohesive_radius;
+    const Extended strength = std::numbers::pi_v<Extended> * zone.lambda() / 4;
     const auto primitive = [&](Extended x) {
         return std::asinh((3 * x + fold) / (std::numbers::sqrt2_v<Extended> * fold));
     };
-    return (primitive(c) - primitive(fold)) / std::sqrt(std::numbers::pi_v<Extended> * zone.lambda() / 4);
+    return {.state = {.velocity = -(c - fold) * std::sqrt(strength * (c * c + fold * (2 * c + fold) / 3))},
+            .time_after = (primitive(c) - primitive(fold)) / std::sqrt(strength)};
 }
 
 /// The orbit just before the end of contact, on the touching branch.
@@ -292,9 +294,9 @@ Arrival arrival_of(const CohesiveMotion& motion) {
     const CohesiveState& end = motion.end();
     if (!end.touching()) {
         const CohesiveState join = motion.zone().join();
-        const Extended fall = motion.potential_at_end() - motion.zone().potential(join);
-        return {.state = {.position = branch.coordinate(join), .velocity = -std::sqrt(2 * fall)},
-                .time_after = gap_time_to_rest(motion.zone(), join.cohesive_radius)};
+        Arrival arrival = gap_arrival(motion.zone(), join.cohesive_radius);
+        arrival.state.position = branch.coordinate(join);
+        return arrival;
     }
     const Extended place = branch.coordinate(end);
     if (end.angle == motion.zone().pull_off().angle) return FoldArrival(branch, place).arrival(place);

@@ -121,6 +121,32 @@ TEST_CASE("ever weaker damping: the critical velocity falls without losing digit
     }
 }
 
+TEST_CASE(
+    "the critical velocity of a cohesive zone is smooth where its fold passes from the gap into the "
+    "contact") {
+    const auto critical = [](double lambda) {
+        const CohesiveMotion motion(CohesiveZone(lambda),
+                                    ScaledDamping<Extended>::of(DampingLaw::constant, {0.1_ext}),
+                                    Detachment::pull_off, Precision::extended);
+        return critical_impacts(motion).impacts.at(0);
+    };
+    double gap = 0.9;  // the fold is in the gap
+    double contact = 0.95;
+    REQUIRE_FALSE(CohesiveZone(gap).pull_off().touching());
+    REQUIRE(CohesiveZone(contact).pull_off().touching());
+    while (contact - gap > 2e-16) {
+        const double middle = gap + (contact - gap) / 2;
+        (CohesiveZone(middle).pull_off().touching() ? contact : gap) = middle;
+    }
+    const CriticalImpact beyond = critical(contact + 1e-9);
+    for (double distance = 1e-16; distance < 1e-9; distance *= 1.1) {
+        CAPTURE(distance);
+        const CriticalImpact nearer = critical(gap - distance);
+        CHECK(std::abs(nearer.velocity / beyond.velocity - 1) < 1e-8_ext);
+        CHECK(std::abs(nearer.contact_time.value() / beyond.contact_time.value() - 1) < 1e-3_ext);
+    }
+}
+
 TEST_CASE("inadmissible problems are refused") {
     CriticalVelocityProblem problem{
         Law::of<Dmt>(), Detachment::zero_overlap, {DampingLaw::constant, 0.0153}, paper_88()};
