@@ -271,6 +271,8 @@ TEST_CASE("a text beside the table that the oxides are those of the ignited samp
     };
     CHECK(received("58.5", "LOI;3\n").first ==
           doctest::Approx(58.5 * 0.97));  // the sum alone does not decide
+    CHECK(only("# LOI: ignited at 950 \u00b0C\nOxide;wt%\nSiO2;57\nAl2O3;40\nLOI;3\n")
+              .analysis.ignited.empty());
     CHECK(tells(received("60", "").second, "states oxides of the ignited sample, and no LOI is given"));
     const std::string message = input_error_of([&] { return received("55", "LOI;5\n").first; });
     CHECK_MESSAGE(message.find("they add up to 95 % without the LOI, to 100 % with it") != std::string::npos,

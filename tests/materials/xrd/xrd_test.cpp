@@ -725,6 +725,7 @@ TEST_CASE("what laboratories write beside names and numbers is no reason to refu
          {"Phase ID;Phase;wt%\n1;Quartz;20\n2;Mullite;30\n3;Glass;50\n" + std::string(),
           "Phase;wt%" + rows + "LOI (950 \u00b0C);3\n",
           "Phase;wt%" + rows + "Gl\u00fchverlust bei 950 \u00b0C;3\n", "# Phase;wt%" + rows,
+          "crystalline part 50 %, amorphous part 50 %\nPhase;wt%" + rows,
           "Phase;wt%" + rows + "\nmeasured at 40 kV; 40 mA; Cu K\u03b1\n",
           "Phase;wt%" + rows + "Note: measured at 40 kV; 40\n",
           std::string("Phase;FA1\nQuartz;20 wt%\nMullite;30 wt%\nGlass;50 wt%\n")}) {
