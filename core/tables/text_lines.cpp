@@ -236,7 +236,7 @@ bool is_heading_of(const TextLine& comment, const TextLine& row) try {
     const std::vector<std::string> cells = cut_row(row, separator).cells;
     const auto is_number = [](const std::string& cell) { return read_number(cell, true).has_value(); };
     return names.size() > 1 && names.size() == cells.size() && std::ranges::any_of(cells, is_number) &&
-           std::ranges::none_of(names, is_number);
+           !std::ranges::any_of(names, is_number);
 } catch (const InputError&) {
     return false;  // an odd quote
 }

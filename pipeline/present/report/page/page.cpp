@@ -132,7 +132,8 @@ std::vector<std::string> shown_beside(const std::vector<Json>& values) {
                         : value.is_array() ? listed(value, std::min(same, value.size()))
                                            : shown(value));
     if (std::ranges::count(texts, texts.front()) == std::ssize(texts))
-        std::ranges::transform(values, texts.begin(), [](const Json& value) { return value.dump(); });
+        std::transform(values.begin(), values.end(), texts.begin(),
+                       [](const Json& value) { return value.dump(); });
     return texts;
 }
 
