@@ -64,7 +64,7 @@ TEST_CASE(
     const std::string at = std::string(export_run) + " --at ";
     check_refused(sandbox, at + "'2 m/s' --follow-velocity",
                   "--follow-velocity, --at: one damping and one that");
-    for (const auto& [velocity, says] : {std::pair{"'2 m/s'", "e is the measured one there. v_c is "},
+    for (const auto& [velocity, says] : {std::pair{"'3 m/s'", "e is the measured one there. v_c is "},
                                          {"'90 m/s'", "no impact was faster than"},
                                          {"'0.01 m/s'", "no impact was slower than"}}) {
         CAPTURE(velocity);
