@@ -468,6 +468,17 @@ TEST_CASE("v_r beside e_n is read where both agree") {
         "line 3, cell 3: \"0.55\" in column \"e_n\" is not v_r over v_in, which is 0.45"));
 }
 
+TEST_CASE("restitutions in per cent that may be fractions are refused") {
+    const auto refusal = [](const char* table) {
+        return input_error_of([&] { static_cast<void>(read_measurements(table, "t.csv")); });
+    };
+    CHECK(contains(refusal("v_in [m/s],e_n [%]\n1.95,0.313\n1.5,0.3\n"), "no number is above 1"));
+    CHECK(contains(refusal("v_in [m/s],e_n [%]\n1.95,31.3 %\n1.5,0.3\n"),
+                   "numbers with a per cent sign and without"));
+    CHECK(read_measurements("v_in [m/s],e_n [%]\n1.95,31.3 %\n1.5,0\n", "t.csv").points.size() == 2);
+    CHECK(read_measurements("v_in [m/s],e_n [%]\n1.95,31.3\n1.5,0.3\n", "t.csv").points.size() == 2);
+}
+
 TEST_CASE("a quantity over its unit, and velocities before and after") {
     const MeasurementSet ratio = read_measurements("v vor/(mm/s);e_n/%\n2000;50,5\n", "t.csv");
     CHECK(ratio.points.front().velocity == 2.0);
