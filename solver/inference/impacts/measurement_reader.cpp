@@ -601,20 +601,21 @@ void refuse_flags(const MeasurementHeading& heading, const MeasurementSet& set) 
 
 /// Refuses restitutions in per cent that may be fractions: all of them are at most 1, or some cells have a
 /// per cent sign, as those of spreadsheets with that format, and some have none. @throws InputError
-void refuse_fractions(const MeasuredColumn& column, std::span<const TableRow> rows) {
+void refuse_fractions(const MeasuredColumn& column, std::span<const TextLine> rows, char separator) {
     constexpr double per_cent = 0.01;
     if (!column.is_fraction || column.to_si != per_cent) return;
     std::optional<double> greatest;
     bool has_sign = false;
     bool has_none = false;
-    for (const TableRow& row : rows) {
-        if (row.cells.size() <= column.position) continue;
-        auto number = read_number(row.cells[column.position]);
-        if (!number) number = read_number(row.cells[column.position], true);
-        if (!number || number->value == 0) continue;
-        (number->per_cent ? has_sign : has_none) = true;
-        greatest = std::max(greatest.value_or(0), number->value);
-    }
+    for (const TextLine& row : rows)
+        for_each_cell(row, separator, [&](std::string_view cell, std::size_t place) {
+            if (place != column.position) return;
+            auto number = read_number(cell);
+            if (!number) number = read_number(cell, true);
+            if (!number || number->value == 0) return;
+            (number->per_cent ? has_sign : has_none) = true;
+            greatest = std::max(greatest.value_or(0), number->value);
+        });
     const std::string name = "column " + in_quotes(column.name);
     if (has_sign && has_none)
         throw InputError(name + " has numbers with a per cent sign and without, which may be fractions",
@@ -649,7 +650,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
     const std::span rows(table.rows);
     take_units_of_cells(heading, rows, table.separator);
     take_units_of_values(heading);
-    at_place(heading_line, [&] { refuse_fractions(heading.reading(), rows); });
+    at_place(heading_line, [&] { refuse_fractions(heading.reading(), rows, table.separator); });
     MeasurementSet set{.source = std::string(name), .points = {}, .warnings = at_place(heading_line, [&] {
                                                                       return warnings_of(heading);
                                                                   })};
