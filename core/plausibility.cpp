@@ -18,8 +18,12 @@ namespace {
 
 constexpr std::array ranges{
     PlausibleRange{Dimension::length, 10e-9, 5e-3, "10 nm to 5 mm", {"um", "nm", "mm"}, "diameter"},
-    PlausibleRange{
-        Dimension::length, 5e-9, 2.5e-3, "5 nm to 2.5 mm", {"um", "nm", "mm"}, "radius effective_radius at_radius"},
+    PlausibleRange{Dimension::length,
+                   5e-9,
+                   2.5e-3,
+                   "5 nm to 2.5 mm",
+                   {"um", "nm", "mm"},
+                   "radius effective_radius at_radius"},
     PlausibleRange{
         Dimension::length, 1e-11, 1e-6, "0.01 nm to 1 um", {"nm", "um", "pm"}, "roughness cohesion_range"},
     PlausibleRange{Dimension::length, 10e-9, 1e-3, "10 nm to 1 mm", {"um", "nm", "mm"}, "pixel_size"},
