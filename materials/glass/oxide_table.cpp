@@ -864,7 +864,7 @@ OxideResult read_any(std::string_view bytes, const TableOptions& options) {
                           .holds_table = [](const TextLines& lines) { return OxideTable(lines, {}), true; }});
     return file.read([&](const TextLines& lines) {
         OxideResult result = read_oxide_lines(lines, options.decimal);
-        file.tell(result.warnings);
+        file.add_findings(result.warnings);
         return result;
     });
 }

@@ -93,9 +93,9 @@ XrdResult read(std::string_view bytes, const TableOptions& options) {
     return file.read([&](const TextLines& lines) {
         XrdResult result =
             lines.of_sheet() ? xrd::read_table(lines, options.decimal) : read_text(lines, options.decimal);
-        file.tell(result.warnings);
+        file.add_findings(result.warnings);
         for (XrdSample& sample : result.samples) {
-            file.in_its_words(sample.warnings);
+            file.name_rows(sample.warnings);
             for (PhaseFraction& phase : sample.analysis.phases) phase.place = file.place(phase.place);
         }
         return result;

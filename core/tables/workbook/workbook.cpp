@@ -232,13 +232,13 @@ InputError TableFile::in_sheet(const InputError& error) const {
                  : error;
 }
 
-void TableFile::in_its_words(std::vector<Finding>& findings) const {
+void TableFile::name_rows(std::vector<Finding>& findings) const {
     if (!name_) return;
     for (Finding& each : findings) each.text = in_rows(std::move(each.text));
 }
 
-void TableFile::tell(std::vector<Finding>& findings) const {
-    in_its_words(findings);
+void TableFile::add_findings(std::vector<Finding>& findings) const {
+    name_rows(findings);
     findings.insert(findings.begin(), findings_.begin(), findings_.end());
 }
 

@@ -93,10 +93,11 @@ class TableFile {
 
     /// In a sheet "line 7, cell 2" is `sheet "XRD", cell B7`, and "line 7" is row 7 of it.
     [[nodiscard]] std::string place(const std::string& line) const;
-    /// In a sheet, has findings name its rows.
-    void in_its_words(std::vector<Finding>& findings) const;
-    /// The same, and puts those on the file before them: sheets that are not read, hidden rows, Latin-1.
-    void tell(std::vector<Finding>& findings) const;
+    /// Where the file is a sheet, replaces lines by its rows in the findings.
+    void name_rows(std::vector<Finding>& findings) const;
+    /// The same, and puts findings on the whole file before them: sheets that are not read, hidden rows,
+    /// Latin-1.
+    void add_findings(std::vector<Finding>& findings) const;
     /// Returns what @p read makes of the lines. The places of its errors are rows and cells of a sheet.
     template <class Read>
     auto read(Read&& read) const {

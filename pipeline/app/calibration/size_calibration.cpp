@@ -252,7 +252,7 @@ std::vector<SizedVelocity> read_size_table(const std::string& bytes, const Table
                                  }});
     return file.read([&](const TextLines& lines) {
         auto rows = read_size_lines(lines, options.decimal, findings);
-        file.tell(findings);
+        file.add_findings(findings);
         return rows;
     });
 }

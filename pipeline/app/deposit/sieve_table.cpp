@@ -474,10 +474,10 @@ ParticleSizes read_sieve_table(std::string_view bytes, const TableOptions& optio
                           .limits = sieve_limits,
                           .holds_table = [](const TextLines& lines) { return SieveTable(lines, {}), true; }});
     return file.read([&](const TextLines& lines) {
-        std::vector<Finding> told;
-        ParticleSizes sizes = SieveTable(lines, options.decimal).sizes(told);
-        file.tell(told);
-        std::ranges::move(told, std::back_inserter(notes));
+        std::vector<Finding> findings;
+        ParticleSizes sizes = SieveTable(lines, options.decimal).sizes(findings);
+        file.add_findings(findings);
+        std::ranges::move(findings, std::back_inserter(notes));
         return sizes;
     });
 }

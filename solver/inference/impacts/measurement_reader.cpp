@@ -747,7 +747,7 @@ MeasurementSet read_measurements(std::string_view text, std::string_view name, c
             MeasurementSet set = read_table(lines, name, options.decimal);
             for (const Measurement& point : set.points)
                 if (file.sums_up(point.line)) refuse_summary_row(point.line, "a formula");
-            file.tell(set.warnings);
+            file.add_findings(set.warnings);
             validate(set);
             return set;
         });

@@ -68,7 +68,7 @@ constexpr std::array<ObservableEntry, Names<Observable>::all.size()> observable_
 constexpr double widest_log_normal = 1e6;
 
 /// Keys of a variable whose numbers have its dimension.
-constexpr std::array<std::string_view, 8> own_numbers{
+constexpr std::array<std::string_view, 8> keys_of_numbers{
     "from", "to", "mode", "mean", "median", "standard_deviation", "minimum", "maximum"};
 
 /// One variable of the spec with what its numbers measure.
@@ -91,15 +91,14 @@ class VariableReader {
     }
 
   private:
-    /// Refuses a number without a unit beside one that has a unit: it may be meant in that one. Zero has
-    /// none.
+    /// Refuses a number other than zero without a unit beside one that has a unit: it may be meant in that.
     void require_same_units() const {
         if (dimension_ == Dimension::fraction || node_.has("unit")) return;
         std::vector<View> numbers;
         for (const auto& [key, value] : node_.members())
             if (value.json().is_array())
                 std::ranges::copy(value.elements(), std::back_inserter(numbers));
-            else if (std::ranges::find(own_numbers, key) != own_numbers.end())
+            else if (std::ranges::find(keys_of_numbers, key) != keys_of_numbers.end())
                 numbers.push_back(value);
         const auto is_bare = [](const View& number) {
             return number.json().is_number() || (number.is_string() && read_number(number.text()));
