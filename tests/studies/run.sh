@@ -1,9 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # run.sh CRITICAL_VELOCITY_STUDY FIT_STUDY: both with a few laboratories a row (a minute), or whole where
-# ASHIMPACT_WHOLE is set: 200 a row, its value if that is above 1 (four hours on one core).
+# ASHIMPACT_WHOLE is set: 200 a row, its value if that is above 1 (two hours on two cores).
 set -eu
 whole=${ASHIMPACT_WHOLE:-0}
+seed=20261211
 if [ "$whole" = 0 ]; then
     "$1" quick 8
     "$2" 5
@@ -13,8 +14,10 @@ fi
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 status=0
-"$1" "$whole" || status=1
-python3 "$(dirname "$0")/truths.py" "$folder" "$whole"
-"$1" files "$folder" || status=1
+{ /usr/bin/python3 "$(dirname "$0")/truths.py" "$folder" "$whole" "$seed" && "$1" files "$folder"; } >"$folder/stranger" 2>&1 &
+stranger=$!
+"$1" "$whole" "" "" "$seed" || status=1
 "$2" "$whole" || status=1
+wait "$stranger" || status=1
+cat "$folder/stranger"
 exit $status
