@@ -279,6 +279,12 @@ void fill_fractions(Composition& composition) {
 
 }  // namespace
 
+void Analysis::state_amorphous(Amorphous stated) {
+    if (!std::holds_alternative<AmorphousNotStated>(amorphous))
+        throw InputError("the file states the amorphous part, and it is stated again", "one of the two");
+    amorphous = std::move(stated);
+}
+
 std::string per_cent(double fraction) {
     return shortest(std::round(fraction * 1e6) / 1e4) + " %";
 }

@@ -58,6 +58,8 @@ struct Analysis {
     Amorphous amorphous = AmorphousNotStated{};
     std::string amorphous_phase = "glass";  ///< name under which the amorphous part is looked up
     double closure_tolerance = default_closure_tolerance;
+    /// States the amorphous part. @throws InputError where it is stated already
+    void state_amorphous(Amorphous stated);
     /// What states that the fractions are those of the crystalline part, "the heading"; empty: nothing does.
     std::string of_crystalline_part{};
 };

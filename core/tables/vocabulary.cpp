@@ -100,7 +100,7 @@ std::optional<Statement> multiple_in(const std::string& heading) {
         "(?:\u03c3|(?:sigma|sd|std|stdabw|standard deviations?|standardabweichung(?:en)?)(?![a-z])))",
         flags);
     static const std::regex behind(
-        "(^|[^a-z])((?:esds?|sd|sigma|\u03c3) *(?:[x*]|\u00d7|multiplied by) *(\\d(?:[.,]\\d+)?))", flags);
+        "(^|[^a-z])((?:esds?|sd|sigma|\u03c3) *(?:[x*]|\u00d7|multiplied by) *(\\d+(?:[.,]\\d+)?))", flags);
     static const std::regex marked("((?:[(\\[]|\u00b1|\\+/?-) *=? *)((\\d(?:[.,]\\d+)?) *s)(?![a-z0-9])",
                                    flags);
     static const std::regex esds(

@@ -206,7 +206,9 @@ Analysis completed_by_json(Analysis analysis, const View& node) {
         standard->fail("an internal standard gives the amorphous part, which is stated too",
                        "one of the two");
     if (const auto densities = node.find("densities")) read_densities(*densities, analysis.phases);
-    if (amorphous) analysis.amorphous = read_amorphous(*amorphous, analysis.basis);
+    if (amorphous)
+        at_place(amorphous->pointer(),
+                 [&] { analysis.state_amorphous(read_amorphous(*amorphous, analysis.basis)); });
     if (const auto name = node.find("amorphous_phase")) analysis.amorphous_phase = name->text();
     return standard ? without_standard(analysis, *standard) : analysis;
 }

@@ -30,11 +30,20 @@ double scale_of(const Table& table, const std::vector<Entry>& entries, std::vect
         fraction = fraction || heading.scale == Scale::fraction;
     }
     double largest = 0;
+    const Entry* bare = nullptr;
+    const Entry* signed_cell = nullptr;
     for (const Entry& entry : entries) {
         if (!entry.amount) continue;
-        per_cent = per_cent || entry.amount->per_cent;
+        if (entry.amount->value > 0) (entry.amount->per_cent ? signed_cell : bare) = &entry;
         largest = std::max(largest, entry.amount->value);
     }
+    if (!per_cent && signed_cell != nullptr && bare != nullptr)
+        refuse_line(bare->line,
+                    fmt::format("the amount {} of {} has no sign, others of the table are in %: it may be "
+                                "per cent or a fraction",
+                                shortest(bare->amount->value), in_quotes(bare->phase)),
+                    "the unit in the heading, or % in all cells");
+    per_cent = per_cent || signed_cell != nullptr;
     if (per_cent != fraction) return per_cent ? 0.01 : 1;
     const bool seems_per_cent = largest > 1;
     warnings.push_back(

@@ -216,8 +216,15 @@ void take_repeats(std::string& text) {
 bool take_crystalline(std::string& text) {
     for (const std::string_view word :
          {"(crystalline)", "(cryst.)", "(kristallin)", "crystalline", "kristallin"}) {
-        if (text.size() <= word.size() || !lower_case(text).ends_with(word)) continue;
-        text = std::string(trimmed(std::string_view(text).substr(0, text.size() - word.size())));
+        const std::string_view whole(text);
+        if (whole.size() <= word.size()) continue;
+        if (lower_case(text).ends_with(word))
+            text = std::string(trimmed(whole.substr(0, whole.size() - word.size())));
+        else if (lower_case(text).starts_with(word) &&
+                 unit_of(whole.substr(word.size())) != HeadingUnit::other)
+            text = std::string(trimmed(whole.substr(word.size())));
+        else
+            continue;
         return true;
     }
     return false;

@@ -45,11 +45,24 @@ constexpr std::string_view heading_help =
 
 constexpr std::size_t most_cells = 500'000;
 
+/// Whether a heading of amounts states two bases, "wt%/vol%", or a sign that changes them, "±wt%", "wt% <".
+bool is_ambiguous(const Heading& heading) {
+    const bool amounts = heading.role == Role::weight || heading.role == Role::volume ||
+                         (heading.role == Role::other && heading.states != HeadingUnit::none);
+    if (!amounts) return false;
+    auto bases = bases_in(heading.written, false);
+    for (const char* other : {"number", "intensity", "mode"}) bases.erase(other);
+    if (bases.size() > 1) return true;
+    const bool names = heading.role == Role::other && !heading.text.empty();
+    return !names && heading.written.find_first_of("<>") != std::string::npos;
+}
+
 std::vector<Heading> headings_of(const TableRow& row) {
     std::vector<Heading> headings;
     for (const std::string& cell : row.cells) {
         headings.push_back(read_heading(cell));
-        if (names_other_basis(headings.back())) headings.back().role = Role::measure;
+        if (names_other_basis(headings.back()) || is_ambiguous(headings.back()))
+            headings.back().role = Role::measure;
     }
     return headings;
 }
@@ -199,19 +212,22 @@ void refuse_mixed_per_cent(const std::optional<PrintedNumber>& amount, const Pri
 /// or calls it none, "Quartz (excluded)". @throws InputError
 void require_plain_name(const std::string& name, const Table& table, std::size_t line, std::size_t column) {
     static const std::regex factor("(?:[x*/]|\u00d7|\u00f7) *[0-9.,]+|[0-9.,]+ *(?:x|\u00d7)");
+    if (calls_invalid(name)) refuse_invalid_row(name, "the names", line, column);
     const auto open = name.find_last_of("([");
     if (open == std::string::npos || name.find_last_of(")]") != name.size() - 1 ||
         name.size() > longest_heading)
         return;
     const std::string inside(trimmed(std::string_view(name).substr(open + 1, name.size() - open - 2)));
-    if (calls_invalid(inside)) refuse_invalid_row(inside, "the name " + in_quotes(name), line, column);
     const Heading unit = read_heading("x [" + inside + "]");
     const bool is_unit = unit.states == HeadingUnit::weight || unit.states == HeadingUnit::volume;
     const bool stated = std::ranges::any_of(table.headings, [&](const Heading& heading) {
         const bool of_volume = heading.role == Role::volume || heading.states == HeadingUnit::volume;
         return of_volume == (unit.states == HeadingUnit::volume) && heading.scale == unit.scale;
     });
-    if ((is_unit && !stated) || std::regex_match(inside, factor))
+    const Role role = role_of_text(inside);
+    const bool is_measure = is_summary(inside) || role == Role::intensity || role == Role::measure ||
+                            (inside.size() > 1 && read_unit(ascii_unit(inside)));
+    if ((is_unit && !stated) || is_measure || std::regex_match(inside, factor))
         throw InputError(in_quotes(inside) + " in the name " + in_quotes(name) +
                              " may be a part of the name, or change the amount",
                          "the name alone, and the amount in the unit of its column")
@@ -680,6 +696,16 @@ std::string_view stated_basis(const Table& table) {
     return basis;
 }
 
+/// Whether a cell excludes its row: "no" below "use", "x" below "excluded".
+bool rejects(std::string_view heading, std::string_view cell) {
+    static const WordLists columns("impact columns");
+    static const WordLists verdicts("verdicts");
+    const auto column = columns.list_of(heading);
+    const auto verdict = verdicts.list_of(trimmed(cell));
+    if (column == "exclusion") return verdict == "yes" || verdict == "mark";
+    return column == "validity" && (verdict == "no" || verdict == "bad" || trimmed(cell) == "-");
+}
+
 /// Refuses a text beside the table that states what the headings do not: a basis of the fractions, or the
 /// coverage of the uncertainties. So do cells without a heading, and units in columns that are not used.
 /// @param rows the lines below the heading @throws InputError
@@ -700,7 +726,8 @@ void require_agreeing_texts(Table& table, std::vector<TextBeside> texts, std::sp
     for (const TextLine& row : rows)
         for_each_cell(row, table.separator, [&](std::string_view cell, std::size_t k) {
             if (k >= table.headings.size() || cell.empty()) return;
-            if (is_unused(table.headings[k]) && calls_invalid(cell))
+            if (is_unused(table.headings[k]) &&
+                (calls_invalid(cell) || rejects(table.headings[k].text, cell)))
                 refuse_invalid_row(cell, "column " + in_quotes(table.headings[k].written), row.number, k);
             if (is_beside(cell, k)) texts.push_back({row.number, std::string(cell)});
         });
@@ -870,6 +897,7 @@ bool by_volume(const Table& table, Layout layout) {
     bool volume = false;
     const Heading* small = nullptr;  // in ppm or per mille
     const Heading* other = nullptr;  // in another unit, or without one
+    const Heading* bare = nullptr;   // without a basis
     for (const Heading& heading : table.headings) {
         const bool amounts =
             heading.role == Role::weight || heading.role == Role::volume ||
@@ -884,9 +912,16 @@ bool by_volume(const Table& table, Layout layout) {
             small = &heading;
         else
             other = &heading;
-        weight = weight || heading.role == Role::weight || heading.states == HeadingUnit::weight;
-        volume = volume || heading.role == Role::volume || heading.states == HeadingUnit::volume;
+        const bool by_weight = heading.role == Role::weight || heading.states == HeadingUnit::weight;
+        const bool of_volume = heading.role == Role::volume || heading.states == HeadingUnit::volume;
+        weight = weight || by_weight;
+        volume = volume || of_volume;
+        if (!by_weight && !of_volume) bare = &heading;
     }
+    if (volume && bare != nullptr)
+        refuse_line(table.heading_line,
+                    "one column is by volume, and " + in_quotes(bare->written) + " may be by weight",
+                    "the unit in the heading of every column");
     if (weight && volume)
         refuse_line(table.heading_line, "there are fractions by weight and by volume", "one of the two");
     if (small != nullptr && other != nullptr)

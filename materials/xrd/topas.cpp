@@ -31,6 +31,7 @@ struct TopasPattern {
     std::size_t line = 0;
     std::vector<TopasPhase> phases;
     std::optional<PrintedNumber> amorphous{};  ///< [%] of the mixture
+    bool has_corrected = false;                ///< whether there are corrected_weight_percent of phases
 };
 
 /// The words of a file without its comments: ' to the end of the line, /* ... */ over lines.
@@ -191,6 +192,8 @@ class TopasReader {
             phase(token).has_weight = true;
         } else if (word == "spiked_phase_measured_weight_percent") {
             phase(token).spiked = number_after(token).value;
+        } else if (word == "corrected_weight_percent") {
+            pattern(token.line).has_corrected = true;
         } else if (word == "weight_percent_amorphous") {
             pattern(token.line).amorphous = number_after(token);
         } else if (word == "MVW") {
@@ -222,6 +225,10 @@ XrdSample completed(XrdSample sample, const TopasPattern& pattern) {
             refuse_line(phase.listed.line, "there are two spiked phases", "one a pattern");
         standard = &phase;
     }
+    if (pattern.has_corrected)
+        sample.warnings.push_back({xrd_code, Severity::remark,
+                                   "corrected_weight_percent is not used: weight_percent counts, with the "
+                                   "amorphous part or the spiked standard of the file"});
     if (standard == nullptr) {
         if (pattern.amorphous) {
             auto uncertainty = pattern.amorphous->standard_uncertainty;

@@ -97,11 +97,14 @@ XrdSample completed(const XrdSample& sample, const CommandOptions& options) {
     refuse_contradictions(options);
     XrdSample result = sample;
     Analysis& analysis = result.analysis;
+    const auto state = [&](const char* option, Amorphous amorphous) {
+        at_place(option, [&] { analysis.state_amorphous(amorphous); });
+    };
     if (options.has("--amorphous-fraction"))
-        analysis.amorphous = read_amorphous(options["--amorphous-fraction"], analysis.basis);
+        state("--amorphous-fraction", read_amorphous(options["--amorphous-fraction"], analysis.basis));
     if (options.has("--crystalline-total")) {
         const Quantity total = read_fraction("--crystalline-total", options["--crystalline-total"]);
-        analysis.amorphous = CrystallineTotal{total.value, total.standard_uncertainty};
+        state("--crystalline-total", CrystallineTotal{total.value, total.standard_uncertainty});
     }
     if (!options.has("--internal-standard")) return result;
     const Quantity added = read_fraction("--added-fraction", options["--added-fraction"]);

@@ -367,4 +367,12 @@ TEST_CASE("Eq. 1 can also lie below the rigorous upper bound") {
     CHECK(young_modulus(voigt_moduli(v, phases)) > young_modulus(hashin_shtrikman_upper(v, phases)));
 }
 
+TEST_CASE("an amorphous part that the file states is not replaced by another statement") {
+    Analysis analysis{.phases = crystalline};
+    analysis.state_amorphous(AmorphousFraction{.value = 0.4});
+    CHECK(contains(input_error_of([&] { analysis.state_amorphous(CrystallineTotal{.value = 0.5}); }),
+                   "it is stated again"));
+    CHECK(std::get<AmorphousFraction>(analysis.amorphous).value == 0.4);
+}
+
 }  // namespace ashimpact::test

@@ -389,6 +389,24 @@ TEST_CASE("headings of fractions are read as what they state, and what is no fra
     }
 }
 
+TEST_CASE("headings with two bases, or with what changes a number, hold no fractions") {
+    for (const char* heading : {"wt%/vol%", "Vol. and wt %", "wt% (vol)", "log10(wt%)", "sqrt wt%",
+                                "cum. wt%", "cumulative %", "peak %", "wt% <", "delta [wt%]"}) {
+        CAPTURE(heading);
+        CHECK(contains(input_error_of([&] {
+                           return read_xrd("phase;" + std::string(heading) + "\nQuartz;60\nMullite;40\n",
+                                           "t.csv");
+                       }),
+                       "holds no weight or volume fractions"));
+    }
+    CHECK(contains(
+        input_error_of([] { return read_xrd("phase;crystalline wt%\nQuartz;30\nMullite;15\n", "t.csv"); }),
+        "the fractions of the crystalline part add up to 45 %"));
+    const XrdResult scaled = read_xrd("phase;wt%;esd x100\nQuartz;60;20\nMullite;40;30\n", "t.csv");
+    CHECK_FALSE(scaled.samples[0].analysis.phases[0].standard_uncertainty);
+    CHECK(contains(joined(texts_of(scaled.warnings)), "such a multiple is not plausible"));
+}
+
 TEST_CASE("a heading that is not known is no sample, and the units of all samples and phases count") {
     const auto refusal = [](const std::string& table) {
         return input_error_of([&] { static_cast<void>(read_xrd(table, "t.csv")); });
@@ -685,7 +703,18 @@ TEST_CASE("what a name, a heading or a text beside a table may mean otherwise is
           {with_quartz("Quartz [\u00d7 0.1]"), "may be a part of the name, or change the amount"},
           {with_quartz("Quartz (g/kg)"), "line 2, cell 1: \"g/kg\" in the name \"Quartz (g/kg)\" may be"},
           {with_quartz("Quartz (excluded)"),
-           "line 2, cell 1: \"excluded\" in the name \"Quartz (excluded)\""},
+           "line 2, cell 1: \"Quartz (excluded)\" in the names calls the row invalid"},
+          {with_quartz("Quartz - do not use"), "calls the row invalid"},
+          {with_quartz("Quartz (counts)"),
+           "line 2, cell 1: \"counts\" in the name \"Quartz (counts)\" may be"},
+          {with_quartz("Quartz (max)"), "may be a part of the name, or change the amount"},
+          {std::string("Phase;Use;wt%\nQuartz;yes;20\nGlass;no;80\n"),
+           "line 3, cell 2: \"no\" in column \"Use\" calls the row invalid"},
+          {std::string("Phase;excluded;wt%\nQuartz;x;20\nGlass;;80\n"), "line 2, cell 2: \"x\" in column"},
+          {std::string("phase;weight\nQuartz;20 %\nGlass;0.8\n"),
+           "line 3: the amount 0.8 of \"Glass\" has no sign, others of the table are in %"},
+          {std::string("sample;Quartz [vol%];Glass\nA;20%;80%\n"),
+           "line 1: one column is by volume, and \"Glass\" may be by weight"},
           {std::string("Phase;wt%;Remark\nQuartz;20;outlier\nGlass;80;\n"),
            "line 2, cell 3: \"outlier\" in column \"Remark\" calls the row invalid"},
           {std::string("Sample;Quartz (x10);Glass\nA;20;80\n"), "line 1, cell 2: \"x10\" in the name"},
