@@ -67,13 +67,16 @@ std::string xlsx(const std::string& rows, const std::string& styles = "", const 
     return archive_of(parts);
 }
 
-std::string ods(const std::string& rows) {
-    return archive_of({{"content.xml",
-                        "<office:document-content xmlns:office='o' xmlns:table='t' xmlns:text='p'>"
-                        "<office:body><office:spreadsheet><table:table table:name='S'>" +
-                            rows +
-                            "</table:table></office:spreadsheet></office:body>"
-                            "</office:document-content>"}});
+std::string ods(const std::string& rows, const std::string& styles = "") {
+    return archive_of(
+        {{"content.xml",
+          "<office:document-content xmlns:office='o' xmlns:table='t' xmlns:text='p'>"
+          "<office:automatic-styles>" +
+              styles +
+              "</office:automatic-styles><office:body><office:spreadsheet><table:table table:name='S'>" +
+              rows +
+              "</table:table></office:spreadsheet></office:body>"
+              "</office:document-content>"}});
 }
 
 std::string text_of(const std::string& bytes) {
@@ -246,6 +249,8 @@ TEST_CASE("cells of .xlsx hold what the spreadsheet shows") {
     CHECK(runs("<vertAlign val='superscript'/>", "1") == "753\u00b9");
     CHECK(runs("<vertAlign val='superscript'/>", "a") == "753^a");
     CHECK(runs("<vertAlign val='subscript'/>", "a") == "753a");
+    CHECK(runs("<vertAlign val='subscript'/>", "1") == "753\u2081");
+    CHECK(runs("<vertAlign val='baseline'/>", "1") == "7531");
     CHECK(runs("<strike/>", "9") == "7539 (struck out)");
     CHECK(runs("<strike val='0'/>", "9") == "7539");
     CHECK(cell("<c r='A1' s='5'><v>12.5</v></c>") == "12.5 (struck out)");
@@ -310,6 +315,15 @@ TEST_CASE("cells of .ods hold what the spreadsheet shows") {
               "office:value-type='string'><office:annotation><text:p>note</text:p></office:annotation>"
               "<text:p>v<text:span>_in</text:span><text:s/>[m/s]</text:p></table:table-cell>") ==
           "v_in [m/s]\n");
+    for (const auto& [position, text] : {std::pair{"super 58%", "753\u00b9"},
+                                         {"33% 58%", "753\u00b9"},
+                                         {"sub 58%", "753\u2081"},
+                                         {"-33% 58%", "753\u2081"},
+                                         {"0% 100%", "7531"}})
+        CHECK(text_of(ods("<table:table-row><table:table-cell><text:p>753<text:span text:style-name='T'>1"
+                          "</text:span></text:p></table:table-cell></table:table-row>",
+                          "<style:style style:name='T'><style:text-properties style:text-position='" +
+                              std::string(position) + "'/></style:style>")) == std::string(text) + "\n");
     CHECK(row("<table:table-cell table:number-columns-repeated='2'/><table:table-cell "
               "office:value-type='float' "
               "office:value='1' table:number-columns-repeated='2'/>") == "\t\t1\t1\n");

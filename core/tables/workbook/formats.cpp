@@ -100,13 +100,26 @@ std::string struck_out(std::string text) {
     return text.empty() ? text : std::move(text) + " (struck out)";
 }
 
-/// Appends a raised text, as of a footnote: digits as superscripts, so that "753" with a raised 1 is not
-/// 7531.
-void append_raised(std::string_view raised, std::string& text) {
+/// Where a part of a text stands, which the spreadsheet may shift up or down.
+enum class Shift { none, raised, lowered };
+
+/// A part of a text, a shifted one with the digits of its place: "753" with a raised 1, as of a footnote, is
+/// not 7531.
+std::string shown_shifted(std::string_view part, Shift shift) {
+    std::string text;
     constexpr std::array<std::string_view, 10> superscripts{"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
                                                             "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
-    for (const char c : raised)
-        text += is_digit(c) ? superscripts.at(static_cast<std::size_t>(c - '0')) : std::string{'^', c};
+    constexpr std::array<std::string_view, 10> subscripts{"\u2080", "\u2081", "\u2082", "\u2083", "\u2084",
+                                                          "\u2085", "\u2086", "\u2087", "\u2088", "\u2089"};
+    for (const char c : part) {
+        if (shift == Shift::raised && !is_digit(c)) text += '^';
+        if (shift == Shift::none || !is_digit(c))
+            text += c;
+        else
+            text +=
+                (shift == Shift::raised ? superscripts : subscripts).at(static_cast<std::size_t>(c - '0'));
+    }
+    return text;
 }
 
 /// Number of repetitions of an element, at most the size of a sheet.
@@ -118,11 +131,18 @@ std::size_t repeats(const pugi::xml_node& node, std::string_view attribute) {
     return status == std::errc{} ? std::min(count, Sheet::most_rows) : 1;
 }
 
-/// Names of the styles of an .ods whose text is struck out or raised, or whose numbers are shown in
+/// The shift that an .ods writes "super 58%" or "33% 58%", down "sub 58%" or "-33% 58%".
+Shift shift_of_position(std::string_view position) {
+    if (position.starts_with("sub") || position.starts_with('-')) return Shift::lowered;
+    const bool raised = position.starts_with("super") || position.find_first_of("123456789") == 0;
+    return raised ? Shift::raised : Shift::none;
+}
+
+/// Names of the styles of an .ods whose text is struck out or shifted, or whose numbers are shown in
 /// thousands.
 struct TextStyles {
     std::set<std::string, std::less<>> struck{};
-    std::set<std::string, std::less<>> raised{};
+    std::map<std::string, Shift, std::less<>> shifted{};
     std::set<std::string, std::less<>> in_thousands{};  ///< of numbers, and of the cells that have them
 
     explicit TextStyles(const pugi::xml_node& styles) {
@@ -134,11 +154,15 @@ struct TextStyles {
                 in_thousands.insert(name);
             const pugi::xml_node text = child_of(style, "text-properties");
             if (attribute_of(text, "text-line-through-style").value_or("none") != "none") struck.insert(name);
-            if (attribute_of(text, "text-position").value_or("").starts_with("super")) raised.insert(name);
+            shifted[name] = shift_of_position(attribute_of(text, "text-position").value_or(""));
         }
     }
     [[nodiscard]] bool strikes(const pugi::xml_node& node) const {
         return struck.contains(attribute_of(node, "style-name").value_or(""));
+    }
+    [[nodiscard]] Shift shift_of(const pugi::xml_node& node) const {
+        const auto found = shifted.find(attribute_of(node, "style-name").value_or(""));
+        return found == shifted.end() ? Shift::none : found->second;
     }
 };
 
@@ -153,10 +177,8 @@ void append_text(const pugi::xml_node& node, const TextStyles& styles, std::stri
         if (name != "span" && name != "a") continue;
         std::string part;
         append_text(inner, styles, part, depth + 1);
-        if (styles.raised.contains(attribute_of(inner, "style-name").value_or("")))
-            append_raised(part, text);
-        else
-            text += styles.strikes(inner) ? struck_out(part) : part;
+        part = shown_shifted(part, styles.shift_of(inner));
+        text += styles.strikes(inner) ? struck_out(part) : part;
     }
 }
 
@@ -359,10 +381,11 @@ std::string text_of_item(const pugi::xml_node& item) {
         if (name != "r") continue;
         const pugi::xml_node font = child_of(node, "rPr");
         const std::string run = child_of(node, "t").child_value();
-        if (attribute_of(child_of(font, "vertAlign"), "val") == "superscript")
-            append_raised(run, text);
-        else
-            text += strikes(font) ? struck_out(run) : run;
+        const auto place = attribute_of(child_of(font, "vertAlign"), "val");
+        const std::string shown = shown_shifted(run, place == "superscript" ? Shift::raised
+                                                     : place == "subscript" ? Shift::lowered
+                                                                            : Shift::none);
+        text += strikes(font) ? struck_out(shown) : shown;
     }
     return text;
 }
