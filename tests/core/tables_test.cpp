@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -51,7 +52,8 @@ std::string archive_of(const Parts& parts) {
 const std::string office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships/";
 
 /// An .xlsx with one sheet of these rows, and what else is given.
-std::string xlsx(const std::string& rows, const std::string& styles = "", const std::string& strings = "") {
+std::string xlsx(const std::string& rows, const std::string& styles = "", const std::string& strings = "",
+                 const std::string& comments = "") {
     Parts parts{{"_rels/.rels", "<Relationships><Relationship Id='r' Type='" + office +
                                     "officeDocument' Target='xl/workbook.xml'/></Relationships>"},
                 {"xl/workbook.xml",
@@ -64,6 +66,13 @@ std::string xlsx(const std::string& rows, const std::string& styles = "", const 
                 {"xl/worksheets/s.xml", "<worksheet><sheetData>" + rows + "</sheetData></worksheet>"}};
     if (!styles.empty()) parts.emplace_back("xl/styles.xml", styles);
     if (!strings.empty()) parts.emplace_back("xl/strings.xml", strings);
+    if (!comments.empty()) {
+        parts.emplace_back("xl/worksheets/_rels/s.xml.rels",
+                           "<Relationships><Relationship Id='n' Type='" + office +
+                               "comments' Target='../comments1.xml'/></Relationships>");
+        parts.emplace_back("xl/comments1.xml",
+                           "<comments><commentList>" + comments + "</commentList></comments>");
+    }
     return archive_of(parts);
 }
 
@@ -314,7 +323,7 @@ TEST_CASE("cells of .ods hold what the spreadsheet shows") {
     CHECK(row("<table:table-cell "
               "office:value-type='string'><office:annotation><text:p>note</text:p></office:annotation>"
               "<text:p>v<text:span>_in</text:span><text:s/>[m/s]</text:p></table:table-cell>") ==
-          "v_in [m/s]\n");
+          "v_in [m/s]\n# comment on A1: note\n");
     for (const auto& [position, text] : {std::pair{"super 58%", "753\u00b9"},
                                          {"33% 58%", "753\u00b9"},
                                          {"sub 58%", "753\u2081"},
@@ -335,6 +344,72 @@ TEST_CASE("cells of .ods hold what the spreadsheet shows") {
             "<table:table-cell><text:p>b</text:p></table:table-cell></table:table-row>"
             "<table:table-row table:number-rows-repeated='1048570'><table:table-cell/></table:table-row>")) ==
         "a\nb\nb\nb\n");
+}
+
+TEST_CASE("rows of .ods count however deep they are grouped, and times are no numbers") {
+    const auto row = [](const std::string& cell) {
+        return "<table:table-row>" + cell + "</table:table-row>";
+    };
+    const std::string one = row("<table:table-cell office:value-type='time' office:time-value='PT1H30M'/>");
+    CHECK(text_of(ods(one)) == "PT1H30M (a time)\n");
+    const auto grouped = [&](std::size_t depth) {
+        std::string rows = one;
+        for (std::size_t i = 0; i < depth; ++i)
+            rows = "<table:table-row-group>" + rows + "</table:table-row-group>";
+        return ods(rows);
+    };
+    CHECK(text_of(grouped(7)) == "PT1H30M (a time)\n");
+    CHECK(contains(input_error_of([&] { text_of(grouped(100)); }), "rows are grouped too deeply"));
+}
+
+TEST_CASE("a value under a merged cell is refused, as no spreadsheet shows it") {
+    const std::string table =
+        inline_row({"Phase", "wt%"}) + inline_row({"Quartz", "40"}) + inline_row({"Mullite", "60"});
+    const auto merged = [&](const std::string& range) {
+        return xlsx(table + "</sheetData><mergeCells><mergeCell ref='" + range +
+                    "'/></mergeCells><sheetData>");
+    };
+    CHECK(contains(input_error_of([&] { static_cast<void>(read_xrd(merged("B2:B3"), "a.xlsx")); }),
+                   "sheet \"S\", cell B3: the cell has a value that a merged cell hides"));
+    CHECK(read_xrd(merged("B3:C9"), "a.xlsx").samples.front().analysis.phases.size() == 2);
+    const auto cell = [](const std::string& name, const std::string& text) {
+        return "<table:" + name + "><text:p>" + text + "</text:p></table:" + name + ">";
+    };
+    const auto rows = [&](const std::string& hidden) {
+        return ods("<table:table-row>" + cell("table-cell", "Phase") + cell("table-cell", "wt%") +
+                   "</table:table-row><table:table-row>" + cell("table-cell", "Quartz") +
+                   cell("table-cell", "100") + cell("covered-table-cell", hidden) + "</table:table-row>");
+    };
+    CHECK(contains(input_error_of([&] { static_cast<void>(read_xrd(rows("5"), "a.ods")); }),
+                   "sheet \"S\", cell C2: the cell has a value that a merged cell hides"));
+    CHECK(read_xrd(rows(""), "a.ods").samples.size() == 1);
+}
+
+TEST_CASE("a comment on a cell is said, and what it states counts as of a text beside the table") {
+    const std::string table =
+        inline_row({"Phase", "wt%"}) + inline_row({"Quartz", "40"}) + inline_row({"Mullite", "60"});
+    const auto with = [&](const std::string& text) {
+        return xlsx(table, "", "",
+                    "<comment ref='B2'><text><r><t>NN:\n</t></r><r><t>" + text + "</t></r></text></comment>");
+    };
+    const XrdResult read = read_xrd(with("seen &quot;twice&quot;"), "a.xlsx");
+    CHECK(read.samples.front().analysis.phases.size() == 2);
+    CHECK(std::ranges::any_of(read.warnings, [](const Finding& each) {
+        return each.text == "the comment on B2, \"NN:  seen  twice\", is no part of the table";
+    }));
+    CHECK(contains(input_error_of([&] { static_cast<void>(read_xrd(with("by volume"), "a.xlsx")); }),
+                   "sheet \"S\", comments: \"comment on B2: NN: by volume\" states fractions by volume"));
+    const auto cell = [](const std::string& text, const std::string& comment = "") {
+        return "<table:table-cell><office:annotation><text:p>" + comment +
+               "</text:p></office:annotation>"
+               "<text:p>" +
+               text + "</text:p></table:table-cell>";
+    };
+    const std::string annotated =
+        ods("<table:table-row>" + cell("Phase") + cell("%", "by volume") +
+            "</table:table-row><table:table-row>" + cell("Quartz") + cell("100") + "</table:table-row>");
+    CHECK(contains(input_error_of([&] { static_cast<void>(read_xrd(annotated, "a.ods")); }),
+                   "\"comment on B1: by volume\" states fractions by volume"));
 }
 
 TEST_CASE("a fraction stays below a thousand, so that its comma has one reading") {

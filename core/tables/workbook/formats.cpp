@@ -213,6 +213,7 @@ std::string ods_cell_text(const pugi::xml_node& cell, const TextStyles& styles) 
         const auto start = formula->find('=');
         return shown_formula(formula->substr(start == std::string::npos ? 0 : start + 1));
     }
+    if (type == "time") return attribute_of(cell, "time-value").value_or("") + " (a time)";
     if (type == "date") return shown_date(attribute_of(cell, "date-value").value_or("").substr(0, 10));
     if (type == "float" || type == "percentage" || type == "currency") {
         const auto number = whole_decimal(attribute_of(cell, "value").value_or(""));
@@ -240,7 +241,9 @@ class OdsRows {
             const bool group = name == "table-row-group" || name == "table-header-rows" ||
                                name == "table-rows" || name == "table-column-group" ||
                                name == "table-header-columns" || name == "table-columns";
-            if (group && depth < deepest_group) take_rows(node, depth + 1);
+            if (group && depth == deepest_group)
+                throw InputError("rows are grouped too deeply", "groups in at most 20 others");
+            if (group) take_rows(node, depth + 1);
         }
     }
 
@@ -255,6 +258,7 @@ class OdsRows {
     /// Rows that are equal, such as two impacts captured at the same velocity, are stored once.
     void take_row(const pugi::xml_node& row) {
         std::vector<std::pair<std::size_t, std::string>> cells;
+        std::vector<std::size_t> covered;
         std::size_t column = 0;
         for (const pugi::xml_node& cell : row) {
             const auto name = local_name(cell.name());
@@ -266,7 +270,10 @@ class OdsRows {
             for (std::size_t i = 0; !text.empty() && i < copies; ++i) {
                 sheet_.require_column(row_, column + i);
                 cells.emplace_back(column + i, text);
+                if (name == "covered-table-cell") covered.push_back(column + i);
             }
+            if (const pugi::xml_node note = child_of(cell, "annotation"))
+                sheet_.comment(row_, column, text_of_paragraphs(note, styles_));
             column += copies;
         }
         const std::size_t times = repeats(row, "number-rows-repeated");
@@ -275,6 +282,7 @@ class OdsRows {
             for (const auto& [place, text] : cells) sheet_.put(row_ + i, place, text);
             if (visible == "collapse" || visible == "filter") sheet_.count_hidden_row();
         }
+        for (const std::size_t place : covered) sheet_.cover(row_, place);
         row_ += times;
     }
 
@@ -472,6 +480,35 @@ std::optional<std::size_t> column_of(std::string_view reference) {
     return column > 0 ? std::optional(column - 1) : std::nullopt;
 }
 
+struct Cell {
+    std::size_t row, column;  ///< counted from zero
+};
+
+/// The cell of a reference such as "AB12".
+std::optional<Cell> cell_of(std::string_view reference) {
+    const auto column = column_of(reference);
+    const auto row =
+        whole_number(reference.substr(std::min(reference.find_first_of("0123456789"), reference.size())));
+    return column && row && *row > 0 ? std::optional(Cell{*row - 1, *column}) : std::nullopt;
+}
+
+/// Takes the ranges of merged cells, "A1:C3".
+void take_merged(const pugi::xml_node& worksheet, Sheet& sheet) {
+    for (const pugi::xml_node& node : child_of(worksheet, "mergeCells")) {
+        const std::string range = attribute_of(node, "ref").value_or("");
+        const auto first = cell_of(range.substr(0, range.find(':')));
+        const auto last = cell_of(range.substr(range.find(':') + 1));
+        if (first && last) sheet.merge(first->row, first->column, last->row, last->column);
+    }
+}
+
+void take_comments(const std::string& content, const std::string& name, Sheet& sheet) {
+    const pugi::xml_document document = parse_part(content, name);
+    for (const pugi::xml_node& comment : child_of(document.document_element(), "commentList"))
+        if (const auto cell = cell_of(attribute_of(comment, "ref").value_or("")))
+            sheet.comment(cell->row, cell->column, text_of_item(child_of(comment, "text")));
+}
+
 Sheet read_xlsx_sheet(const std::string& content, const std::string& name, const std::string& called,
                       const Shared& shared) {
     const pugi::xml_document document = parse_part(content, name);
@@ -501,6 +538,7 @@ Sheet read_xlsx_sheet(const std::string& content, const std::string& name, const
         }
         next_row = place + 1;
     }
+    take_merged(document.document_element(), sheet);
     return sheet;
 }
 
@@ -532,6 +570,8 @@ std::optional<std::vector<Sheet>> read_xlsx(Archive& archive) {
         if (!cells)
             throw InputError("the sheet " + in_quotes(called) + " is not in the file", "an undamaged file");
         sheets.push_back(read_xlsx_sheet(*cells, found->second.target, called, shared));
+        const std::string comments = target_of_type(relationships(archive, found->second.target), "comments");
+        if (const auto texts = part(archive, comments)) take_comments(*texts, comments, sheets.back());
         require_bytes(sheets);
     }
     return sheets;

@@ -120,6 +120,30 @@ void Sheet::put(std::size_t row, std::size_t column, std::string_view text) {
         ' ');
 }
 
+void Sheet::cover(std::size_t row, std::size_t column) {
+    if (covered_.empty() && row < rows_.size() && column < rows_[row].size() && !rows_[row][column].empty())
+        covered_ = cell_name(row, column);
+}
+
+void Sheet::merge(std::size_t first_row, std::size_t first_column, std::size_t last_row,
+                  std::size_t last_column) {
+    for (std::size_t row = first_row; row <= last_row && row < rows_.size(); ++row)
+        for (std::size_t column = first_column; column <= last_column && column < rows_[row].size();
+             ++column) {
+            if (++merged_ > most_cells) throw too_large();
+            if (row != first_row || column != first_column) cover(row, column);
+        }
+}
+
+void Sheet::comment(std::size_t row, std::size_t column, std::string text) {
+    std::ranges::replace_if(
+        text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '"'; }, ' ');
+    if (trimmed(text).empty()) return;
+    bytes_ += text.size();
+    if (bytes() > most_bytes) throw too_large();
+    comments_.push_back({cell_name(row, column), std::string(trimmed(text))});
+}
+
 void Sheet::see_formula(std::size_t row, std::size_t column, const std::string& formula) {
     constexpr std::size_t longest = 200;  // a regular expression needs stack for each byte
     static const std::regex summary(
@@ -166,6 +190,7 @@ std::string Sheet::as_text() const {
         }
         text += '\n';
     }
+    for (const Comment& each : comments_) text += "# comment on " + each.cell + ": " + each.text + '\n';
     return text;
 }
 
@@ -193,6 +218,17 @@ TableFile::TableFile(std::string_view bytes, const SheetRequest& request) {
     const std::vector<Sheet> sheets = read_workbook(bytes);
     const Sheet& sheet = chosen(sheets, request);
     name_ = sheet.name();
+    rows_ = sheet.rows();
+    if (!sheet.covered().empty())
+        throw InputError("the cell has a value that a merged cell hides",
+                         "cells that are not merged, or this one empty")
+            .at("sheet " + in_quotes(*name_) + ", cell " + sheet.covered());
+    if (const auto& comments = sheet.comments(); !comments.empty())
+        findings_.push_back(
+            {request.code, Severity::remark,
+             fmt::format("the comment on {}, {}, is no part of the table{}", comments[0].cell,
+                         in_quotes(comments[0].text),
+                         comments.size() == 1 ? "" : fmt::format(", nor are {} more", comments.size() - 1))});
     summaries_ = sheet.summaries();
     try {
         lines_ = lines_of(sheet, request.limits);
@@ -219,6 +255,7 @@ std::string TableFile::place(const std::string& line) const {
     if (!line.starts_with(word)) return line.empty() ? sheet : sheet + ": " + line;
     std::size_t end = word.size();
     const std::size_t row = take_number(line, end);
+    if (row > rows_) return sheet + ", comments" + line.substr(end);
     constexpr std::string_view cell_word = ", cell ";
     if (!std::string_view(line).substr(end).starts_with(cell_word))
         return sheet + ", row " + std::to_string(row) + line.substr(end);

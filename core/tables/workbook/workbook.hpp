@@ -26,6 +26,13 @@ class Sheet {
     void put(std::size_t row, std::size_t column, std::string_view text);
     /// Refuses what no table has. @throws InputError
     void require_column(std::size_t row, std::size_t column) const;
+    /// States that a cell lies under a merged one, where no spreadsheet shows its text.
+    void cover(std::size_t row, std::size_t column);
+    /// The same of all cells of a range but its first. @throws InputError for more than a sheet has
+    void merge(std::size_t first_row, std::size_t first_column, std::size_t last_row,
+               std::size_t last_column);
+    /// Adds a comment on a cell: a line of its own below the rows, beginning with "#".
+    void comment(std::size_t row, std::size_t column, std::string text);
     void count_hidden_row() { ++hidden_rows_; }
     void hide_columns(std::size_t first, std::size_t count) { hidden_columns_.emplace_back(first, count); }
     /// States that a cell holds this formula: SUM, AVERAGE and the like of cells above it sum up rows.
@@ -40,6 +47,13 @@ class Sheet {
     /// Memory that the cells take, about.
     [[nodiscard]] std::size_t bytes() const { return bytes_ + cells_ * sizeof(std::string); }
     [[nodiscard]] InputError too_large() const;
+    /// Name of a cell with a text under a merged one; empty if there is none.
+    [[nodiscard]] const std::string& covered() const { return covered_; }
+    struct Comment {
+        std::string cell, text;
+    };
+    [[nodiscard]] const std::vector<Comment>& comments() const { return comments_; }
+    [[nodiscard]] std::size_t rows() const { return rows_.size(); }
 
     /// The sheet as a table in text: a line a row from the first one on, cells between tabs.
     [[nodiscard]] std::string as_text() const;
@@ -59,6 +73,9 @@ class Sheet {
     std::size_t hidden_rows_ = 0;
     std::vector<std::pair<std::size_t, std::size_t>> hidden_columns_;  ///< first ones and how many
     std::set<std::size_t> summaries_;
+    std::string covered_{};
+    std::size_t merged_ = 0;  ///< cells of ranges that were looked at
+    std::vector<Comment> comments_{};
 };
 
 /// The name of a cell, counted from zero: "B7".
@@ -112,6 +129,7 @@ class TableFile {
     [[nodiscard]] InputError in_sheet(const InputError& error) const;
 
     std::optional<std::string> name_{};  ///< of the sheet; none: the file is a text
+    std::size_t rows_ = 0;               ///< of the sheet; comments on its cells follow
     std::unique_ptr<TextLines> lines_;
     std::set<std::size_t> summaries_;
     std::vector<Finding> findings_;
