@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -326,7 +327,7 @@ std::string ascii_unit(std::string_view text) {
         {"\u2078", "8"},        {"\u2079", "9"},        {"\u00a0", " "}, {"\u2009", " "}, {"\u202f", " "},
         {"\u00c5", "angstrom"}, {"\u212b", "angstrom"}, {"**", "^"},
     }};
-    return replaced(text, spellings);
+    return text == "\"" || text == "\u2033" ? "in" : replaced(text, spellings);
 }
 
 std::string_view si_unit(Dimension dimension) {
@@ -369,7 +370,8 @@ std::optional<OwnUnit> angle_unit(std::string_view text) {
 /// Revolutions are not radians: Hz has both readings and is none.
 std::optional<OwnUnit> angular_velocity_unit(std::string_view text) {
     const std::string name = lower_case(ascii_unit(trimmed(text)));
-    if (contains_word("rpm u/min 1/min min-1", name)) return OwnUnit{std::numbers::pi / 30};
+    if (contains_word("rpm u/min r/min rev/min 1/min min-1", name)) return OwnUnit{std::numbers::pi / 30};
+    if (contains_word("rps rev/s rev.s-1", name)) return OwnUnit{2 * std::numbers::pi};
     if (contains_word("deg/s degrees/s", name)) return OwnUnit{std::numbers::pi / 180};
     return contains_word("rad/s rad.s-1 rads-1", name) || name == "rad s-1" ? std::optional(OwnUnit{1})
                                                                             : std::nullopt;
@@ -385,6 +387,19 @@ std::optional<OwnUnit> (*own_units(Dimension dimension))(std::string_view) {
 }  // namespace
 
 namespace {
+
+/// ", did you mean "GPa"?" for "Gpa", by the units of the examples of a dimension.
+std::string meant_unit(std::string_view unit, Dimension dimension) {
+    std::vector<std::string> units;
+    std::string_view examples = row_of(dimension).examples;
+    for (std::size_t end = 0; end < examples.size();
+         examples.remove_prefix(std::min(end + 1, examples.size()))) {
+        end = std::min(examples.find(','), examples.size());
+        const std::string_view one = trimmed(examples.substr(0, end));
+        units.emplace_back(one.substr(std::min(one.find(' '), one.size() - 1) + 1));
+    }
+    return did_you_mean(unit, units);
+}
 
 /// Refuses a unit with a part that has two readings. @throws InputError
 void require_one_reading(std::string_view unit) {
@@ -419,7 +434,9 @@ SiConversion::SiConversion(std::string_view unit, Dimension expected) : expected
         return;
     }
     const std::optional<Unit> from = read_unit(ascii_unit(unit));
-    if (!from) throw InputError("the unit " + in_quotes(unit) + " is not known", allowed(expected));
+    if (!from)
+        throw InputError("the unit " + in_quotes(unit) + " is not known" + meant_unit(unit, expected),
+                         allowed(expected));
     if (from->powers != read_unit(si_unit(expected))->powers)
         throw InputError(
             "the unit " + in_quotes(unit) + " is not one of " + std::string(dimension_name(expected)),
