@@ -205,9 +205,15 @@ std::optional<Finding> implausible(const PlausibleRange& range, const Writing& w
         throw InputError(fmt::format("{} has no unit and is {} {}{}", shortest(*written.number),
                                      shortest(written.value), unit, meant_with_unit(range, *written.number)),
                          fmt::format("{}; beyond that a number with its unit", range.words));
+    const std::string shown = readable(written.value, unit);
+    std::string_view rest(shown);
+    double number = 0;
+    static_cast<void>(take_decimal(rest, number));
+    std::string meant = number > 0 ? meant_with_unit(range, number) : std::string();
+    if (!meant.empty()) meant.replace(0, 3, " D");  // of ", did you mean ..."
     return Finding{implausible_code, Severity::doubt,
-                   fmt::format("{} is outside of what is plausible, {}: is the unit right?",
-                               readable(written.value, unit), range.words)};
+                   fmt::format("{} is outside of what is plausible, {}: is the unit right?{}", shown,
+                               range.words, meant)};
 }
 
 std::optional<Finding> implausible_at(const std::string& place, const PlausibleRange& range,
