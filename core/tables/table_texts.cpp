@@ -29,7 +29,7 @@ std::vector<TextBeside> texts_beside(const TextLines& file, std::span<const Text
 }
 
 CutTable cut_table(const TextLines& file, std::vector<TextLine> lines, std::size_t place,
-                   std::string_view code, Severity of_titles,
+                   std::string_view code, Severity of_titles, const std::set<std::string_view>& told,
                    const std::function<bool(TableRow&, const TableRow&)>& take_second) {
     CutTable table{.separator = separator_of(lines[place].text)};
     table.heading = cut_row(lines[place], table.separator);
@@ -40,14 +40,19 @@ CutTable cut_table(const TextLines& file, std::vector<TextLine> lines, std::size
         if (take_second ? take_second(table.heading, second) : take_units(table.heading, second, is_unit))
             ++first;
     }
+    const auto is_told = [&](const TextLine& line) {
+        return makes_statement({line.number, std::string(line.text)}, told);
+    };
     for (std::size_t i = 0; i < place; ++i)
-        table.findings.push_back({code, of_titles,
-                                  at_line(lines[i].number) + ", above the heading, is not read: " +
-                                      in_quotes(trimmed(lines[i].text))});
+        if (!is_told(lines[i]))
+            table.findings.push_back({code, of_titles,
+                                      at_line(lines[i].number) + ", above the heading, is not read: " +
+                                          in_quotes(trimmed(lines[i].text))});
     table.rows.assign(lines.begin() + static_cast<std::ptrdiff_t>(first), lines.end());
-    for (Finding& each : take_notes(lines, first, table.separator, code))
-        table.findings.push_back(std::move(each));
+    std::vector<Finding> notes = take_notes(lines, first, table.separator, code);
     const std::size_t rows = lines.size() - first;
+    for (std::size_t i = 0; i < notes.size(); ++i)
+        if (!is_told(table.rows[rows + i])) table.findings.push_back(std::move(notes[i]));
     table.notes.assign(table.rows.begin() + static_cast<std::ptrdiff_t>(rows), table.rows.end());
     table.rows.resize(rows);
     table.texts = texts_beside(file, std::span<const TextLine>(lines).subspan(place));
@@ -64,6 +69,21 @@ void CutTable::take_unused_cells(const std::function<bool(std::size_t column)>& 
 void CutTable::show(NumberMarks& marks) const {
     for (const TextLine& row : rows)
         for_each_cell(row, separator, [&](std::string_view cell, std::size_t k) { marks.see(cell, k); });
+}
+
+void refuse_blanks(const std::vector<TextLine>& lines) {
+    for (const TextLine& line : lines) {
+        std::string_view rest = trimmed(line.text);
+        std::size_t numbers = 0;
+        double value = 0;
+        while (take_decimal(rest, value) == std::errc{} && (rest.empty() || rest.front() == ' ')) {
+            ++numbers;
+            rest = trimmed(rest);
+        }
+        if (rest.empty() && numbers > 1)
+            refuse_line(line.number, "the numbers are apart by blanks",
+                        "tabs, semicolons or commas, as of numpy.savetxt(..., delimiter=\",\")");
+    }
 }
 
 void require_cells(TableRow& row, std::size_t columns) {
@@ -328,6 +348,11 @@ std::map<std::string_view, TextBeside> statements_in(const std::vector<TextBesid
             if (mention.list == "amorphous" ? mention.negated : !mention.negated)
                 found.emplace(mention.list == "amorphous" ? "crystalline part" : mention.list, each);
     return found;
+}
+
+bool makes_statement(const TextBeside& text, const std::set<std::string_view>& statements) {
+    const auto made = statements_in({text});
+    return std::ranges::any_of(made, [&](const auto& each) { return statements.contains(each.first); });
 }
 
 Finding unused_statement(std::string_view code, const TextBeside& text, std::string_view taken_as) {

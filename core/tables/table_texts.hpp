@@ -45,10 +45,15 @@ struct CutTable {
 };
 
 /// @param lines of the file with content @param place of the heading among them
+/// @param told statements of which the reader tells, so that their texts need no finding
 /// @param take_second takes a second line into the heading if it is part of it; none: one of units
 [[nodiscard]] CutTable cut_table(const TextLines& file, std::vector<TextLine> lines, std::size_t place,
                                  std::string_view code, Severity of_titles,
+                                 const std::set<std::string_view>& told = {},
                                  const std::function<bool(TableRow&, const TableRow&)>& take_second = {});
+
+/// Refuses rows of numbers apart by blanks, as numpy.savetxt() writes them. @throws InputError
+void refuse_blanks(const std::vector<TextLine>& lines);
 
 /// Refuses a row with another number of cells than the heading; empty ones at its end do not count.
 void require_cells(TableRow& row, std::size_t columns);
@@ -107,6 +112,9 @@ void require_diameters(const std::vector<TextBeside>& texts);
 /// What texts state of all numbers of a table, as the vocabulary lists it: "crystalline part", "ignited
 /// sample", "means", "tangential". The first text of each.
 [[nodiscard]] std::map<std::string_view, TextBeside> statements_in(const std::vector<TextBeside>& texts);
+
+/// Whether a text makes one of these statements.
+[[nodiscard]] bool makes_statement(const TextBeside& text, const std::set<std::string_view>& statements);
 
 /// A remark on a text whose statement is not used, and on what the numbers are taken as.
 [[nodiscard]] Finding unused_statement(std::string_view code, const TextBeside& text,

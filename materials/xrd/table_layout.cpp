@@ -763,11 +763,11 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
         return !text.empty() && (unit_of(text) != HeadingUnit::other || role_of_text(text) != Role::other ||
                                  read_unit(ascii_unit(text)));
     };
-    const CutTable cut = cut_table(file, std::move(lines), *heading, xrd_code, Severity::background,
-                                   [&](TableRow& names, const TableRow& second) {
-                                       return take_second_heading(names, second, is_unit) ||
-                                              take_units(names, second, is_unit);
-                                   });
+    const CutTable cut = cut_table(
+        file, std::move(lines), *heading, xrd_code, Severity::background,
+        {"crystalline part", "ignited sample"}, [&](TableRow& names, const TableRow& second) {
+            return take_second_heading(names, second, is_unit) || take_units(names, second, is_unit);
+        });
     Table table{.heading_line = cut.heading.line,
                 .headings = headings_of(cut.heading),
                 .rows = {},

@@ -69,6 +69,7 @@ class SieveTable {
   public:
     SieveTable(const TextLines& file, std::optional<DecimalMark> decimal) : marks_(decimal, file.of_sheet()) {
         std::vector<TextLine> lines = lines_with_content(file);
+        refuse_blanks(lines);
         const auto heading =
             std::ranges::find_if(lines, [&](const TextLine& line) { return is_heading(line); });
         if (heading == lines.end())
@@ -78,7 +79,7 @@ class SieveTable {
                 "\"share [%]\"");
         const auto place = static_cast<std::size_t>(heading - lines.begin());
         CutTable table = cut_table(
-            file, std::move(lines), place, "deposition", Severity::remark,
+            file, std::move(lines), place, "deposition", Severity::remark, {},
             [](TableRow& names, const TableRow& second) { return take_units(names, second, is_sieve_unit); });
         const std::size_t heading_line = table.heading.line;
         take_columns(table.heading);

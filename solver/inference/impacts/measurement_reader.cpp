@@ -642,8 +642,10 @@ void add_implausible(const MeasuredColumn& column, MeasurementSet& set) {
 MeasurementSet read_table(const TextLines& file, std::string_view name, std::optional<DecimalMark> decimal) {
     auto lines = lines_with_content(file);
     if (lines.empty()) throw InputError("the file holds no table", "a heading and one line an impact");
+    refuse_blanks(lines);
     const std::size_t place = heading_place(lines);
-    const CutTable table = cut_table(file, std::move(lines), place, impacts_code, Severity::background);
+    const CutTable table =
+        cut_table(file, std::move(lines), place, impacts_code, Severity::background, {"means", "tangential"});
     const std::string heading_line = at_line(table.heading.line);
     MeasurementHeading heading =
         at_place(heading_line, [&] { return read_measurement_heading(table.heading.cells); });
