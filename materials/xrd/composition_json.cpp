@@ -2,10 +2,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
+
+#include <fmt/format.h>
 
 #include "core/json/document.hpp"
 #include "core/json/view.hpp"
+#include "core/quantities/quantity.hpp"
+#include "core/tables/table_texts.hpp"
+#include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "materials/xrd/readers.hpp"
 #include "materials/xrd/xrd.hpp"
@@ -16,8 +22,14 @@ namespace {
 
 constexpr std::array<std::string_view, 4> ways{"weight_fractions", "volume_fractions", "phases", "peaks"};
 
-Quantity read_fraction(const View& node) {
-    Quantity fraction = node.quantity(Dimension::fraction);
+/// @param basis that a text may state: "60 wt%"; none: it may not
+Quantity read_fraction(const View& node, std::optional<FractionBasis> basis = std::nullopt) {
+    const Quantity fraction =
+        basis && node.is_string()
+            ? at_place(
+                  node.pointer(),
+                  [&] { return quantity_of_text(without_basis(node.text(), *basis), Dimension::fraction); })
+            : node.quantity(Dimension::fraction);
     if (!(fraction.value >= 0 && fraction.value <= 1))
         node.fail("the fraction is " + per_cent(fraction.value), "0 % to 100 % (0 to 1)");
     return fraction;
@@ -114,7 +126,7 @@ Amorphous read_amorphous(const View& node, FractionBasis basis) {
         node.fail("the amorphous part is " + in_quotes(node.text()),
                   R"("none", "remainder", a fraction such as "47 %", or an object)");
     if (!node.is_object() || node.has("value")) {
-        const Quantity whole = read_fraction(node);
+        const Quantity whole = read_fraction(node, basis);
         return AmorphousFraction{whole.value, whole.standard_uncertainty, basis};
     }
     node.require_keys({"weight_fraction", "volume_fraction", "crystalline_total", "remainder_scale"});
@@ -184,6 +196,17 @@ XrdResult read_samples(const View& root) {
 }
 
 }  // namespace
+
+std::string without_basis(const std::string& text, FractionBasis basis) {
+    const auto stated = bases_in(text);
+    if (stated.empty() || text.find('%') == std::string::npos) return text;
+    const std::string_view own = basis == FractionBasis::weight ? "weight" : "volume";
+    if (stated.size() > 1 || *stated.begin() != own)
+        throw InputError(fmt::format("{} is by {}, and the phases are by {}", in_quotes(text),
+                                     *stated.rbegin() == own ? *stated.begin() : *stated.rbegin(), own),
+                         fmt::format("a fraction by {}", own));
+    return text.substr(0, text.find_last_of("0123456789)") + 1) + " %";
+}
 
 Analysis read_fractions_json(const View& node) {
     Analysis analysis;

@@ -91,6 +91,9 @@ namespace xrd {
 /// there twice, and fractions given in more than one way or in none.
 [[nodiscard]] Analysis read_fractions_json(const View& node);
 
+/// "60 %" for "60 wt%", where fractions are by weight. @throws InputError for "60 vol%" there
+[[nodiscard]] std::string without_basis(const std::string& text, FractionBasis basis);
+
 /// Completes fractions, from any source, by the keys beside them: "densities" of single phases,
 /// "amorphous", "amorphous_phase" and "internal_standard". What is not there stays as it is in @p analysis.
 /// Errors: InputError with the JSON pointer for a density of no phase, and an amorphous part that is stated

@@ -40,7 +40,9 @@ Amorphous read_amorphous(const std::string& text, FractionBasis basis) {
     if (text == "none") return AmorphousNone{};
     if (text == "remainder") return AmorphousRemainder{};
     try {
-        const Quantity fraction = read_fraction("--amorphous-fraction", text);
+        constexpr auto option = "--amorphous-fraction";
+        const Quantity fraction =
+            read_fraction(option, at_place(option, [&] { return xrd::without_basis(text, basis); }));
         if (fraction.value == 0) return AmorphousNone{};
         return AmorphousFraction{fraction.value, fraction.standard_uncertainty, basis};
     } catch (const InputError& error) {
