@@ -79,6 +79,10 @@ const Spoiled spoiled_specs[]{
      "/variables/velocity: minimum and maximum cut off all of it"},
     {"/variables/radius/geometric_standard_deviation = 1",
      "/variables/radius/geometric_standard_deviation: is 1"},
+    {R"(/variables/radius/geometric_standard_deviation = "150 %")",
+     "/variables/radius/geometric_standard_deviation: is \"150 %\", the factor 1.5 or one more, 2.5"},
+    {R"(/variables/velocity = "1 to 2 m/s")",
+     R"(/variables/velocity: is "1 to 2 m/s"; allowed: an object: {"values": [...]})"},
     // Without meaning, though bounds cut it off.
     {R"(/variables/radius/geometric_standard_deviation = 1e300 ; /variables/radius/minimum = "1 um" ; )"
      R"(/variables/radius/maximum = "100 um")",

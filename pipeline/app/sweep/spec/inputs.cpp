@@ -5,6 +5,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "core/quantities/checks.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
@@ -189,6 +191,12 @@ class VariableReader {
         constexpr auto spread = "geometric_standard_deviation";
         allow("\"log-normal\"", {"distribution", "median", spread, "minimum", "maximum"});
         if (!node_.has(spread)) node_.fail(in_quotes(spread) + " is missing", "a number above 1");
+        if (const View given = node_.at(spread); given.is_string() && given.text().ends_with('%')) {
+            const double share = given.number(Dimension::fraction);
+            given.fail(fmt::format("is {}, the factor {} or one more, {}", in_quotes(given.text()),
+                                   shortest(share), shortest(1 + share)),
+                       "the factor: a number above 1");
+        }
         LogNormal normal{at("median"), node_.at(spread).number(Dimension::fraction)};
         const double deviation = normal.geometric_standard_deviation;
         require_order(normal.median > 0, "median > 0");
