@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "core/quantities/checks.hpp"
@@ -141,8 +142,10 @@ bool View::truth() const {
 }
 
 int View::integer() const {
-    if (!value_->is_number_integer()) fail("is not an integer", "an integer");
-    return value_->get<int>();
+    constexpr double most = std::numeric_limits<int>::max();
+    const double number = value_->is_number() ? value_->get<double>() : 0.5;
+    if (number != std::floor(number) || std::abs(number) > most) fail("is not an integer", "an integer");
+    return static_cast<int>(number);
 }
 
 Quantity View::quantity(Dimension dimension) const {

@@ -356,7 +356,7 @@ void validate_document(const Json& document, std::string_view schema_name) {
     Path path;
     refuse_long_lists(document, schema, path);
     const nlohmann::json plain_schema(schema);
-    const nlohmann::json plain_document(document);
+    const nlohmann::json plain_document(as_read_back(document));  // 2.0 is a whole number
     valijson::Schema compiled;
     valijson::SchemaParser parser;
     parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(plain_schema), compiled);
@@ -366,7 +366,7 @@ void validate_document(const Json& document, std::string_view schema_name) {
     // The validator lists every error of a document, so beginnings of increasing length are validated until
     // one has an error.
     for (std::size_t most = 16;; most *= 2) {
-        const nlohmann::json beginning = beginning_of(document, most);
+        const nlohmann::json beginning = beginning_of(as_read_back(document), most);
         valijson::ValidationResults results;
         const valijson::adapters::NlohmannJsonAdapter part(beginning);
         if (!validator.validate(compiled, part, &results)) refuse(document, schema, decisive(results));
