@@ -26,14 +26,6 @@ namespace ashimpact {
 
 namespace {
 
-double read_frame_rate(const CommandOptions& options) {
-    try {
-        return options.number("--frame-rate", Dimension::fraction);
-    } catch (const InputError& error) {
-        throw InputError(error.problem(), "frames per second, e.g. 80000").at("--frame-rate");
-    }
-}
-
 double read_size_scatter(const CommandOptions& options) {
     const double scatter = options.number("--size-scatter", Dimension::fraction);
     at_place("--size-scatter", [&] { require_size_scatter(scatter); });
@@ -52,9 +44,10 @@ MeasurementSet read_impacts(const CommandOptions& options) {
     MeasurementSet set =
         read_measurements(read_file(options["--impacts"]), options["--impacts"], table_options(options));
     if (options.has("--frame-rate")) {
-        const Camera camera{.frame_rate = read_frame_rate(options),
-                            .pixel_size = options.number("--pixel-size", Dimension::length),
-                            .frames = options.whole("--frames", Camera{}.frames)};
+        const Camera camera{
+            .frame_rate = at_place("--frame-rate", [&] { return read_frame_rate(options["--frame-rate"]); }),
+            .pixel_size = options.number("--pixel-size", Dimension::length),
+            .frames = options.whole("--frames", Camera{}.frames)};
         set = at_place("--frame-rate, --pixel-size", [&] { return with_camera(std::move(set), camera); });
     }
     warn_of(set.warnings, options["--impacts"]);

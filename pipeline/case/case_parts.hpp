@@ -76,6 +76,8 @@ void read_detachments(const std::optional<View>& node, std::vector<LawChoice>& c
 
 /// The camera that velocities were read from. @throws InputError with the JSON pointer
 [[nodiscard]] Camera read_camera(const View& node);
+/// "80000", "80 kHz" or "80000 fps" [1/s]. @throws InputError
+[[nodiscard]] double read_frame_rate(std::string_view text);
 
 /// Measured impacts, from columns in the case or a file; @p camera serves impacts without an
 /// uncertainty. @throws InputError with the JSON pointer, or the file and line

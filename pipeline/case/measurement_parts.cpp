@@ -7,7 +7,9 @@
 #include "core/json/view.hpp"
 #include "core/quantities/checks.hpp"
 #include "core/quantities/quantity.hpp"
+#include "core/text/error.hpp"
 #include "core/text/text.hpp"
+#include "core/units/units.hpp"
 #include "pipeline/case/case_parts.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 
@@ -110,9 +112,26 @@ std::string place_of(const Measurement& point, std::size_t index) {
 
 }  // namespace
 
+double read_frame_rate(std::string_view text) {
+    std::string_view rest = trimmed(text);
+    double number = 0;
+    const bool is_number = take_decimal(rest, number) == std::errc{};
+    rest = trimmed(rest);
+    const std::string unit = rest == "fps" || rest == "1/s" ? "Hz" : ascii_unit(rest);
+    const auto known = rest.empty() ? Unit{} : read_unit(unit);
+    const bool is_frequency =
+        rest.empty() || (known && unit != "rpm" && known->powers == read_unit("Hz")->powers);
+    if (!is_number || !is_frequency)
+        throw InputError("is " + in_quotes(text), "frames per second, e.g. 80000, \"80 kHz\"");
+    return number * known->factor;
+}
+
 Camera read_camera(const View& node) {
+    const View rate = node.at("frame_rate");
     Camera camera{
-        .frame_rate = node.at("frame_rate").number(Dimension::fraction),
+        .frame_rate = rate.is_string()
+                          ? at_place(rate.pointer(), [&] { return read_frame_rate(rate.text()); })
+                          : rate.number(Dimension::fraction),
         .pixel_size = positive_quantity(node.at("pixel_size"), "pixel size", Dimension::length).value};
     if (const auto frames = node.find("frames")) camera.frames = frames->integer();
     if (const auto position = node.find("position_in_pixels"))
