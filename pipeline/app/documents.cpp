@@ -128,7 +128,7 @@ void run_inspect_command(const CommandOptions& options, std::ostream& out) {
         require_schema_version(document, true);
         validate_document(document, schema_of_artifact(document));
         require_quantities(View(document));
-        if (is_known_edited(document)) spdlog::warn("warning: {}: was edited after ashimpact wrote it", file);
+        if (is_known_edited(document)) spdlog::warn("warning: {}: {}", file, edited_words);
         out << artifact_text(document, {.all = options.has("--all")},
                              spdlog::should_log(spdlog::level::debug));
     });
@@ -277,7 +277,7 @@ std::optional<Json> sweep_result(const std::string& file) {
         if (!document.is_object() || document.value("schema", Json()) != "sweep-result") return std::nullopt;
         validate_document(document, "sweep-result");
         if (is_known_edited(document)) {
-            const std::string text = "was edited after ashimpact wrote it; its values count";
+            const std::string text = fmt::format("{}; its values count", edited_words);
             spdlog::warn("warning: {}: {}", file, text);
             document["warnings"].push_back("the result " + text);
         }

@@ -47,8 +47,11 @@ ExportSubject subject_of_options(const CommandOptions& options) {
                                      .damping = {{{0, damping.coefficient}}}}},
                           .from_diameter = diameter,
                           .to_diameter = diameter};
-    subject.origins = {fmt::format("radius of the sphere {}, density {}, from the command line",
-                                   readable(choice.sphere.radius, "m"), readable(density, "kg/m3")),
+    const std::string sphere = options.has("--mass")
+                                   ? "mass " + readable(choice.sphere.mass, "kg") + ", which is a density of"
+                                   : "density";
+    subject.origins = {fmt::format("radius of the sphere {}, {} {}, from the command line",
+                                   readable(choice.sphere.radius, "m"), sphere, readable(density, "kg/m3")),
                        fmt::format("E* = {}, contact modulus of {} together, from the command line",
                                    readable(choice.contact.contact_modulus, "Pa"),
                                    choice.partner ? "both spheres" : "particle and wall"),
@@ -238,7 +241,10 @@ void run_export_command(const CommandOptions& options, const TableImage& image, 
         subject = softened(std::move(subject), options.number("--soften", Dimension::fraction));
         require_small_overlaps(subject);
     }
-    const ExportFolder files = code.folder(subject, image);
+    ExportFolder files = code.folder(subject, image);
+    for (ExportFile& file : files)
+        if (file.name == "README.md" && !subject.edits.empty())
+            file.content += fmt::format("\n## Edited\n\n{}.\n", fmt::join(subject.edits, ".\n"));
     require_inside_model(subject);
     const std::filesystem::path folder(options["--output"]);
     require_free(folder, files, code.name);

@@ -73,8 +73,7 @@ bool note_edits(const Stage& stage, const Artifacts& before, StageRecord& record
     for (const std::string_view file : stage.reads) {
         const Artifact& artifact = before.at(file);
         if (artifact.edited)
-            record.note(
-                {"edited", Severity::remark, std::string(file) + " was edited after ashimpact wrote it"});
+            record.note({"edited", Severity::remark, fmt::format("{} {}", file, edited_words)});
         edited = edited || artifact.edited;
         rests_on_edit = rests_on_edit || artifact.document->at("provenance").value("edited", false);
     }

@@ -169,7 +169,7 @@ Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view f
             require_possible_result(document);
             if (file != histories_artifact)
                 doubts = implausible_values(document.at("result"), "/result", file == case_artifact);
-            spdlog::warn("warning: {}: was edited after ashimpact wrote it; its values count", path.string());
+            spdlog::warn("warning: {}: {}; its values count", path.string(), edited_words);
         }
         return Artifact{std::string(file),
                         std::make_shared<const Json>(std::move(document)),

@@ -57,6 +57,9 @@ struct Envelope {
 /// @param run identity of its run; empty: it starts one
 [[nodiscard]] Artifact sealed_artifact(const Envelope& envelope, Json result, const std::string& run);
 
+/// What is said of an artifact that was edited, behind its name.
+inline constexpr std::string_view edited_words = "was edited after ashimpact wrote it";
+
 /// An artifact of an earlier run, checked against its schema. An edited one is taken, with a warning.
 [[nodiscard]] Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view file);
 

@@ -327,7 +327,7 @@ void add_temperature_doubts(const Run& run, Law law, std::size_t i, std::vector<
 std::vector<std::string> edits_of(const Run& run) {
     std::set<std::string> lines;
     for (const StageRecord& record : run.records) {
-        if (record.edited) lines.insert(record.file + " was edited after ashimpact wrote it");
+        if (record.edited) lines.insert(fmt::format("{} {}", record.file, edited_words));
         for (const Note& note : record.notes)
             if (note.code == "edited" || note.code == "rests-on-edit") lines.insert(note.text);
     }
