@@ -389,7 +389,10 @@ SizeCalibration read_size_calibration(const CommandOptions& options, const std::
                 .at("--free");
     if (options.has("--allow-outside")) warn_idle("--allow-outside", "there is no case");
     std::vector<SizedVelocity> rows = read_sizes(options);
-    if (rows.empty()) throw InputError("has no velocity with a size", "rows of d and v_c").at("--sizes");
+    if (rows.empty())
+        throw InputError(in_quotes(options["--sizes"]) + " has no measured v_c of one stated diameter",
+                         "a table of d and v_c, or a source with both: `ashimpact literature`")
+            .at("--sizes");
     complete_uncertainties(rows, options);
     std::ranges::sort(rows, {}, &SizedVelocity::diameter);
     const SizeModel model = read_size_model(options, free, rows.back());

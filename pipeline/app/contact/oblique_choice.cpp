@@ -20,7 +20,9 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 
 /// Words for a reader. @param result of an impact with friction
-std::string regime_words(const ObliqueResult& result) {
+std::string regime_words(const ObliqueResult& result, double friction) {
+    if (friction == 0 && result.tangential.regime != SlidingRegime::captured)
+        return "slides freely: nothing acts along the wall";
     switch (result.tangential.regime) {
         case SlidingRegime::sliding:
             return "slides throughout";
@@ -110,7 +112,8 @@ std::string oblique_text(const ObliqueImpact& impact, const ObliqueResult& resul
     };
     TextList list;
     list.add("angle", degrees(std::atan2(std::abs(impact.tangential.velocity), impact.normal.velocity)));
-    list.add("friction", fmt::format("mu = {}: {}", readable_number(impact.friction), regime_words(result)));
+    list.add("friction", fmt::format("mu = {}: {}", readable_number(impact.friction),
+                                     regime_words(result, impact.friction)));
     if (result.rebound_angle) {
         list.add("rebound angle", degrees(*result.rebound_angle));
         if (result.tangential_restitution)

@@ -186,7 +186,7 @@ std::vector<std::string> deposition_sentences(const DepositionResult& result) {
             fmt::format("The rest rebounds with a mean restitution of {:.2g}, at {} normal to the wall ({}).",
                         *total.rebound.restitution, readable(*total.rebound.velocity, "m/s"),
                         result.measured ? "at other sizes as measured at equal v/v_c, an assumption"
-                                        : "by the damping given"));
+                                        : "by the constants given"));
     return sentences;
 }
 
