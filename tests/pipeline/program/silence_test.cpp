@@ -88,6 +88,9 @@ TEST_CASE("export computes from an edited critical velocity; a report waits for 
     test::succeeded(sandbox, export_run);
     CHECK(sandbox.read("out/expected.json") != before);
     CHECK(sandbox.read("out/expected.json") == containing("1.485"));
+    for (const char* file : {"out/README.md", "out/assumptions.md"})
+        CHECK(sandbox.read(file) ==
+              containing("7-critical-velocity.json was edited after ashimpact wrote it"));
     check_refused(sandbox, "report results",
                   "results/8-histories.json: was computed from another 7-critical-velocity.json than the one "
                   "beside it; allowed: --from histories of");
@@ -289,6 +292,66 @@ TEST_CASE("energy that rounding leaves is not shown as dissipated") {
     CHECK(run.out == containing("capture"));
     CHECK(run.out != containing("dissipated"));
     CHECK(run.out == containing("left in the contact  -20.35 fJ"));
+}
+
+TEST_CASE("one quantity in the spellings of its field is one result") {
+    const Sandbox sandbox;
+    sandbox.write("impacts.csv", "v_in [m/s],v_r [m/s]\n1.9,0.25\n2.4,0.7\n");
+    sandbox.write("ash.csv", "phase,wt%\nquartz,40\nmullite,60\n");
+    const std::string oblique =
+        std::string("impact --law hertz --velocity 2 --angle '30 deg' --friction 0.2") + elastic_sphere;
+    const std::string camera =
+        std::string("damping --law dmt --impacts impacts.csv --pixel-size '2 um'") + adhesive_sphere;
+    const std::string contact =
+        "contact --density 2600 --contact-modulus '90 GPa' --work-of-adhesion 0.3 --diameter ";
+    const std::string ash = "modulus ash.csv --amorphous-fraction ";
+    for (const auto& [first, second] :
+         {std::pair{oblique + " --spin '10 rev/s'", oblique + " --spin '600 rpm'"},
+          {camera + " --frame-rate '80 kHz'", camera + " --frame-rate 80000"},
+          {contact + "'0.001\"'", contact + "'0.001 in'"},
+          {ash + "'60 wt%'", ash + "'60 %'"},
+          {ash + "'60 % by weight'", ash + "'60 %'"}}) {
+        CAPTURE(first);
+        CHECK(test::succeeded(sandbox, first).out == test::succeeded(sandbox, second).out);
+    }
+    check_refused(sandbox, ash + "'60 vol%'",
+                  "--amorphous-fraction: \"60 vol%\" is by volume, and the phases are by weight");
+    check_refused(sandbox, camera + " --frame-rate '80000 rpm'", "--frame-rate: is \"80000 rpm\"");
+    check_refused(sandbox,
+                  std::string("impact --law hertz --velocity 2 --radius '44 um' --density 2600 ") +
+                      "--contact-modulus '90 Gpa'",
+                  "the unit \"Gpa\" is not known, did you mean \"GPa\"?");
+}
+
+TEST_CASE("a slip of a unit is warned of with the unit that was meant; no friction is no sticking") {
+    const Sandbox sandbox;
+    const auto soft = test::succeeded(
+        sandbox,
+        "contact --diameter '88 um' --density 2600 --young-modulus '148 GPa' --poisson-ratio 0.2 "
+        "--wall-young-modulus '193 Pa' --wall-poisson-ratio 0.29 --work-of-adhesion 0.3");
+    CHECK(soft.err == containing("is the unit right? Did you mean 193 GPa?"));
+    const auto impact = test::succeeded(
+        sandbox,
+        std::string("impact --law hertz --velocity 2 --angle '30 deg' --friction 0") + elastic_sphere);
+    CHECK(impact.out == containing("mu = 0: slides freely"));
+}
+
+TEST_CASE("what a title states is said once, as it is used") {
+    const Sandbox sandbox;
+    for (const char* table : {"Fractions of the crystalline part\nphase,wt%\nquartz,40\nmullite,60\n",
+                              "phase,wt%\nquartz,40\nmullite,60\n\n* fractions of the crystalline part\n"}) {
+        sandbox.write("ash.csv", table);
+        const auto modulus = test::succeeded(sandbox, "-v modulus ash.csv --amorphous-fraction '40 %'");
+        CHECK(modulus.err == containing("the fractions are those of the crystalline part, as line"));
+        CHECK(modulus.err != containing("is not read"));
+    }
+    sandbox.write("plain.csv", "# v_in e_n\n1.4e+00 1e-1\n1.5e+00 2e-1\n");
+    check_refused(sandbox, std::string("damping --law dmt --impacts plain.csv") + adhesive_sphere,
+                  "plain.csv: line 2: the numbers are apart by blanks; allowed: tabs, semicolons or commas");
+    check_refused(sandbox,
+                  "calibrate --sizes wall1990 --law jkr --density 2600 --contact-modulus '90 GPa' --free "
+                  "work_of_adhesion",
+                  "\"wall1990\" has no measured v_c of one stated diameter");
 }
 
 TEST_CASE("a range in the place of one value is named as one") {
