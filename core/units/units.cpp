@@ -193,9 +193,10 @@ class UnitReader {
   private:
     std::optional<Unit> products() {
         std::optional<Unit> left = power();
-        while (left) {
+        for (std::size_t factors = 1; left; ++factors) {
             const bool blank = skip_blanks();
-            if (rest_.empty() || rest_.front() == ')') return left;
+            if (rest_.empty() || rest_.front() == ')')
+                return has_share_ && factors > 1 ? std::nullopt : left;  // "5 % um" is none
             const bool divides = skip("/") || (blank && skip_per());
             if (!divides) static_cast<void>(skip(".") || skip("*") || skip("-"));
             skip_blanks();
@@ -222,6 +223,7 @@ class UnitReader {
         }
         const std::string_view name = rest_.substr(0, length_of_name());
         rest_.remove_prefix(name.size());
+        has_share_ = has_share_ || name == "%" || lower_case(name) == "percent";
         return name.empty() ? std::nullopt : unit_named(name);
     }
 
@@ -263,6 +265,7 @@ class UnitReader {
     }
 
     std::string_view rest_;
+    bool has_share_ = false;  ///< whether it has a per cent, which is a unit by itself alone
 };
 
 const DimensionRow& row_of(Dimension dimension) {

@@ -292,6 +292,17 @@ TEST_CASE("units are read as UDUNITS-2 2.2.28 reads them") {
     }
 }
 
+TEST_CASE("per cent is no factor of another unit") {
+    for (const char* text :
+         {"90 % GPa", "193 +- 5 % GPa", "88 \u00b1 4 % um", "10 % %", "30 % J/m2", "5 percent um"}) {
+        CAPTURE(text);
+        CHECK(!input_error_of([&] { return parse_quantity(text, Dimension::length); }).empty());
+        CHECK(!input_error_of([&] { return parse_quantity(text, Dimension::pressure); }).empty());
+        CHECK(!input_error_of([&] { return parse_quantity(text, Dimension::fraction); }).empty());
+    }
+    CHECK(parse_quantity("5 %", Dimension::fraction) == 0.05);
+}
+
 TEST_CASE("a unit of two readings is refused with both") {
     CHECK_THROWS_WITH_AS(static_cast<void>(parse_quantity("2.3 gr/cm3", Dimension::density)),
                          "the unit \"gr/cm3\" has two readings, gram and grain; allowed: \"g\" or \"grain\"",
