@@ -138,6 +138,19 @@ struct DepositSource {
     std::vector<Finding> notes{};
 };
 
+/// One constant damping for sizes that differ, without the user stating that each has it.
+std::optional<Finding> doubt_of_damping(const CommandOptions& options, const DepositingAsh& ash) {
+    constexpr double similar_sizes = 1.1;
+    const double least = ash.classes.front().diameter();
+    const double greatest = ash.classes.back().diameter();
+    if (!options.has("--damping") || options.has("--damping-law") || greatest < similar_sizes * least)
+        return std::nullopt;
+    return Finding{"damping-over-sizes", Severity::doubt,
+                   fmt::format("one coefficient in kg/s for sizes of {} to {}: with it v_c of small spheres "
+                               "grows without bound; --damping-law constant states that it is meant",
+                               readable(least, "m"), readable(greatest, "m"))};
+}
+
 DepositSource source_of_run(const CommandOptions& options, const TubeConditions& tube,
                             const ParticleSizes& sizes) {
     refuse_contact_options(options);
@@ -234,6 +247,10 @@ Deposition write_deposition(const CommandOptions& options, const TableOptions& t
         source = source_of_run(options, tube, sizes.sizes);
     else
         source.ash = ash_of_options(options, tube, sizes.sizes);
+    if (auto doubt = doubt_of_damping(options, source.ash)) {
+        warn_of({*doubt}, "--damping");
+        doubts.push_back(*std::move(doubt));
+    }
     if (sizes.file) source.inputs.push_back(*sizes.file);
 
     StageRecord record{.stage = "deposition", .file = deposit_artifact};

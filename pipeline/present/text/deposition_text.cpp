@@ -105,7 +105,7 @@ std::string size_group_table(const DepositionResult& result, std::size_t width) 
 }
 
 std::string angle_table(const DepositionResult& result, std::size_t width) {
-    TextTable table({"from the front", "arrives %", "stays %", "v_n", "v_r", "g/(m2 h)"}, 1);
+    TextTable table({"from the front", "arrives %", "stays % of all", "v_n", "v_r", "g/(m2 h)"}, 1);
     for (std::size_t i = 0; i < result.angles.size(); i += arcs_together) {
         const std::size_t end = std::min(result.angles.size(), i + arcs_together);
         double arrives = 0;

@@ -59,6 +59,21 @@ TEST_CASE("a damping by its restitution is that of the size, and refused where s
     }
 }
 
+TEST_CASE("one damping in kg/s for many sizes is doubted, unless its law is stated") {
+    const Sandbox sandbox;
+    const std::string contact =
+        " --law dmt --density '2300 kg/m3' --contact-modulus '90 GPa' --work-of-adhesion '0.3 J/m2' "
+        "--damping '1e-4 kg/s'";
+    const std::string many = " --sizes 'rosin-rammler: 20 um, 1.2'";
+    const auto said = [&](const std::string& more) {
+        return contains(succeeded(sandbox, "deposit" + superheater + contact + more).err,
+                        "one coefficient in kg/s for sizes of");
+    };
+    CHECK(said(many));
+    CHECK_FALSE(said(many + " --damping-law constant"));
+    CHECK_FALSE(said(" --sizes '20 um'"));
+}
+
 TEST_CASE("a deposition conserves mass over sizes, around the tube and along its length") {
     const Sandbox sandbox;
     const Json artifact =

@@ -285,6 +285,9 @@ TEST_CASE("one constant damping for sizes far apart is doubted, unless the spec 
     CHECK(warnings()[0] ==
           test::containing("damping: one coefficient for radii of 20 um to 44 um; with it v_c of small"));
     Json stated = json;
+    json["variables"]["radius"] = {{"values", {"44 um", "20 um", "44 um"}}};  // in any order
+    REQUIRE(warnings().size() == 1);
+    CHECK(warnings()[0] == test::containing("radii of 20 um to 44 um"));
     json["impact"]["damping_over_sizes"] = "same";
     CHECK(warnings().empty());
     json["impact"]["damping_over_sizes"] = {{"power", 1.5}, {"at_radius", "44 um"}};

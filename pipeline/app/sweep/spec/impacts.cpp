@@ -221,20 +221,50 @@ ImpactColumns::Values ImpactColumns::keep(Eigen::ArrayXd values) {
     return {kept.data(), static_cast<std::size_t>(kept.size())};
 }
 
+Support bulk_of(const SweepSpec& spec, ImpactInput input) {
+    if (const auto& fixed = spec.fixed[static_cast<std::size_t>(input)]) return {*fixed, *fixed};
+    const Distribution& distribution =
+        std::ranges::find(spec.variables, input, &SweepVariable::input)->distribution;
+    if (std::holds_alternative<Choice>(distribution)) return support_of(distribution);
+    std::vector<double> ends{0.005, 0.995};
+    to_quantiles(distribution, ends);
+    return {ends[0], ends[1]};
+}
+
+namespace {
+
+/// What varies of the inputs that the Tabor parameter depends on.
+std::optional<std::string> varied_below_tabor(const SweepSpec& spec) {
+    for (const ImpactInput input : {ImpactInput::radius, ImpactInput::partner_radius,
+                                    ImpactInput::work_of_adhesion, ImpactInput::contact_modulus})
+        if (std::ranges::find(spec.variables, input, &SweepVariable::input) != spec.variables.end())
+            return std::string(name_of(input));
+    return std::nullopt;
+}
+
+}  // namespace
+
 std::vector<std::string> warnings_of_sizes(const SweepSpec& spec) {
-    const auto radius = std::ranges::find(spec.variables, ImpactInput::radius, &SweepVariable::input);
-    if (radius == spec.variables.end() || !is_given(spec, ImpactInput::damping) ||
-        spec.damping_law != DampingLaw::constant || spec.damping_over_sizes)
-        return {};
+    std::vector<std::string> warnings;
+    const auto varied = varied_below_tabor(spec);
+    for (const LawParameter& parameter : law_parameters())
+        if (varied && parameter.name == "tabor" &&
+            spec.fixed[static_cast<std::size_t>(input_of(parameter))].has_value())
+            warnings.push_back("tabor: stays the same while " + *varied +
+                               " varies, so that the range of the attraction goes with it; cohesion_range "
+                               "or cohesive_stress is one for all");
     constexpr double similar_sizes = 1.1;  // greatest ratio of radii that one damping may serve
-    std::array shares{0.05, 0.5, 0.95};
-    to_quantiles(radius->distribution, shares);
-    const auto [small, middle, large] = shares;
-    if (large <= similar_sizes * small) return {};
-    return {
-        "damping: one coefficient for radii of " + readable(small, "m") + " to " + readable(large, "m") +
-        "; with it v_c of small spheres grows without bound. State \"damping_over_sizes\": \"same\", or a "
-        "power of the radius, or choose another damping_law"};
+    if (!is_given(spec, ImpactInput::radius) || !is_given(spec, ImpactInput::damping) ||
+        spec.damping_law != DampingLaw::constant || spec.damping_over_sizes)
+        return warnings;
+    const Support radii = bulk_of(spec, ImpactInput::radius);
+    if (radii.highest > similar_sizes * radii.lowest)
+        warnings.push_back("damping: one coefficient for radii of " + readable(radii.lowest, "m") + " to " +
+                           readable(radii.highest, "m") +
+                           "; with it v_c of small spheres grows without bound. State "
+                           "\"damping_over_sizes\": \"same\", or a power of the radius, or choose another "
+                           "damping_law");
+    return warnings;
 }
 
 std::vector<double> captures_outside_model(const SweepSpec& spec) {

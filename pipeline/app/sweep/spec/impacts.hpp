@@ -57,8 +57,11 @@ struct ImpactModel {
     DampingLaw damping_law;
 };
 
+/// The middle 99 % of the values of an input; all of those that are listed.
+[[nodiscard]] Support bulk_of(const SweepSpec& spec, ImpactInput input);
+
 /// What to doubt where sizes vary: a constant damping that is the same for all of them without the spec
-/// stating so.
+/// stating so, and a Tabor parameter that stays while what it depends on varies.
 [[nodiscard]] std::vector<std::string> warnings_of_sizes(const SweepSpec& spec);
 
 /// By law, the share of captures whose critical velocity is above fastest_in_model, from at most 1024

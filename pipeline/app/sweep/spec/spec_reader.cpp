@@ -93,17 +93,6 @@ void require_one_mass(const View& document, const SweepSpec& spec, ImpactInput d
         require_input(document, spec, density, ", and so is " + in_quotes(name_of(mass)));
 }
 
-/// The middle 99 % of the values of an input; all of those that are listed.
-Support bulk_of(const SweepSpec& spec, ImpactInput input) {
-    if (const auto& fixed = spec.fixed[static_cast<std::size_t>(input)]) return {*fixed, *fixed};
-    const Distribution& distribution =
-        std::ranges::find(spec.variables, input, &SweepVariable::input)->distribution;
-    if (std::holds_alternative<Choice>(distribution)) return support_of(distribution);
-    std::vector<double> ends{0.005, 0.995};
-    to_quantiles(distribution, ends);
-    return {ends[0], ends[1]};
-}
-
 /// Warns if a radius with a mass makes a sphere of an implausible density.
 void warn_of_mass(SweepSpec& spec, ImpactInput radius_input, ImpactInput mass_input) {
     if (!is_given(spec, radius_input) || !is_given(spec, mass_input)) return;
