@@ -28,6 +28,31 @@ std::vector<TextBeside> texts_beside(const TextLines& file, std::span<const Text
     return texts;
 }
 
+std::optional<Finding> unread_comments(const TextLines& file, std::size_t heading, std::string_view code,
+                                       Severity severity, const std::set<std::string_view>& told) {
+    constexpr std::size_t shown = 3;
+    constexpr std::size_t longest = 80;  // of a comment that is shown
+    std::size_t first = 0;
+    std::vector<std::string> comments;
+    for (const TextLine& line : file.lines()) {
+        const std::string_view text = trimmed(line.text);
+        const std::string_view bare = text.substr(std::min(text.find_first_not_of("# "), text.size()));
+        if (!text.starts_with('#') || bare.empty() || line.number == heading ||
+            makes_statement({line.number, std::string(bare)}, told) ||
+            (file.of_sheet() && bare.starts_with("comment on ")))
+            continue;
+        if (comments.empty()) first = line.number;
+        comments.push_back(in_quotes(bare.size() > longest ? std::string(bare.substr(0, longest)) + "..."
+                                                           : std::string(bare)));
+    }
+    if (comments.empty()) return std::nullopt;
+    const std::size_t more = comments.size() - std::min(shown, comments.size());
+    comments.resize(comments.size() - more);
+    return Finding{code, severity,
+                   fmt::format("{}, a comment, is no part of the table: {}{}", at_line(first),
+                               joined(comments), more == 0 ? "" : fmt::format(", and {} more", more))};
+}
+
 CutTable cut_table(const TextLines& file, std::vector<TextLine> lines, std::size_t place,
                    std::string_view code, Severity of_titles, const std::set<std::string_view>& told,
                    const std::function<bool(TableRow&, const TableRow&)>& take_second) {
@@ -48,6 +73,8 @@ CutTable cut_table(const TextLines& file, std::vector<TextLine> lines, std::size
             table.findings.push_back({code, of_titles,
                                       at_line(lines[i].number) + ", above the heading, is not read: " +
                                           in_quotes(trimmed(lines[i].text))});
+    if (auto comments = unread_comments(file, lines[place].number, code, of_titles, told))
+        table.findings.push_back(std::move(*comments));
     table.rows.assign(lines.begin() + static_cast<std::ptrdiff_t>(first), lines.end());
     std::vector<Finding> notes = take_notes(lines, first, table.separator, code);
     const std::size_t rows = lines.size() - first;

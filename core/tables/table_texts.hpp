@@ -44,6 +44,12 @@ struct CutTable {
     void show(NumberMarks& marks) const;
 };
 
+/// A remark on the comments (#) of a file, which are not read but for what they state of the table.
+/// @param heading line of the heading, which may begin with "#" @param told statements that are used
+[[nodiscard]] std::optional<Finding> unread_comments(const TextLines& file, std::size_t heading,
+                                                     std::string_view code, Severity severity,
+                                                     const std::set<std::string_view>& told = {});
+
 /// @param lines of the file with content @param place of the heading among them
 /// @param told statements of which the reader tells, so that their texts need no finding
 /// @param take_second takes a second line into the heading if it is part of it; none: one of units

@@ -242,6 +242,9 @@ class OxideTable {
         if (samples.empty())
             refuse_line(rows_.back().line, "there are no amounts of oxides", "a number for each oxide");
         add_amount_notes();
+        if (auto comments = unread_comments(file, heading.value_or(0), glass_code, Severity::background,
+                                            {"ignited sample"}))
+            warnings.push_back(std::move(*comments));
         require_agreeing_texts(file, lines, heading, label);
     }
 

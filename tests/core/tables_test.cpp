@@ -412,6 +412,16 @@ TEST_CASE("a comment on a cell is said, and what it states counts as of a text b
                    "\"comment on B1: by volume\" states fractions by volume"));
 }
 
+TEST_CASE("comments of a table are said, unless they are its heading") {
+    const auto told = [](const std::string& text) {
+        return joined(texts_of(read_xrd(text, "a.csv").warnings));
+    };
+    CHECK(contains(told("# unit: see below\nphase,wt%\nQuartz,60\n#\n# line 3 is new\nGlass,40\n"),
+                   "line 1, a comment, is no part of the table: \"unit: see below\" and \"line 3 is new\""));
+    CHECK_FALSE(contains(told("# phase,wt%\nQuartz,60\nGlass,40\n"), "comment"));
+    CHECK_FALSE(contains(told("# without amorphous\nphase,wt%\nQuartz,60\nMullite,40\n"), "a comment,"));
+}
+
 TEST_CASE("a fraction stays below a thousand, so that its comma has one reading") {
     const auto first = [](const std::string& text) {
         return read_xrd(text, "a.csv").samples.front().analysis.phases.front().fraction;
