@@ -7,7 +7,7 @@
 
 #include <hwy/highway.h>
 
-#include "solver/batch/lanes/orbit-inl.hpp"
+#include "solver/batch/lanes/follow-inl.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/damping/registry.hpp"
 #include "solver/motion/scale.hpp"
@@ -27,6 +27,7 @@ double operations_an_impact(const test::Impacts& impacts) {
         for (std::size_t lane = 0; lane < block_size; ++lane) {
             block.adhesion[lane] = L<double>::adhesion_number(impact.contact, scale.length);
             block.damping[lane] = scale.damping_number(impact.damping);
+            block.yield_number[lane] = ThorntonNing<double>::yield_number(impact.contact, scale.length);
         }
         follow<Form<L, Damping>>(block, impact.detachment, Goal::end);
     }

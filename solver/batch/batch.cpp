@@ -238,7 +238,7 @@ void look_up_zones(const Problems& problems, PieceState* state, double* value) {
 void look_up(const Problems& problems, PieceState* state, double* value) {
     const auto& [law, detachment, damping_law, count, inputs] = problems;
     const bool scales = law.self_similar() || law.has_cohesive_zone();
-    if (!scales || !law.is_adhesive() || !batch::has_kernels(law, damping_law) ||
+    if (!scales || !law.is_adhesive() || !has_tables(law, damping_law) ||
         detachment == Detachment::zero_force) {
         std::fill_n(state, count, PieceState::undecided);
         return;
@@ -279,7 +279,7 @@ Answer closed_form(const CriticalVelocityProblem& problem) {
 }  // namespace
 
 bool has_tables(Law law, DampingLaw damping_law) {
-    return batch::has_kernels(law, damping_law);
+    return batch::has_kernels(law, damping_law) && !law.is_plastic();
 }
 
 BatchMethod method_of_many(Law law, DampingLaw damping_law, std::uint64_t impacts) {
@@ -368,7 +368,8 @@ std::optional<CriticalVelocity> critical_velocity_without_integration(
     inputs.damping = {&damping.coefficient, 1};
     PieceState state = PieceState::undecided;
     double value = 0.0;
-    if (law.self_similar()) look_up({law, detachment, damping.law, 1, inputs}, &state, &value);
+    if (law.self_similar() && has_tables(law, damping.law))
+        look_up({law, detachment, damping.law, 1, inputs}, &state, &value);
     return read(state, value);
 }
 

@@ -36,7 +36,8 @@ struct FailedImpact {
 struct BatchReport {
     std::size_t count = 0;               ///< how many impacts: the length of the columns, 1 if all are single
     std::vector<FailedImpact> failed{};  ///< by place; all their numbers are NaN, and they count as captures
-    /// How many were left to solve_impact(): too near capture for double precision, or plastic.
+    /// How many were left to solve_impact(): too near capture for double precision, or of laws without
+    /// kernels.
     std::int64_t scalar = 0;
 };
 
@@ -110,7 +111,7 @@ struct CriticalVelocityBatch {
 struct CriticalVelocityBatchResult {
     Eigen::Array<CaptureVerdict, Eigen::Dynamic, 1> verdict{};
     Eigen::ArrayXd value{};   ///< v_c; NaN unless the verdict is finite [m/s]
-    std::int64_t scalar = 0;  ///< how many were left to critical_velocity(): beyond the tables, or plastic
+    std::int64_t scalar = 0;  ///< how many were left to critical_velocity(): beyond the tables
 };
 
 /// Critical velocities, from tables as tabulated_critical_velocity() gives them; with a cohesive zone to

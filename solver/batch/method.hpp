@@ -26,7 +26,8 @@ struct Names<BatchMethod> {
     static constexpr std::array<std::string_view, 2> all{"integration", "table"};
 };
 
-/// Whether there are tables of a contact law with a damping law: both have kernels.
+/// Whether there are tables of a contact law with a damping law: both have kernels, and the contact never
+/// yields.
 [[nodiscard]] bool has_tables(Law law, DampingLaw damping_law);
 /// The method for many impacts of a contact law: table where there is one. That of a cohesive zone, made of
 /// dearer impacts, pays only where it is known that there are @p impacts enough.

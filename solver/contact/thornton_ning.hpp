@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <string_view>
@@ -10,6 +10,11 @@
 #include "solver/contact/jkr.hpp"
 
 namespace ashimpact {
+
+template <class Real>
+struct PlasticLoading;
+template <class Real>
+struct YieldedContact;
 
 /// Thornton & Ning 1998 (Powder Technol. 99:154): adhesive, elastic-perfectly plastic sphere.
 ///
@@ -20,13 +25,18 @@ namespace ashimpact {
 /// adhesion it is closed here: JKR is a Hertz contact plus the retraction of a flat punch; the Hertz part
 /// yields, so each further ring of contact adds the pressure p_y + sqrt(2 w E*/(pi a)) to it, and the punch
 /// part stays elastic. Loading is then smooth at yield and flattening never negative
-/// (docs/decisions/0003-plastic-closure.md). This type is the elastic branch, that of Jkr; YieldedContact has
-/// the others. The pressure is that of Jkr, or p_y where that would be greater.
+/// (docs/decisions/0003-plastic-closure.md). This type is the elastic branch, that of Jkr; PlasticLoading and
+/// YieldedContact have the others. The pressure is that of Jkr, or p_y where that would be greater.
 template <class Real>
 struct ThorntonNing : Jkr<Real> {
     static constexpr std::string_view name = "thornton-ning";
     static constexpr std::string_view summary = "jkr, and plastic deformation above a yield pressure";
     static constexpr bool is_plastic = true;
+    /// The branch from the yield point on, and the contact that has both.
+    template <class U>
+    using Loading = PlasticLoading<U>;
+    template <class U>
+    using Yielded = YieldedContact<U>;
 
     [[nodiscard]] static Trust trust(double tabor, bool yields) {
         if (yields) return Trust::describes_yield;
@@ -35,9 +45,9 @@ struct ThorntonNing : Jkr<Real> {
 
     /// Yield number [1]: the contact radius at which a Hertz contact yields over sqrt(R* L),
     /// pi R* p_y/(2 E* sqrt(R* L)).
-    [[nodiscard]] static double yield_number(const ContactPair& pair, double length) {
-        return std::numbers::pi * pair.yield_pressure / (2.0 * pair.contact_modulus) *
-               std::sqrt(pair.effective_radius / length);
+    [[nodiscard]] static Real yield_number(const BasicContactPair<Real>& pair, const Real& length) {
+        return Real(0.5 * std::numbers::pi) * pair.yield_pressure / pair.contact_modulus *
+               root<2>(pair.effective_radius / length);
     }
 
     /// State u at which the elastic branch ends by that rule. None for zero overlap, to which a flattened
@@ -48,7 +58,28 @@ struct ThorntonNing : Jkr<Real> {
     }
 };
 
-/// The history of one yielded contact: plastic loading, then unloading on the flattened sphere; normalised.
+/// The plastic loading branch of ThorntonNing, normalised. Overlap and attraction are the elastic branch's
+/// functions of the contact radius.
+template <class Real>
+struct PlasticLoading : Jkr<Real> {
+    Real offset;                  ///< of the Hertz part of the force [k L^(3/2)]
+    Real yield_number = Real(1);  ///< as in ThorntonNing; 1 in units of the length at which it is [1]
+
+    /// Hertz part of the force [k L^(3/2)].
+    template <class U>
+    [[nodiscard]] constexpr U repulsion(const U& u) const {
+        return (Real(1.5) * yield_number) * power<4>(u) + this->adhesion * power<3>(u) - offset;
+    }
+    /// Total static force, positive where repulsive [k L^(3/2)].
+    template <class U>
+    [[nodiscard]] constexpr U force(const U& u) const {
+        return repulsion(u) - this->attraction(u);
+    }
+    /// Flattening R*/R_p <= 1 after loading to @p u [1].
+    [[nodiscard]] Real flattening(const Real& u) const { return repulsion(u) / power<6>(u); }
+};
+
+/// A contact that yields, normalised.
 template <class Real>
 struct YieldedContact {
     Real adhesion;      ///< as in Jkr [1]
@@ -56,45 +87,18 @@ struct YieldedContact {
 
     /// State u_y at which the elastic branch reaches p_y, the root of u^3 - yield_number u - adhesion/2.
     [[nodiscard]] Real yield_point() const {
-        using std::abs;
         using std::max;
-        // Newton from above on a function that is convex there.
+        // Newton from above on a function that is convex there: seven steps from within a factor of 1.5 of
+        // the root.
         Real u = max(root<2>(yield_number), root<3>(adhesion / Real(2))) * Real(1.5);
-        for (int i = 0; i < 100; ++i) {
-            const Real step =
-                (power<3>(u) - yield_number * u - adhesion / Real(2)) / (Real(3) * u * u - yield_number);
-            u -= step;
-            if (!(abs(step) > Real(0)) || abs(step) <= std::numeric_limits<Real>::epsilon() * u) break;
-        }
+        for (int i = 0; i < 8; ++i)
+            u = u - (power<3>(u) - yield_number * u - adhesion / Real(2)) / (Real(3) * u * u - yield_number);
         return u;
     }
-    /// Overlap on the plastic branch, the same function of contact radius as on the elastic one [L].
-    template <class U>
-    [[nodiscard]] U plastic_overlap(const U& u) const {
-        return power<4>(u) - adhesion * u;
-    }
-    /// Hertz part of the force on the plastic branch [k L^(3/2)].
-    template <class U>
-    [[nodiscard]] U plastic_hertz_force(const U& u) const {
-        const Real at_yield = yield_point();
-        const Real half_yield = (yield_number * power<4>(at_yield) + adhesion * power<3>(at_yield)) / Real(2);
-        return (Real(1.5) * yield_number) * power<4>(u) + adhesion * power<3>(u) - half_yield;
-    }
-    /// Attraction on every branch, the punch part of JKR, positive [k L^(3/2)].
-    template <class U>
-    [[nodiscard]] U attraction(const U& u) const {
-        return (Real(1.5) * adhesion) * power<3>(u);
-    }
-    /// Force on the plastic branch [k L^(3/2)].
-    template <class U>
-    [[nodiscard]] U plastic_force(const U& u) const {
-        return plastic_hertz_force(u) - attraction(u);
-    }
-    /// Flattening R*/R_p <= 1 after loading to @p u [1].
-    [[nodiscard]] Real flattening(const Real& u) const { return plastic_hertz_force(u) / power<6>(u); }
-    /// Permanent overlap delta_p after loading to @p u [L].
-    [[nodiscard]] Real permanent_overlap(const Real& u) const {
-        return power<4>(u) * (Real(1) - flattening(u));
+    /// The branch from that state on.
+    [[nodiscard]] PlasticLoading<Real> loading() const {
+        const Real u = yield_point();
+        return {{adhesion}, (yield_number * u + adhesion) * power<3>(u) / Real(2), yield_number};
     }
 };
 

@@ -20,8 +20,8 @@
 #include "solver/batch/kernels/damping_search.hpp"
 #include "solver/batch/kernels/kernel.hpp"
 #include "solver/batch/kernels/scaled_task-inl.hpp"
+#include "solver/batch/lanes/follow-inl.hpp"
 #include "solver/batch/lanes/number_task.hpp"
-#include "solver/batch/lanes/orbit-inl.hpp"
 #include "solver/batch/tables/lookup-inl.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/motion/scale.hpp"
@@ -126,19 +126,35 @@ HWY_INLINE void follow_all(const batch::NumberColumns& numbers, std::span<const 
             block.adhesion[lane] = numbers.adhesion[i];
             block.damping[lane] = numbers.damping[i];
             if constexpr (std::is_same_v<F, ZoneForm>) block.curve[lane] = numbers.curve[i];
+            if constexpr (F::yields)
+                block.yield_number[lane] = numbers.yield_number != nullptr
+                                               ? numbers.yield_number[i]
+                                               : std::numeric_limits<double>::infinity();
         }
         follow<F>(block, detachment, goal);
         for (std::size_t lane = 0; lane < used; ++lane) write(order[first + lane], block, lane);
     }
 }
 
+/// Whether the lanes follow an impact: the contact does not yield by adhesion alone, nor at next to nothing.
+[[nodiscard]] inline bool yields_as_followed(double adhesion, double yield_number) {
+    constexpr double least_ratio = 0.51;  // yields at touch below 0.5
+    constexpr double least = 1e-6;
+    return yield_number > least && yield_number > least_ratio * std::cbrt(adhesion * adhesion);
+}
+
 /// Scales the problems of a task. @return those that the kernels solve
 template <class F, class Task>
 [[nodiscard]] PlaceList scaled_places(const Task& task, ScaledTask& scaled) {
     scale_task<F>(task.inputs, task.count, task.damping_law, scaled);
+    PlaceList places;
+    if constexpr (F::yields) {
+        for (std::size_t i = 0; i < task.count; ++i)
+            if (yields_as_followed(scaled.adhesion[i], scaled.yield_number[i])) places.add(i);
+        return places;
+    }
     if constexpr (!std::is_same_v<F, ZoneForm>) return PlaceList::all(task.count);
     scaled.zones.find(task.inputs, task.count);
-    PlaceList places;
     for (std::size_t i = 0; i < task.count; ++i)
         if (!std::isnan(scaled.zones.lambda(i)) && scaled.adhesion[i] > least_zone_adhesion &&
             scaled.adhesion[i] < most_zone_adhesion)
@@ -161,13 +177,13 @@ HWY_NOINLINE void solve_task(const batch::ImpactTask& task) {
     const PlaceList all = scaled_places<F>(task, scaled);
     const auto follow_to = [&](Goal goal, const PlaceList& places) HWY_ATTR {
         const PlaceList impacts = to_integrate<F>(task, scaled, places);
-        follow_all<F>(scaled.numbers(task.damping_law), impacts.places(), task.detachment, goal,
+        follow_all<F>(scaled.numbers<F>(task.damping_law), impacts.places(), task.detachment, goal,
                       [&](std::size_t i, const Block& block, std::size_t lane) HWY_ATTR {
                           if (goal != Goal::turn) write_end(task, scaled, i, block, lane);
                           if (goal != Goal::end) write_turn(task, scaled, i, block, lane);
                       });
     };
-    if constexpr (std::is_same_v<F, ZoneForm>) {  // what the kernels do not follow
+    if constexpr (std::is_same_v<F, ZoneForm> || F::yields) {  // what the kernels do not follow
         std::fill_n(task.end, task.count, batch::LaneEnd::undecided);
         if (task.turning_point)
             std::fill_n(task.maximum_overlap, task.count, std::numeric_limits<double>::quiet_NaN());
@@ -218,7 +234,7 @@ HWY_INLINE void undamped_restitutions(const ScaledTask& scaled, Detachment detac
         }
     } else {
         for (std::size_t i = 0; i < count; i += lane_count) {
-            const Equation<F> equation(Lanes::load(scaled.adhesion + i), Lanes(0.0));
+            const Equation<F> equation({Lanes::load(scaled.adhesion + i)}, Lanes(0.0));
             const Places places = places_of(equation, detachment);
             const Lanes cost = places.end_potential - equation.potential(places.touch);
             HWY_ALIGN double values[lane_count];
@@ -287,6 +303,8 @@ HWY_INLINE void search_all(const batch::InversionTask& task, const ScaledTask& s
 
 template <class F>
 HWY_NOINLINE void invert_task(const batch::InversionTask& task) {
+    std::fill_n(task.found, task.count, std::uint8_t{0});
+    if constexpr (F::yields) return;  // beyond yield e may rise with the damping
     ScaledTask scaled;
     const PlaceList all = to_integrate<F>(task, scaled, scaled_places<F>(task, scaled));
     undamped_restitutions<F>(scaled, task.detachment, task.count, task.undamped);
@@ -298,7 +316,6 @@ HWY_NOINLINE void invert_task(const batch::InversionTask& task) {
     };
     double start[batch::most_impacts];  // first damping number of each search
     PlaceList open;
-    std::fill_n(task.found, task.count, std::uint8_t{0});
     for (const std::size_t i : all.places()) {
         batch::DampingSearch own(task.damping_law, task.inputs.restitution.at(i), task.undamped[i]);
         start[i] = own.number();

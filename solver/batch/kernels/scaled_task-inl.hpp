@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "solver/batch/kernels/kernel.hpp"
+#include "solver/batch/lanes/follow-inl.hpp"
 #include "solver/batch/lanes/number_task.hpp"
-#include "solver/batch/lanes/orbit-inl.hpp"
 #include "solver/batch/tables/zone_curve.hpp"
 #include "solver/contact/jkr.hpp"
 #include "solver/contact/pair.hpp"
@@ -39,7 +39,8 @@ namespace ashimpact::HWY_NAMESPACE {
     BasicContactPair<LaneNumber> pair{.mass = LaneNumber(read(in.mass, i, count)),
                                       .effective_radius = LaneNumber(read(in.effective_radius, i, count)),
                                       .contact_modulus = LaneNumber(read(in.contact_modulus, i, count)),
-                                      .work_of_adhesion = LaneNumber(read(in.work_of_adhesion, i, count))};
+                                      .work_of_adhesion = LaneNumber(read(in.work_of_adhesion, i, count)),
+                                      .yield_pressure = LaneNumber(read(in.yield_pressure, i, count))};
     for (std::size_t k = 0; k < in.parameter_count; ++k)
         pair.parameters.set(in.parameters[k].parameter->name,
                             LaneNumber(read(in.parameters[k].values, i, count)));
@@ -94,12 +95,14 @@ struct ScaledTask {
     static constexpr std::size_t capacity = batch::most_impacts + lane_count;
     HWY_ALIGN double adhesion[capacity];
     HWY_ALIGN double damping[capacity];
-    HWY_ALIGN double length[capacity];  ///< [m]
-    HWY_ALIGN double time[capacity];    ///< [s]
-    ZoneCurves zones;                   ///< of a law with a cohesive zone
+    HWY_ALIGN double length[capacity];        ///< [m]
+    HWY_ALIGN double time[capacity];          ///< [s]
+    HWY_ALIGN double yield_number[capacity];  ///< of a law that yields
+    ZoneCurves zones;                         ///< of a law with a cohesive zone
 
+    template <class F>
     [[nodiscard]] batch::NumberColumns numbers(DampingLaw damping_law) const {
-        return {adhesion, damping, damping_law, zones.curves()};
+        return {adhesion, damping, damping_law, zones.curves(), F::yields ? yield_number : nullptr};
     }
 };
 
@@ -131,6 +134,10 @@ HWY_FLATTEN inline void scale_task(const batch::Inputs& in, std::size_t count, D
         (read(in.damping, i, count) / damping_unit_of<F>(scale, damping_law).lanes()).store(out.damping + i);
         scale.length.lanes().store(out.length + i);
         scale.time().lanes().store(out.time + i);
+        if constexpr (F::yields) {
+            using Law = typename F::template ContactLaw<LaneNumber>;
+            Law::yield_number(pair, scale.length).lanes().store(out.yield_number + i);
+        }
     }
 }
 

@@ -161,6 +161,9 @@ inline LaneNumber operator/(const LaneNumber& a, const LaneNumber& b) {
 inline LaneNumber operator-(const LaneNumber& a) {
     return LaneNumber(-a.lanes());
 }
+inline LaneNumber max(const LaneNumber& a, const LaneNumber& b) {
+    return LaneNumber(max(a.lanes(), b.lanes()));
+}
 inline LaneNumber sqrt(const LaneNumber& x) {
     return LaneNumber(sqrt(x.lanes()));
 }
@@ -200,22 +203,44 @@ struct Powers {
     }
 };
 
-/// Coefficient of x^power of a symbol, for the adhesion numbers of the lanes, over the symbol's @p unit.
-template <const Symbol& symbol, int power, int adhesion_power = 0>
-[[nodiscard]] HWY_INLINE Lanes coefficient_of(Lanes adhesion, double unit) {
-    constexpr bool more = [] {
-        for (int j = adhesion_power + 1; j < AdhesionPolynomial::capacity; ++j)
-            if (symbol[power][j] != 0.0) return true;
-        return false;
-    }();
-    const Lanes constant(symbol[power][adhesion_power] / unit);
-    if constexpr (!more) {
+/// The numbers of a contact law in the lanes, as NumberPolynomial has them.
+struct LawNumbers {
+    Lanes adhesion;
+    Lanes offset;
+
+    LawNumbers() = default;
+    // NOLINTNEXTLINE(google-explicit-constructor): most laws have this number alone
+    HWY_INLINE LawNumbers(Lanes adhesion_number, Lanes force_offset = 0.0)
+        : adhesion(adhesion_number), offset(force_offset) {}
+};
+
+/// Whether a coefficient of a symbol has one of the numbers' powers from @p first to before @p last.
+template <const Symbol& symbol, int power>
+[[nodiscard]] constexpr bool has_numbers(int first, int last) {
+    for (int j = first; j < last; ++j)
+        if (symbol[power][j] != 0.0) return true;
+    return false;
+}
+/// The part of coefficient_of() without the offset, or the factor of the offset.
+template <const Symbol& symbol, int power, int number_power>
+[[nodiscard]] HWY_INLINE Lanes adhesion_part(Lanes adhesion, double unit) {
+    constexpr int end = (number_power / powers_of_adhesion + 1) * powers_of_adhesion;
+    const Lanes constant(symbol[power][number_power] / unit);
+    if constexpr (!has_numbers<symbol, power>(number_power + 1, end)) {
         return constant;
     } else {
-        const Lanes rest = coefficient_of<symbol, power, adhesion_power + 1>(adhesion, unit);
-        if constexpr (symbol[power][adhesion_power] == 0.0) return rest * adhesion;
+        const Lanes rest = adhesion_part<symbol, power, number_power + 1>(adhesion, unit);
+        if constexpr (symbol[power][number_power] == 0.0) return rest * adhesion;
         return multiply_add(rest, adhesion, constant);
     }
+}
+/// Coefficient of x^power of a symbol, for the numbers of the lanes, over the symbol's @p unit.
+template <const Symbol& symbol, int power>
+[[nodiscard]] HWY_INLINE Lanes coefficient_of(const LawNumbers& numbers, double unit) {
+    constexpr int next = powers_of_adhesion;
+    const Lanes part = adhesion_part<symbol, power, 0>(numbers.adhesion, unit);
+    if constexpr (!has_numbers<symbol, power>(next, NumberPolynomial::capacity)) return part;
+    return multiply_add(adhesion_part<symbol, power, next>(numbers.adhesion, unit), numbers.offset, part);
 }
 
 /// A polynomial of the state, divided by its leading coefficient, on the lanes.
@@ -223,12 +248,11 @@ template <const Symbol& symbol, bool with_constant>
 struct Monic {
     using Pattern = Sparse<symbol, with_constant>;
     static constexpr int count = Pattern::terms.count;
-    static constexpr int stride = Pattern::terms.stride();
     static constexpr int lowest = Pattern::terms.lowest();
     std::array<Lanes, count> coefficient;  ///< that of the highest power is 1 and not used
 
     Monic() = default;
-    HWY_INLINE explicit Monic(Lanes adhesion) { fill<1>(adhesion); }
+    HWY_INLINE explicit Monic(const LawNumbers& numbers) { fill<1>(numbers); }
 
     /// Value, from powers of x that hold Pattern::powers.
     template <PowerSet set>
@@ -259,10 +283,10 @@ struct Monic {
 
   private:
     template <int i>
-    HWY_INLINE void fill(Lanes adhesion) {
+    HWY_INLINE void fill(const LawNumbers& numbers) {
         if constexpr (i < count) {
-            coefficient[i] = coefficient_of<symbol, Pattern::terms.at(i)>(adhesion, Pattern::leading);
-            fill<i + 1>(adhesion);
+            coefficient[i] = coefficient_of<symbol, Pattern::terms.at(i)>(numbers, Pattern::leading);
+            fill<i + 1>(numbers);
         }
     }
     template <int exponent, PowerSet set>
@@ -275,28 +299,26 @@ struct Monic {
             return x.template at<exponent / 2>() * x.template at<exponent - exponent / 2>();
         }
     }
-    /// The monic polynomial in x^stride down to the coefficient @p last.
+    /// The monic polynomial over the power of the coefficient @p last, down to that.
     template <int last, PowerSet set>
     [[nodiscard]] HWY_INLINE Lanes horner(const Powers<set>& x) const {
-        constexpr int gap = (Pattern::terms.at(last - 1) - Pattern::terms.at(last)) / stride;
-        static_assert(gap == 1, "a polynomial with a gap needs the powers between");
+        constexpr int gap = Pattern::terms.at(last - 1) - Pattern::terms.at(last);
         if constexpr (last > 1) {
-            return multiply_add(horner<last - 1>(x), x.template at<stride>(), coefficient[last]);
-        } else if constexpr (contains(Powers<set>::set, stride)) {
-            return x.template at<stride>() + coefficient[1];
+            return multiply_add(horner<last - 1>(x), x.template at<gap>(), coefficient[last]);
+        } else if constexpr (contains(Powers<set>::set, gap)) {
+            return x.template at<gap>() + coefficient[1];
         } else {
-            return multiply_add(x.template at<stride / 2>(), x.template at<stride - stride / 2>(),
-                                coefficient[1]);
+            return multiply_add(x.template at<gap / 2>(), x.template at<gap - gap / 2>(), coefficient[1]);
         }
     }
 };
 
-/// Value of a symbol at @p x for the adhesion numbers of the lanes.
+/// Value of a symbol at @p x for the numbers of the lanes.
 template <const Symbol& symbol>
-[[nodiscard]] HWY_INLINE Lanes value_of(Lanes adhesion, Lanes x) {
+[[nodiscard]] HWY_INLINE Lanes value_of(const LawNumbers& numbers, Lanes x) {
     using Polynomial = Monic<symbol, true>;
     const Powers<Polynomial::Pattern::powers> powers(x);
-    return Lanes(Polynomial::Pattern::leading) * Polynomial(adhesion)(powers);
+    return Lanes(Polynomial::Pattern::leading) * Polynomial(numbers)(powers);
 }
 
 /// State of an impact, scaled.
@@ -310,7 +332,7 @@ HWY_INLINE LaneState select(Mask mask, const LaneState& yes, const LaneState& no
             select(mask, yes.time, no.time)};
 }
 
-/// The equation of motion of Form, for the adhesion and damping numbers of the lanes. ZoneForm has its own;
+/// The equation of motion of Form, for the numbers of the lanes. ZoneForm has its own;
 /// what follows the motion of either uses the members that both have.
 template <class F>
 struct Equation {
@@ -320,7 +342,7 @@ struct Equation {
     static constexpr PowerSet powers =
         closed(Stiffness::Pattern::powers | Impulse::Pattern::powers | Slope::Pattern::powers);
 
-    Lanes adhesion;
+    LawNumbers numbers;
     Lanes damping;
     Stiffness stiffness;
     Impulse impulse;
@@ -328,13 +350,13 @@ struct Equation {
     Lanes slope_constant;  ///< delta'(0), which slope leaves out
 
     Equation() = default;
-    HWY_INLINE Equation(Lanes adhesion_number, Lanes damping_number)
-        : adhesion(adhesion_number),
+    HWY_INLINE Equation(const LawNumbers& law_numbers, Lanes damping_number)
+        : numbers(law_numbers),
           damping(damping_number),
-          stiffness(adhesion_number),
-          impulse(adhesion_number),
-          slope(adhesion_number),
-          slope_constant(coefficient_of<F::slope, 0>(adhesion_number, 1.0)) {}
+          stiffness(law_numbers),
+          impulse(law_numbers),
+          slope(law_numbers),
+          slope_constant(coefficient_of<F::slope, 0>(law_numbers, 1.0)) {}
 
     /// What kicked(), impulse_at() and slope_at() need of a state: they are evaluated together. Each is a
     /// monic polynomial, over its unit.
@@ -363,20 +385,21 @@ struct Equation {
 
     /// beta g(q)
     [[nodiscard]] HWY_INLINE Lanes damping_impulse(Lanes q) const {
-        return damping * value_of<F::impulse>(adhesion, q);
+        return damping * value_of<F::impulse>(numbers, q);
     }
     /// v = d(delta)/dt
     [[nodiscard]] HWY_INLINE Lanes velocity(const LaneState& state) const {
         return state.momentum - damping_impulse(state.position);
     }
-    [[nodiscard]] HWY_INLINE Lanes potential(Lanes q) const { return value_of<F::potential>(adhesion, q); }
-    [[nodiscard]] HWY_INLINE Lanes overlap(Lanes q) const { return value_of<F::overlap>(adhesion, q); }
-    [[nodiscard]] HWY_INLINE Lanes force(Lanes q) const { return value_of<F::force>(adhesion, q); }
+    [[nodiscard]] HWY_INLINE Lanes potential(Lanes q) const { return value_of<F::potential>(numbers, q); }
+    [[nodiscard]] HWY_INLINE Lanes overlap(Lanes q) const { return value_of<F::overlap>(numbers, q); }
+    [[nodiscard]] HWY_INLINE Lanes force(Lanes q) const { return value_of<F::force>(numbers, q); }
+    [[nodiscard]] HWY_INLINE Lanes force_slope(Lanes q) const { return value_of<F::force_slope>(numbers, q); }
     /// delta'(q)
-    [[nodiscard]] HWY_INLINE Lanes slope_of(Lanes q) const { return value_of<F::slope>(adhesion, q); }
+    [[nodiscard]] HWY_INLINE Lanes slope_of(Lanes q) const { return value_of<F::slope>(numbers, q); }
     /// eta(q)
     [[nodiscard]] HWY_INLINE Lanes damping_at(Lanes q) const {
-        return damping * value_of<F::damping_of_state>(adhesion, q);
+        return damping * value_of<F::damping_of_state>(numbers, q);
     }
 };
 

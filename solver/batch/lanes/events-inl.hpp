@@ -27,9 +27,11 @@ struct Places {
     Lanes end_potential;
     Lanes speed_squared;      ///< v^2 in the bottom of the well, undamped: 1 + 2 (U_touch - U_min)
     Lanes touch_speed = 1.0;  ///< v at touch
+    Lanes incident = 1.0;     ///< v^2 of the impact
     Lanes touch_time = 0.0;   ///< since the impact began
     Lanes end_overlap = 0.0;  ///< with a cohesive zone
     Lanes parting = 0.0;      ///< potential at end; that of end_potential lies across a gap
+    Lanes yield = 0.0;        ///< where an approach leaves the branch of a form that yields
     /// Share of the energy in the well below which the kernels cannot separate capture from rebound.
     Lanes energy_doubt = 1e-9;
     /// Square of the share of the speed in the well that has to pull back at a turn that is certain.
@@ -58,7 +60,7 @@ template <class F>
 
 template <class F>
 [[nodiscard]] HWY_FLATTEN inline Places places_of(const Equation<F>& equation, Detachment detachment) {
-    const typename F::template ContactLaw<LaneNumber> law{LaneNumber(equation.adhesion)};
+    const typename F::template ContactLaw<LaneNumber> law{LaneNumber(equation.numbers.adhesion)};
     const auto place = [](const LaneNumber& u)
                            HWY_ATTR { return F::squared ? u.lanes() * u.lanes() : u.lanes(); };
     Places p;
@@ -84,8 +86,7 @@ struct Rest {
 template <class F>
 [[nodiscard]] HWY_INLINE Rest rest_of(const Equation<F>& equation, const Places& places) {
     const Lanes q = places.equilibrium;
-    return {equation.overlap(q), equation.damping_at(q), equation.slope_of(q),
-            value_of<F::force_slope>(equation.adhesion, q)};
+    return {equation.overlap(q), equation.damping_at(q), equation.slope_of(q), equation.force_slope(q)};
 }
 template <class F>
 [[nodiscard]] HWY_INLINE Lanes overlap_at_end(const Equation<F>& equation, const Places& places) {
@@ -152,9 +153,14 @@ class LaneCapture {
         const Rest rest = rest_of(equation_, places_);
         const Lanes damping = equation_.damping_at(q);
         const Lanes way = rest.overlap - equation_.overlap(q);
-        // eta^2 >= 4 dF/d(delta) at equilibrium, without the division
-        const Mask damped = damping * damping * rest.slope >= Lanes(4.0) * rest.force_slope;
-        return both(q < places_.equilibrium, both(damped, v <= damping * way * Lanes(0.5)));
+        // eta^2 >= 4 dF/d(delta) at equilibrium and here, between which it is no greater; without the
+        // division
+        const Mask there = damping * damping * rest.slope >= Lanes(4.0) * rest.force_slope;
+        const Mask here = damping * damping * equation_.slope_of(q) >= Lanes(4.0) * equation_.force_slope(q);
+        const Mask damped = both(there, here);
+        const Mask creeps = both(q < places_.equilibrium, both(damped, v <= damping * way * Lanes(0.5)));
+        if constexpr (F::yields) return without(creeps, places_.yield < places_.equilibrium);
+        return creeps;
     }
 
     const Equation<F>& equation_;
@@ -171,12 +177,12 @@ struct Rates {
 template <class F>
 [[nodiscard]] HWY_INLINE Rates rates_of(const Equation<F>& equation, Lanes q, Lanes v) {
     const Lanes beta = equation.damping;
-    const Lanes drag = beta * value_of<F::drag>(equation.adhesion, q);
-    const Lanes drag_slope = beta * value_of<F::drag_slope>(equation.adhesion, q);
+    const Lanes drag = beta * value_of<F::drag>(equation.numbers, q);
+    const Lanes drag_slope = beta * value_of<F::drag_slope>(equation.numbers, q);
     Rates r;
-    r.stiffness = value_of<F::stiffness>(equation.adhesion, q);
+    r.stiffness = value_of<F::stiffness>(equation.numbers, q);
     r.acceleration = -multiply_add(drag, v, r.stiffness);
-    const Lanes spring = multiply_add(drag_slope, v, value_of<F::stiffness_slope>(equation.adhesion, q));
+    const Lanes spring = multiply_add(drag_slope, v, value_of<F::stiffness_slope>(equation.numbers, q));
     r.jerk = -multiply_add(drag, r.acceleration, spring * v);
     return r;
 }
@@ -200,17 +206,11 @@ class NextEvent {
         const Lanes p2 =
             select(approaching_, r.jerk * Lanes(0.5), select(places_.by_force, Lanes(0.0), half));
         const Lanes p3 = select(either(approaching_, places_.by_force), Lanes(0.0), third);
-        const Lanes square = subtract_product(p1 * p1, Lanes(4.0) * p2, p0);
-        const Lanes root = sqrt(max(square, 0.0));
-        const Lanes h = Lanes(2.0) * p0 / (root - p1);
-        const Lanes bend = p3 * h * h;
-        const Lanes better = multiply_add(bend, h / subtract_product(root, bend, 3.0), h);
-        const Mask mild = abs(bend) < Lanes(0.2) * root;
-        const Mask real = square > Lanes(0.0);
-        // Once the event is passed, the way back is known at least to first order.
-        const Mask passed = both(p0 < Lanes(0.0), p1 < Lanes(0.0));
-        const Lanes back = select(passed, -p0 / p1, out_of_sight);
-        return select(both(p1 < Lanes(0.0), real), select(mild, better, h), back);
+        return time_to_zero(p0, p1, p2, p3);
+    }
+    /// Pseudo-time until an approach leaves its branch.
+    [[nodiscard]] HWY_INLINE Lanes time_to_yield(Lanes q, Lanes v, const Rates& r) const {
+        return time_to_zero(places_.yield - q, -v, r.acceleration * Lanes(-0.5), r.jerk * Lanes(-1.0 / 6.0));
     }
 
     /// Pseudo-time before the event from which on its Taylor series is used. For an end by force it is also
@@ -224,6 +224,21 @@ class NextEvent {
 
   private:
     static constexpr double landing = 0.06;  ///< part of a usual step
+
+    /// First zero of p0 + p1 h + p2 h^2 + p3 h^3, which falls.
+    [[nodiscard]] HWY_INLINE static Lanes time_to_zero(Lanes p0, Lanes p1, Lanes p2, Lanes p3) {
+        const Lanes square = subtract_product(p1 * p1, Lanes(4.0) * p2, p0);
+        const Lanes root = sqrt(max(square, 0.0));
+        const Lanes h = Lanes(2.0) * p0 / (root - p1);
+        const Lanes bend = p3 * h * h;
+        const Lanes better = multiply_add(bend, h / subtract_product(root, bend, 3.0), h);
+        const Mask mild = abs(bend) < Lanes(0.2) * root;
+        const Mask real = square > Lanes(0.0);
+        // Once the event is passed, the way back is known at least to first order.
+        const Mask passed = both(p0 < Lanes(0.0), p1 < Lanes(0.0));
+        const Lanes back = select(passed, -p0 / p1, out_of_sight);
+        return select(both(p1 < Lanes(0.0), real), select(mild, better, h), back);
+    }
 
     const Places& places_;
     Mask approaching_;
@@ -259,10 +274,10 @@ class LaneSeries {
         for (int n = 0; n < order; ++n) {
             multiply<2>(n);
             const Lanes factor(1.0 / (n + 1));
-            const Lanes damping = equation.damping * composed<F::impulse, 0>(equation.adhesion, n);
+            const Lanes damping = equation.damping * composed<F::impulse, 0>(equation.numbers, n);
             position_[n + 1] = (momentum_[n] - damping) * factor;
-            momentum_[n + 1] = composed<F::stiffness, 0>(equation.adhesion, n) * (-factor);
-            time_[n + 1] = composed<F::slope, 0>(equation.adhesion, n) * factor;
+            momentum_[n + 1] = composed<F::stiffness, 0>(equation.numbers, n) * (-factor);
+            time_[n + 1] = composed<F::slope, 0>(equation.numbers, n) * factor;
         }
     }
 
@@ -300,14 +315,14 @@ class LaneSeries {
     }
     /// Coefficient n of a polynomial of q.
     template <const Symbol& symbol, int power>
-    [[nodiscard]] HWY_INLINE Lanes composed(Lanes adhesion, int n) const {
+    [[nodiscard]] HWY_INLINE Lanes composed(const LawNumbers& numbers, int n) const {
         if constexpr (power > symbol.degree) {
             return Lanes(0.0);
         } else if constexpr (!has(symbol, power)) {
-            return composed<symbol, power + 1>(adhesion, n);
+            return composed<symbol, power + 1>(numbers, n);
         } else {
-            const Lanes rest = composed<symbol, power + 1>(adhesion, n);
-            const Lanes factor = coefficient_of<symbol, power>(adhesion, 1.0);
+            const Lanes rest = composed<symbol, power + 1>(numbers, n);
+            const Lanes factor = coefficient_of<symbol, power>(numbers, 1.0);
             if constexpr (power == 0) return n == 0 ? rest + factor : rest;
             return multiply_add(factor, power == 1 ? position_[n] : power_[power][n], rest);
         }
@@ -322,6 +337,7 @@ class LaneSeries {
 /// A turning point, scaled.
 struct LaneTurn {
     Lanes time;
+    Lanes position;
     Lanes overlap;
 };
 
@@ -346,20 +362,21 @@ template <class F>
     for (int i = 1; i < newton_steps; ++i) h = h - x.velocity_at(h) / x.acceleration_at(h);
     LaneTurn turn;
     turn.time = select(turned, x.time_at(h), Lanes(hn::NaN(Tag())));
-    turn.overlap = select(turned, equation.overlap(x.position_at(h)), rest_of(equation, places).overlap);
+    turn.position = x.position_at(h);
+    turn.overlap = select(turned, equation.overlap(turn.position), rest_of(equation, places).overlap);
     return turn;
 }
 
-/// Speed and time at the end of contact, from a state next to it.
+/// Outward speed and time of arrival at a place, or at no total force, from a state next to it.
 template <class F>
-[[nodiscard]] HWY_INLINE LaneArrival end_point(const Equation<F>& equation, const Places& places,
-                                               const LaneState& near) {
+[[nodiscard]] HWY_INLINE LaneArrival arrival_at(const Equation<F>& equation, Lanes place, Mask by_force,
+                                                const LaneState& near) {
     const LaneSeries<F, landing_order> x(equation, near);
     Lanes h = 0.0;
     Lanes move = 0.0;
     for (int i = 0; i < newton_steps; ++i) {
-        move = (x.position_at(h) - places.end) / x.velocity_at(h);
-        if (any(places.by_force)) move = select(places.by_force, x.acceleration_at(h) / x.jerk_at(h), move);
+        move = (x.position_at(h) - place) / x.velocity_at(h);
+        if (any(by_force)) move = select(by_force, x.acceleration_at(h) / x.jerk_at(h), move);
         h = h - move;
     }
     return {-x.velocity_at(h), x.time_at(h), abs(move) < Lanes(1e-8)};
@@ -402,7 +419,8 @@ struct LaneFindings {
     /// Lanes that have certainly ended, with a reliable speed.
     [[nodiscard]] HWY_INLINE Mask surely_ended(const LaneArrival& arrival, const Places& places) const {
         const Mask fast = arrival.speed * arrival.speed > places.speed_squared * places.energy_doubt;
-        return both(both(ended, arrival.found), both(fast, places.speed_squared < Lanes(deepest_well)));
+        const Mask deep = places.speed_squared >= places.incident * Lanes(deepest_well);
+        return both(both(ended, arrival.found), without(fast, deep));
     }
     /// Lanes whose turning point at @p time, or its absence, is certain. In doubt are those that turn while
     /// hardly anything pulls them back: where that changes the speed by 1e-4 of what it is in the well

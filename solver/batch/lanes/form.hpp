@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 
 #include "solver/batch/lanes/zone_form.hpp"
 #include "solver/damping/registry.hpp"
@@ -13,17 +12,19 @@
 
 namespace ashimpact {
 
-/// A polynomial in the adhesion number A.
-using AdhesionPolynomial = Polynomial<double, 6>;
+/// A polynomial in the numbers of a law: x^(i + 3 k) stands for A^i B^k, of the adhesion number A and of the
+/// offset B of a PlasticLoading. No law has A^3.
+using NumberPolynomial = Polynomial<double, 6>;
+inline constexpr int powers_of_adhesion = 3;
 
-/// A polynomial in the state whose coefficients depend on A: what a contact law turns into when it is
+/// A polynomial in the state whose coefficients depend on those: what a contact law turns into when it is
 /// evaluated at compile time. It lists the powers that occur, so that the vector code of a law holds its
 /// products and no others, and is still the law's own line. Powers beyond what it holds do not compile.
-using Symbol = Polynomial<AdhesionPolynomial, 24>;
+using Symbol = Polynomial<NumberPolynomial, 24>;
 
-/// Whether this power of the state occurs, for some A.
+/// Whether this power of the state occurs, for some numbers.
 [[nodiscard]] constexpr bool has(const Symbol& symbol, int power) {
-    return symbol[power] != AdhesionPolynomial();
+    return symbol[power] != NumberPolynomial();
 }
 
 /// A set of powers of one variable; bit k represents x^k.
@@ -63,17 +64,17 @@ struct Terms {
     std::array<int, Symbol::capacity> power{};
     int count = 0;
 
-    /// Common distance of the powers; with one power alone that power.
-    [[nodiscard]] constexpr int stride() const {
-        int distance = count == 1 ? power[0] : 0;
-        for (int i = 1; i < count; ++i) distance = std::gcd(distance, at(i - 1) - at(i));
-        return distance;
+    /// Distances of the powers.
+    [[nodiscard]] constexpr PowerSet gaps() const {
+        PowerSet set = 0;
+        for (int i = 1; i < count; ++i) set |= power_bit(at(i - 1) - at(i));
+        return set;
     }
     [[nodiscard]] constexpr int at(int i) const { return power[static_cast<std::size_t>(i)]; }
     [[nodiscard]] constexpr int lowest() const { return at(count - 1); }
 };
 
-/// A polynomial of the state as lowest power times a monic polynomial in x^stride.
+/// A polynomial of the state as lowest power times a monic polynomial.
 template <const Symbol& symbol, bool with_constant>
 struct Sparse {
     static constexpr Terms terms = [] {
@@ -83,7 +84,7 @@ struct Sparse {
         return found;
     }();
     static_assert(terms.count > 0);
-    /// Leading coefficient; no law has A in it.
+    /// Leading coefficient; no law has A or B in it.
     static constexpr double leading = symbol[terms.at(0)][0];
     static_assert(leading != 0.0);
 
@@ -94,14 +95,14 @@ struct Sparse {
             return power == 0 ? PowerSet{0} : power_bit(power - power / 2) | power_bit(power / 2);
         }
         PowerSet set = terms.lowest() > 0 ? power_bit(terms.lowest()) : PowerSet{0};
-        const int stride = terms.stride();
-        if (terms.count > 2) return set | power_bit(stride);
-        return contains(set, stride) ? set : set | power_bit(stride - stride / 2) | power_bit(stride / 2);
+        if (terms.count > 2 || (set & terms.gaps()) != 0) return set | terms.gaps();
+        const int gap = terms.at(0) - terms.at(1);
+        return set | power_bit(gap - gap / 2) | power_bit(gap / 2);
     }();
 };
 
 /// The scaled equation of motion of a contact law and a damping law, known at compile time but for the
-/// adhesion number A and the damping number beta; in the coordinate q of Motion:
+/// numbers of the contact law and the damping number beta; in the coordinate q of Motion:
 ///
 ///     dq/dtheta = y - beta g(q),   dy/dtheta = -h(q),   dt/dtheta = delta'(q),   h = delta' F,  g' = delta'
 ///     eta/beta.
@@ -116,9 +117,16 @@ struct Form {
     using Damping = DampingType;
 
   private:
-    static constexpr L<Symbol> law{Symbol(AdhesionPolynomial::identity())};
+    static constexpr L<Symbol> law = [] {
+        constexpr NumberPolynomial adhesion = NumberPolynomial::identity();
+        if constexpr (requires(const L<Symbol>& l) { l.offset; })
+            return L<Symbol>{{Symbol(adhesion)}, Symbol(power<powers_of_adhesion>(adhesion))};
+        else
+            return L<Symbol>{Symbol(adhesion)};
+    }();
     static constexpr Symbol u = Symbol::identity();
-    static constexpr Symbol shape_of_u = Damping::shapes(u, {power<6>(u), law.attraction(u)})[0];
+    static constexpr Symbol shape_of_u =
+        Damping::shapes(u, {law.force(u) + law.attraction(u), law.attraction(u)})[0];
 
   public:
     /// q = u^2, u = sqrt(contact radius).
@@ -139,7 +147,14 @@ struct Form {
     static constexpr Symbol stiffness_slope = stiffness.derivative();  ///< h'(q)
     static constexpr Symbol drag_slope = drag.derivative();            ///< g''(q)
     static constexpr Symbol potential = stiffness.antiderivative();    ///< U(q)
+
+    /// Whether the law leaves this branch where the contact yields.
+    static constexpr bool yields = requires { L<double>::is_plastic; };
 };
+
+/// The form of the branch that an impact is on from yield on.
+template <class F>
+using LoadingForm = Form<F::template ContactLaw<double>::template Loading, typename F::Damping>;
 
 /// Calls @p call with the Form of a contact law and a damping law of one term.
 template <template <class> class L, class Call>

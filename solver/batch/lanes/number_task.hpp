@@ -50,6 +50,7 @@ struct NumberColumns {
     const double* damping;
     DampingLaw damping_law;
     const ZoneCurve* const* curve = nullptr;  ///< of a law with a cohesive zone
+    const double* yield_number = nullptr;     ///< of a law that yields
 };
 
 /// An order of the impacts of a task in which similar ones are neighbours. It changes no result, only how
@@ -62,10 +63,13 @@ class Order {
             std::ranges::copy(impacts, place_.begin());
             return;
         }
-        std::array<std::uint16_t, damping_bins * adhesion_bins + 1> start{};
+        std::array<std::uint16_t, yield_bins * damping_bins * adhesion_bins + 1> start{};
         std::array<std::uint16_t, most_impacts> bin;  // by impact; filled only for those to be sorted
         for (const std::size_t i : impacts) {
-            bin[i] = static_cast<std::uint16_t>(bin_of(numbers.adhesion[i], numbers.damping[i]));
+            unsigned own = bin_of(numbers.adhesion[i], numbers.damping[i]);
+            if (numbers.yield_number != nullptr)
+                own += damping_bins * adhesion_bins * yield_bin_of(numbers.yield_number[i]);
+            bin[i] = static_cast<std::uint16_t>(own);
             ++start[bin[i] + 1U];
         }
         std::partial_sum(start.begin(), start.end(), start.begin());
@@ -76,6 +80,7 @@ class Order {
   private:
     static constexpr unsigned damping_bins = 32;
     static constexpr unsigned adhesion_bins = 8;
+    static constexpr unsigned yield_bins = 4;
 
     /// Bin of an impact: of its adhesion number, powers of two from 1/32 to 2, as impacts change little below
     /// and above, and of its damping number. Rows of bins are numbered in alternating directions, so that
@@ -87,6 +92,12 @@ class Order {
         const auto column =
             static_cast<unsigned>(std::clamp(exponent + 6, 0, static_cast<int>(adhesion_bins) - 1));
         return row * adhesion_bins + (row % 2 == 0 ? column : adhesion_bins - 1 - column);
+    }
+
+    /// Bin of a yield number: hardly any impact yields above 1.
+    static unsigned yield_bin_of(double yield_number) {
+        const auto exponent = static_cast<int>(std::bit_cast<std::uint64_t>(yield_number) >> 52U) - 1023;
+        return static_cast<unsigned>(std::clamp(exponent + 3, 0, static_cast<int>(yield_bins) - 1));
     }
 
     std::array<std::uint16_t, most_impacts> place_;

@@ -24,6 +24,7 @@ inline constexpr int most_passes = 64;  ///< steps; an impact that needs more is
 struct Block {
     HWY_ALIGN double adhesion[block_size];
     HWY_ALIGN double damping[block_size];
+    HWY_ALIGN double yield_number[block_size];  ///< of a form that yields; otherwise unused
     const batch::ZoneCurve* curve[block_size];  ///< of ZoneForm; otherwise unused, as the next
     const ZoneDamping* law;
     HWY_ALIGN double speed[block_size];         ///< at the end of contact
@@ -60,21 +61,31 @@ class LaneOrbit {
     static constexpr int late = 5;  ///< creeping is tested only from this step on; it is rare and slow
 
     LaneOrbit() = default;
-    /// @param goal what is to be found; for the turn alone the motion ends soon after it
-    HWY_INLINE LaneOrbit(const Equation<F>& equation, Detachment detachment, Goal goal)
+    /// An impact from first touch on. @param goal what is to be found; for the turn alone the motion ends
+    /// soon after it
+    HWY_INLINE LaneOrbit(const Equation<F>& equation, const Places& places, Goal goal)
+        : LaneOrbit(equation, places, inward_step(equation, places), every(), every()) {
+        goal_ = goal;
+    }
+    /// The part of an impact from its turn on, or from a later place up to it, of the lanes that are @p
+    /// active.
+    /// @param places touch, touch_speed and touch_time are those of the beginning
+    HWY_INLINE LaneOrbit(const Equation<F>& equation, const Places& places, Lanes step, Mask approaching,
+                         Mask active)
         : equation_(equation),
-          places_(places_of(equation, detachment)),
-          pilot_(inward_step(equation, places_)),
+          places_(places),
+          pilot_(step),
           error_scale_(equation_.error_weight() / places_.speed_squared),
-          goal_(goal),
-          approaching_(every()),
-          active_(every()) {
+          approaching_(approaching),
+          active_(active) {
         state_.position = places_.touch;
         equation_.prepare(places_.touch, every(), every());
         state_.momentum = places_.touch_speed + equation_.damping_impulse(places_.touch);
         state_.time = places_.touch_time;
         found_.turn = found_.end = state_;
     }
+    /// Ends the motion at the turning point.
+    HWY_INLINE void stop_at_turn() { to_turn_ = true; }
 
     /// Goes back to a state beside the turn, to end at the turning point; the step from there is chosen. What
     /// was found before is forgotten, but which lanes never turn.
@@ -85,7 +96,7 @@ class LaneOrbit {
         speed_ = abs(next.velocity);
         stiffness_ = 0.0;
         pilot_ = Pilot(next.usual);
-        to_turn_ = true;
+        to_turn_ = returned_ = true;
         found_.forget();
         approaching_ = active_ = without(every(), found_.never_turns);
         equation_.prepare(state_.position, active_, next.velocity > Lanes(0.0));
@@ -95,6 +106,8 @@ class LaneOrbit {
     [[nodiscard]] HWY_INLINE const LaneState& state() const { return state_; }
     [[nodiscard]] HWY_INLINE Lanes step() const { return step_; }
     [[nodiscard]] HWY_INLINE Mask active() const { return active_; }
+    [[nodiscard]] HWY_INLINE const Places& places() const { return places_; }
+    [[nodiscard]] HWY_INLINE const LaneFindings& found() const { return found_; }
 
     /// Detects events at the present state and chooses the next step.
     HWY_INLINE void observe(int pass) {
@@ -111,7 +124,11 @@ class LaneOrbit {
         }
         const NextEvent next(places_, approaching_);
         Lanes event = next.time(q, v, r);
-        if (!to_turn_) event = select(approaching_, NextEvent::out_of_sight, event);
+        if (!to_turn_) {
+            Lanes leaves = NextEvent::out_of_sight;
+            if constexpr (F::yields) leaves = next.time_to_yield(q, v, r);
+            event = select(approaching_, leaves, event);
+        }
         const Lanes reach = next.reach(q, v, usual);
         const Mask near = both(active_, abs(event) <= (to_turn_ ? reach * Lanes(turn_reach) : reach));
         const Mask turning = both(near, approaching_);
@@ -119,9 +136,9 @@ class LaneOrbit {
         found_.record(turning, ending, state_);
         active_ = without(active_, ending);
         approaching_ = without(approaching_, turning);
-        if (to_turn_) active_ = without(active_, turning);
+        if (to_turn_ || F::yields) active_ = without(active_, turning);
         const LaneVerdict verdict = LaneCapture<F>(equation_, places_)
-                                        .verdict(q, v, active_, approaching_, !to_turn_ && pass >= late);
+                                        .verdict(q, v, active_, approaching_, !returned_ && pass >= late);
         found_.record(verdict);
         active_ = without(active_, verdict.captured);
         const Mask within = without(event < usual * pilot_.reach(), turning);
@@ -140,8 +157,10 @@ class LaneOrbit {
         const Lanes error = multiply_add(max(speed_, abs(v)), abs(step.momentum_error),
                                          max(stiffness_, abs(step.end_stiffness)) * abs(step.position_error));
         // A step after which the overlap grows again may have passed the end of contact.
-        const Mask returned =
+        Mask returned =
             either(without(v > Lanes(0.0), approaching_), without(every(), equation_.knows(next.position)));
+        if constexpr (F::yields)
+            if (!to_turn_) returned = either(returned, both(approaching_, may_have_yielded(v)));
         const Lanes judged = select(returned, returned_error, error * error_scale_);
         const Mask good =
             pilot_.template judge<2 * sequences - 1>(abs(step_), judged, v > Lanes(0.0), active_);
@@ -151,20 +170,43 @@ class LaneOrbit {
 
     /// Writes the ends of the impacts into the lanes of a block from @p first on.
     HWY_INLINE void store_end(Block& block, std::size_t first) const {
-        const LaneArrival end = separated(equation_, places_, end_point(equation_, places_, found_.end));
+        const LaneArrival end = arrival();
         end.time.store(block.time + first);
         end.speed.store(block.speed + first);
-        block.rebound |= bits_of(found_.surely_ended(end, places_)) << first;
-        block.capture |= bits_of(without(found_.captured, found_.doubtful)) << first;
+        block.rebound |= bits_of(rebounds(end)) << first;
+        block.capture |= bits_of(captures()) << first;
     }
     HWY_INLINE void store_turn(Block& block, std::size_t first) const {
-        const LaneTurn turn = turning_point(equation_, places_, found_.turn, found_.turned);
-        block.turn |= bits_of(found_.surely_turned(turn.time, equation_, places_)) << first;
+        const LaneTurn turn = this->turn();
+        block.turn |= bits_of(turns(turn)) << first;
         turn.time.store(block.turn_time + first);
         turn.overlap.store(block.turn_overlap + first);
     }
 
+    /// Outside of contact.
+    [[nodiscard]] HWY_INLINE LaneArrival arrival() const {
+        return separated(equation_, places_,
+                         arrival_at(equation_, places_.end, places_.by_force, found_.end));
+    }
+    [[nodiscard]] HWY_INLINE Mask rebounds(const LaneArrival& arrival) const {
+        return found_.surely_ended(arrival, places_);
+    }
+    [[nodiscard]] HWY_INLINE Mask captures() const { return without(found_.captured, found_.doubtful); }
+    [[nodiscard]] HWY_INLINE LaneTurn turn() const {
+        return turning_point(equation_, places_, found_.turn, found_.turned);
+    }
+    [[nodiscard]] HWY_INLINE Mask turns(const LaneTurn& turn) const {
+        return found_.surely_turned(turn.time, equation_, places_);
+    }
+
   private:
+    /// Lanes that turn in this step, perhaps beyond yield. @param v at its end
+    [[nodiscard]] HWY_INLINE Mask may_have_yielded(Lanes v) const {
+        constexpr double margin = 1.5;  // over the rise at a constant acceleration
+        const Lanes rise = speed_ * speed_ * step_ / (speed_ - v) * Lanes(0.5);
+        return both(v <= Lanes(0.0), multiply_add(rise, margin, state_.position) >= places_.yield);
+    }
+
     static constexpr double returned_error = 1.0;  ///< so large that the pilot shortens the step most
 
     Equation<F> equation_;
@@ -178,7 +220,8 @@ class LaneOrbit {
     Lanes speed_;
     Lanes stiffness_;
     Goal goal_ = Goal::end;
-    bool to_turn_ = false;  ///< whether it returned and stops at the turning point
+    bool to_turn_ = false;   ///< whether it stops at the turning point
+    bool returned_ = false;  ///< to beside the turn
     Mask approaching_;
     Mask active_;
 };
@@ -203,39 +246,6 @@ HWY_INLINE void integrate(Groups<LaneOrbit<F>>& orbits, int pass) {
         if (!any(active)) break;
         advance<F>(orbits);
     }
-}
-
-/// The equation of the lanes of a block from @p first on.
-template <class F>
-[[nodiscard]] HWY_INLINE Equation<F> equation_of(const Block& block, std::size_t first) {
-    const Lanes adhesion = Lanes::load(block.adhesion + first);
-    const Lanes damping = Lanes::load(block.damping + first);
-    if constexpr (std::is_same_v<F, ZoneForm>)
-        return {adhesion, damping, block.curve + first, *block.law};
-    else
-        return {adhesion, damping};
-}
-
-/// Integrates the impacts of a block.
-template <class F>
-HWY_NOINLINE void follow(Block& block, Detachment detachment, Goal goal) {
-    using Orbit = LaneOrbit<F>;
-    Groups<Orbit> orbits;
-    for (std::size_t group = 0; group < group_count; ++group) {
-        const std::size_t first = group * lane_count;
-        orbits[group] = Orbit(equation_of<F>(block, first), detachment, goal);
-    }
-    block.rebound = block.capture = block.turn = 0;
-    integrate<F>(orbits, 0);
-    if (goal != Goal::turn)
-        for (std::size_t group = 0; group < group_count; ++group)
-            orbits[group].store_end(block, group * lane_count);
-    if (goal == Goal::end) return;
-    for (Orbit& orbit : orbits) orbit.return_to_turn();
-    advance<F, Orbit::sequences_to_turn>(orbits);
-    integrate<F>(orbits, Orbit::late);
-    for (std::size_t group = 0; group < group_count; ++group)
-        orbits[group].store_turn(block, group * lane_count);
 }
 
 }  // namespace ashimpact::HWY_NAMESPACE

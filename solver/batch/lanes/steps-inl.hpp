@@ -28,13 +28,15 @@ template <class F>
     static const double free_turn = std::pow(1.0 / F::potential[degree][0], 1.0 / degree);
     static const double bound_turn =
         std::pow(1.36 * 1.15, 5.0 / degree);  // of DMT; that of the other laws is less
-    const Lanes a = equation.adhesion;
+    const LawNumbers& a = equation.numbers;
     const Lanes brake = equation.damping * Lanes(mean_speed);
     const auto work = [&](Lanes q) HWY_ATTR {
         return multiply_add(value_of<F::impulse>(a, q), brake, equation.potential(q));
     };
-    const Lanes wanted = work(places.touch) + Lanes(0.5);
-    Lanes q = max(places.equilibrium * Lanes(bound_turn), free_turn);
+    const Lanes speed = places.touch_speed;
+    const Lanes wanted = multiply_add(speed * Lanes(0.5), speed, work(places.touch));
+    const Lanes free = sqrt(sqrt(speed)) * Lanes(free_turn);  // of a speed of 1 or degree 8
+    Lanes q = max(max(places.equilibrium * Lanes(bound_turn), free), places.touch * Lanes(1.02));
     for (int i = 0; i < 4; ++i) {  // convex and increasing there: Newton comes down to the root
         const Lanes slope = multiply_add(value_of<F::drag>(a, q), brake, value_of<F::stiffness>(a, q));
         q = q - (work(q) - wanted) / slope;

@@ -30,6 +30,21 @@ using ZonePolynomial = const Lanes*;
     return sum;
 }
 
+/// Value and derivative by t.
+struct ValueAndSlope {
+    Lanes value;
+    Lanes slope;
+};
+[[nodiscard]] HWY_INLINE ValueAndSlope value_and_slope_at(ZonePolynomial c, Lanes t) {
+    ValueAndSlope r{c[batch::ZoneBand::terms - 1], 0.0};
+#pragma GCC unroll 20
+    for (std::size_t k = batch::ZoneBand::terms - 1; k-- > 0;) {
+        r.slope = multiply_add(r.slope, t, r.value);
+        r.value = multiply_add(r.value, t, c[k]);
+    }
+    return r;
+}
+
 /// Turns numbers of each lane, from @p rows on, into lanes of each number: as many as there are lanes.
 HWY_INLINE void transpose(const double* const* rows, std::size_t from, Lanes* to) {
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
@@ -178,6 +193,10 @@ struct Equation<ZoneForm> {
     }
     [[nodiscard]] HWY_INLINE Lanes force(Lanes q) const {
         return overlap_unit * radius_unit * value_at(function(batch::ZoneBand::force), place_of(q));
+    }
+    [[nodiscard]] HWY_INLINE Lanes force_slope(Lanes q) const {
+        return overlap_unit * radius_unit * stretch_ *
+               value_and_slope_at(function(batch::ZoneBand::force), place_of(q)).slope;
     }
     [[nodiscard]] HWY_INLINE Lanes potential(Lanes q) const {
         return energy_unit * value_at(function(batch::ZoneBand::potential), place_of(q));

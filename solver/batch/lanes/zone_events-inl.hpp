@@ -18,21 +18,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
-/// Value and derivative by t.
-struct ValueAndSlope {
-    Lanes value;
-    Lanes slope;
-};
-[[nodiscard]] HWY_INLINE ValueAndSlope value_and_slope_at(ZonePolynomial c, Lanes t) {
-    ValueAndSlope r{c[batch::ZoneBand::terms - 1], 0.0};
-#pragma GCC unroll 20
-    for (std::size_t k = batch::ZoneBand::terms - 1; k-- > 0;) {
-        r.slope = multiply_add(r.slope, t, r.value);
-        r.value = multiply_add(r.value, t, c[k]);
-    }
-    return r;
-}
-
 [[nodiscard]] HWY_INLINE Rest rest_of(const Equation<ZoneForm>& equation, const Places& places) {
     using Curve = batch::ZoneCurve;
     const Lanes force_unit = equation.overlap_unit * equation.radius_unit;

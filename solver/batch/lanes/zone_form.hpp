@@ -9,7 +9,9 @@ namespace ashimpact {
 
 /// In place of a Form: a cohesive zone (batch::ZoneCurve), with any damping law of one term. The coordinate q
 /// is u of the curve, in units of Maugis; all else is in units of the scale.
-struct ZoneForm {};
+struct ZoneForm {
+    static constexpr bool yields = false;
+};
 
 /// A damping law in a cohesive zone.
 struct ZoneDamping {

@@ -53,7 +53,7 @@ class PlasticMotion {
     [[nodiscard]] Real elastic_touch() const { return elastic_.root_radius(elastic_.touch); }
     [[nodiscard]] Motion<Real> loading_motion() const;
 
-    YieldedContact<Real> contact_;
+    PlasticLoading<Real> plastic_;
     ScaledDamping<Real> damping_;
     Detachment detachment_;
     Motion<Real> elastic_;
@@ -79,7 +79,7 @@ struct YieldingCreep {
 template <class Real>
 PlasticMotion<Real>::PlasticMotion(const YieldedContact<Real>& contact, const ScaledDamping<Real>& damping,
                                    Detachment detachment)
-    : contact_(contact),
+    : plastic_(contact.loading()),
       damping_(damping),
       detachment_(detachment),
       elastic_(make_motion<ThorntonNing, Real>(contact.adhesion, damping, detachment)),
@@ -92,11 +92,11 @@ PlasticMotion<Real>::PlasticMotion(const YieldedContact<Real>& contact, const Sc
 template <class Real>
 Motion<Real> PlasticMotion<Real>::loading_motion() const {
     const auto u = Polynomial<Real>::identity();
-    Motion<Real> motion = branch_motion<Real>(
-        {contact_.plastic_overlap(u), {contact_.plastic_hertz_force(u), contact_.attraction(u)}}, damping_);
+    Motion<Real> motion =
+        branch_motion<Real>({plastic_.overlap(u), {plastic_.repulsion(u), plastic_.attraction(u)}}, damping_);
     motion.touch = motion.coordinate(yield());
     // Without force beyond yield; 0 where the branch is repulsive throughout.
-    const auto force = [&](Real x) { return contact_.plastic_force(x); };
+    const auto force = [&](Real x) { return plastic_.force(x); };
     motion.equilibrium =
         motion.coordinate(force(yield()) >= Real(0) ? Real(0) : root_beyond<Real>(force, yield(), yield()));
     return motion;
@@ -105,11 +105,12 @@ Motion<Real> PlasticMotion<Real>::loading_motion() const {
 template <class Real>
 Motion<Real> PlasticMotion<Real>::unloading(Real u_greatest) const {
     const auto u = Polynomial<Real>::identity();
-    const Real flattening = contact_.flattening(u_greatest);
-    const Real adhesion = contact_.adhesion;
+    const Real flattening = plastic_.flattening(u_greatest);
+    const Real adhesion = plastic_.adhesion;
     Motion<Real> motion = branch_motion<Real>(
-        {flattening * power<4>(u) - adhesion * u + Polynomial<Real>(contact_.permanent_overlap(u_greatest)),
-         {flattening * power<6>(u), contact_.attraction(u)}},
+        {flattening * power<4>(u) - adhesion * u +
+             Polynomial<Real>(power<4>(u_greatest) * (Real(1) - flattening)),  // permanent overlap
+         {flattening * power<6>(u), plastic_.attraction(u)}},
         damping_);
     const ThorntonNing<Real> flattened{adhesion /
                                        flattening};  // same points in u, in units of the flattened sphere

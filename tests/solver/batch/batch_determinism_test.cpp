@@ -240,7 +240,7 @@ TEST_CASE("the square that a table gives for a place holds it, at the edges of t
 
 TEST_CASE("tabulated critical velocities are those of the backward integration to 1e-10") {
     for (Impacts& impacts : random_impacts(60, 2.0, 31)) {
-        if (impacts.law.has_cohesive_zone()) continue;
+        if (impacts.law.has_cohesive_zone() || impacts.law.is_plastic()) continue;
         impacts.damping[0] = 0.0;
         impacts.damping[1] *= 1e-7;
         impacts.damping[2] *= 1e3;
@@ -371,6 +371,7 @@ TEST_CASE("tabulated critical velocities of a cohesive zone: no bit depends on t
 
 TEST_CASE("damping found from a restitution gives it back") {
     for (const Impacts& impacts : random_impacts(300, 1.0, 32)) {
+        if (impacts.law.is_plastic()) continue;  // by the scalar solver
         const ImpactBatchResult forward = solve_impacts(impacts.batch());
         std::vector<Eigen::Index> rebounds;
         for (Eigen::Index i = 0; i < impacts.size(); ++i) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "solver/batch/kernels/kernel.hpp"
+#include "solver/contact/thornton_ning.hpp"
 #include "solver/motion/scale.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/random.hpp"
@@ -19,6 +20,19 @@ namespace {
 /// Evenly in the logarithm.
 double scaled(Random& random, double low, double high) {
     return low * std::pow(high / low, random.uniform(0.0, 1.0));
+}
+
+/// Yield pressure at which adhesion alone yields the contact [Pa].
+double pressure_of_adhesive_yield(const Impacts& impacts, Eigen::Index i) {
+    using Yielding = ThorntonNing<double>;
+    const ContactPair pair{.mass = impacts.mass[i],
+                           .effective_radius = impacts.effective_radius[i],
+                           .contact_modulus = impacts.contact_modulus[i],
+                           .work_of_adhesion = impacts.work_of_adhesion[i],
+                           .yield_pressure = 1.0};
+    const double length = pair.effective_radius;  // any
+    return 0.5 * std::pow(Yielding::adhesion_number(pair, length), 2.0 / 3.0) /
+           Yielding::yield_number(pair, length);
 }
 
 Impacts random_impacts(Law law, Detachment detachment, DampingLaw damping_law, Eigen::Index count,
@@ -35,6 +49,10 @@ Impacts random_impacts(Law law, Detachment detachment, DampingLaw damping_law, E
         impacts.mass[i] = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density;
         impacts.contact_modulus[i] = scaled(random, 3e10, 1.5e11);
         impacts.work_of_adhesion[i] = scaled(random, 0.01, 1.0);
+        if (law.is_plastic()) {
+            impacts.yield_pressure.conservativeResize(count);
+            impacts.yield_pressure[i] = pressure_of_adhesive_yield(impacts, i) * scaled(random, 1.2, 120.0);
+        }
         for (const auto& [name, value] : parameters_like(impacts.work_of_adhesion[i])) {
             Eigen::ArrayXd& column = impacts.parameters[name];
             column.conservativeResize(count);
@@ -77,7 +95,7 @@ ImpactBatch Impacts::batch() const {
     return {law,
             detachment,
             damping_law,
-            {mass, effective_radius, contact_modulus, work_of_adhesion, never_yields,
+            {mass, effective_radius, contact_modulus, work_of_adhesion, yield_pressure,
              parameter_columns(parameters)},
             damping,
             velocity};
@@ -91,11 +109,13 @@ Impact Impacts::at(Eigen::Index i) const {
              .effective_radius = effective_radius[i],
              .contact_modulus = contact_modulus[i],
              .work_of_adhesion = work_of_adhesion[i],
+             .yield_pressure = yield_pressure[yield_pressure.size() == 1 ? 0 : i],
              .parameters = parameters_at(parameters, i)},
             velocity[i]};
 }
 
 Impacts Impacts::picked(const std::vector<Eigen::Index>& places) const {
+    const Eigen::ArrayXd yield = law.is_plastic() ? yield_pressure(places).eval() : yield_pressure;
     return {.law = law,
             .detachment = detachment,
             .damping_law = damping_law,
@@ -103,6 +123,7 @@ Impacts Impacts::picked(const std::vector<Eigen::Index>& places) const {
             .effective_radius = effective_radius(places),
             .contact_modulus = contact_modulus(places),
             .work_of_adhesion = work_of_adhesion(places),
+            .yield_pressure = yield,
             .damping = damping(places),
             .velocity = velocity(places),
             .parameters = picked_parameters(parameters, places)};

@@ -22,6 +22,7 @@ struct Impacts {
     Eigen::ArrayXd effective_radius{};
     Eigen::ArrayXd contact_modulus{};
     Eigen::ArrayXd work_of_adhesion{};
+    Eigen::ArrayXd yield_pressure = never_yields;  ///< one value for all unless the law yields
     Eigen::ArrayXd damping{};
     Eigen::ArrayXd velocity{};
     using Parameters = std::map<std::string_view, Eigen::ArrayXd>;
