@@ -9,6 +9,7 @@
 #include "core/text/error.hpp"
 #include "solver/batch/problems.hpp"
 #include "solver/batch/tables/law_tables.hpp"
+#include "solver/batch/tables/yield_velocities.hpp"
 #include "solver/batch/tables/zone_velocities.hpp"
 #include "solver/contact/dmt.hpp"
 #include "solver/motion/branches/cohesive_motion.hpp"
@@ -237,6 +238,10 @@ void look_up_zones(const Problems& problems, PieceState* state, double* value) {
 /// Reads problems from the table of their law; undecided where it has none.
 void look_up(const Problems& problems, PieceState* state, double* value) {
     const auto& [law, detachment, damping_law, count, inputs] = problems;
+    if (law.is_plastic() && batch::has_kernels(law, damping_law)) {
+        batch::find_yield_velocities(problems, state, value);
+        return;
+    }
     const bool scales = law.self_similar() || law.has_cohesive_zone();
     if (!scales || !law.is_adhesive() || !has_tables(law, damping_law) ||
         detachment == Detachment::zero_force) {

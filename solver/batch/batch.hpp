@@ -114,8 +114,8 @@ struct CriticalVelocityBatchResult {
     std::int64_t scalar = 0;  ///< how many were left to critical_velocity(): beyond the tables
 };
 
-/// Critical velocities, from tables as tabulated_critical_velocity() gives them; with a cohesive zone to
-/// 1e-9.
+/// Critical velocities, from tables as tabulated_critical_velocity() gives them; with a cohesive zone or
+/// beyond yield to 1e-9.
 /// @param threads 0: one for each core; no bit of a result depends on it
 /// @param method table: where the law has none, as critical_velocity() gives them
 /// @throws InputError for inadmissible input, naming the first place it concerns

@@ -35,7 +35,7 @@ Table& table_of(const Key& key, const Arguments&... arguments) {
 }
 
 constexpr int degree = CriticalPolynomial::terms - 1;
-constexpr double tolerance = 1e-12;  ///< of ln(work/beta), in its last coefficients
+constexpr double tolerance = 1e-12;  ///< of the logarithms, in their last coefficients
 
 /// An adhesive pair. Its values do not matter: scaled, v_c is the same for every pair.
 ContactPair sample_pair(Law law) {
@@ -174,15 +174,18 @@ bool fit(const Layers& values, double allowed, SquarePolynomial RestitutionPolyn
 
 template class PieceTree<CriticalPiece, 64, 5, 16>;
 
-CriticalTable& CriticalTable::of(Law law, Detachment detachment, DampingLaw damping_law) {
-    return table_of<CriticalTable>(std::tuple(law.index(), detachment, damping_law), law, detachment,
-                                   damping_law);
+CriticalTable& CriticalTable::of(Law law, Detachment detachment, DampingLaw damping_law,
+                                 CriticalQuantity quantity) {
+    return table_of<CriticalTable>(std::tuple(law.index(), detachment, damping_law, quantity), law,
+                                   detachment, damping_law, quantity);
 }
 
-CriticalTable::CriticalTable(Law law, Detachment detachment, DampingLaw damping_law)
+CriticalTable::CriticalTable(Law law, Detachment detachment, DampingLaw damping_law,
+                             CriticalQuantity quantity)
     : law_(law.index()),
       detachment_(detachment),
       damping_law_(damping_law),
+      quantity_(quantity),
       length_power_(power_of_length(law)) {
     double lower = lowest;
     for (CriticalPiece& octave : roots_) {
@@ -207,7 +210,8 @@ PieceState CriticalTable::judge(const CriticalPiece& piece, int /*depth*/,
         const CriticalVelocity critical = critical_velocity({law, detachment_, damping, pair});
         // Capture only grows with damping: if v_c is not finite here, it is not at the later nodes either.
         if (!critical.value) return i == 0 ? PieceState::captured : PieceState::unknown;
-        values[i] = std::log(critical.dissipated / unit / beta);
+        values[i] = std::log(quantity_ == CriticalQuantity::work ? critical.dissipated / unit / beta
+                                                                 : *critical.maximum_overlap / scale.length);
         content.detachment_energy = critical.detachment_energy / unit;
     }
     const Eigen::VectorXd spectrum = to_chebyshev * values;

@@ -24,8 +24,14 @@ namespace batch {
 struct CriticalPolynomial {
     static constexpr std::size_t terms = 16;  ///< a multiple of the lanes of any register
 
-    std::array<double, terms> coefficients;  ///< ln(work of damping/(beta m V_a^2)) by powers of t
+    std::array<double, terms> coefficients;  ///< of the CriticalQuantity, by powers of t
     double detachment_energy;                ///< [m V_a^2]
+};
+
+/// What a table tells of the impact at v_c.
+enum class CriticalQuantity {
+    work,     ///< ln(work of damping/(beta m V_a^2))
+    overlap,  ///< ln(greatest overlap), in units of the scale
 };
 
 using CriticalPiece = Piece<1, CriticalPolynomial>;
@@ -42,9 +48,10 @@ extern template class PieceTree<CriticalPiece, 64, 5, 16>;
 class CriticalTable final : public CriticalTree {
   public:
     /// The table of that combination, one for the process. Thread-safe.
-    [[nodiscard]] static CriticalTable& of(Law law, Detachment detachment, DampingLaw damping_law);
+    [[nodiscard]] static CriticalTable& of(Law law, Detachment detachment, DampingLaw damping_law,
+                                           CriticalQuantity quantity = CriticalQuantity::work);
 
-    CriticalTable(Law law, Detachment detachment, DampingLaw damping_law);
+    CriticalTable(Law law, Detachment detachment, DampingLaw damping_law, CriticalQuantity quantity);
 
     /// The damping number itself, or the lowest of the table, below which the work over beta is the same.
     [[nodiscard]] static double inside(double beta) { return beta < lowest ? lowest : beta; }
@@ -69,6 +76,7 @@ class CriticalTable final : public CriticalTree {
     std::size_t law_;  ///< its position in the registry: kernels read tables and include no other law
     Detachment detachment_;
     DampingLaw damping_law_;
+    CriticalQuantity quantity_;
     double length_power_;
 };
 

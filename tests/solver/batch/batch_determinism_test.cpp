@@ -262,6 +262,32 @@ TEST_CASE("tabulated critical velocities are those of the backward integration t
     }
 }
 
+TEST_CASE("critical velocities beyond yield are those of the backward integration to 1e-9, on any threads") {
+    int yielded = 0;
+    int sets = 0;
+    for (const Impacts& impacts : random_impacts(sanitized ? 2 : 24, 1.5, 37)) {
+        if (!impacts.law.is_plastic()) continue;
+        CAPTURE(name_of(impacts));
+        ++sets;
+        const CriticalVelocityBatchResult result = critical_velocities(critical_batch(impacts));
+        const CriticalVelocityBatchResult threaded = critical_velocities(critical_batch(impacts), 3);
+        CHECK(result.scalar <= impacts.size() / 8);
+        for (Eigen::Index i = 0; i < impacts.size(); ++i) {
+            CAPTURE(i);
+            const Impact impact = impacts.at(i);
+            const CriticalVelocity reference =
+                critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
+            REQUIRE(result.verdict[i] == reference.verdict);
+            if (reference.value) CHECK(relative_difference(result.value[i], *reference.value) <= 1e-9);
+            CHECK(same(result.value[i], threaded.value[i]));
+            const Impacts alone = impacts.picked({i});
+            CHECK(same(critical_velocities(critical_batch(alone)).value[0], result.value[i]));
+            yielded += reference.plastic > 0.0 ? 1 : 0;
+        }
+    }
+    if (sets > 0 && !sanitized) CHECK(yielded >= 2 * sets);
+}
+
 /// Spheres with a cohesive zone that differ in Tabor parameter and damping alone.
 struct ZonePairs {
     Detachment detachment;
