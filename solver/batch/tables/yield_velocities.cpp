@@ -93,9 +93,9 @@ class YieldCapture {
 };
 
 /// Problems of a batch in columns of their own, one after another.
-class Columns {
+class ColumnsOfImpacts {
   public:
-    Columns(const Problems& problems, std::span<const std::size_t> places) : problems_(problems) {
+    ColumnsOfImpacts(const Problems& problems, std::span<const std::size_t> places) : problems_(problems) {
         for (const std::size_t i : places) {
             const ContactPair contact = problems.contact(i);
             const std::array values{contact.mass,
@@ -176,7 +176,7 @@ void search(const Problems& problems, std::vector<VelocitySearch> searches, doub
             places.push_back(search.place);
             velocity.push_back(std::exp(search.velocity));
         }
-        Columns impacts(problems, places);
+        ColumnsOfImpacts impacts(problems, places);
         impacts.solve(velocity);
         std::vector<VelocitySearch> open;
         for (std::size_t k = 0; k < searches.size(); ++k) {
