@@ -72,8 +72,8 @@ class YieldedImpacts {
                               Goal goal) {
         Mask some = none();
         for (std::size_t group = 0; group < group_count; ++group) {
-            yielded_[group] = elastic[group].found().turned;
-            some = either(some, yielded_[group]);
+            left_[group] = elastic[group].found().turned;
+            some = either(some, left_[group]);
         }
         any_ = any(some);
         if (!any_) return;
@@ -87,15 +87,18 @@ class YieldedImpacts {
         integrate<F>(unloading_, 0);
     }
 
+    /// Replaces what was stored of the elastic branch, which the impacts have left.
     HWY_INLINE void store(Block& block, Goal goal) const {
         if (!any_) return;
         for (std::size_t group = 0; group < group_count; ++group) {
             const std::size_t first = group * lane_count;
             const auto write = [&](const Lanes& value, double* to) HWY_ATTR {
-                select(yielded_[group], value, Lanes::load(to + first)).store(to + first);
+                select(left_[group], value, Lanes::load(to + first)).store(to + first);
             };
-            const auto mark = [&](Mask mask, std::uint64_t& bits)
-                                  HWY_ATTR { bits |= bits_of(both(yielded_[group], mask)) << first; };
+            const auto mark = [&](Mask mask, std::uint64_t& bits) HWY_ATTR {
+                bits &= ~(bits_of(left_[group]) << first);
+                bits |= bits_of(both(yielded_[group], mask)) << first;
+            };
             if (goal != Goal::end) {
                 write(turn_[group].time * time_unit_[group], block.turn_time);
                 write(turn_[group].overlap * length_unit_[group], block.turn_overlap);
@@ -129,7 +132,7 @@ class YieldedImpacts {
                                          elastic.equation().damping / Damping::units(scale)[0].lanes());
         const LaneArrival arrival =
             arrival_at(elastic.equation(), before.yield, none(), elastic.found().turn);
-        yielded_[group] = both(yielded_[group], arrival.found);
+        yielded_[group] = both(left_[group], arrival.found);
         Places places;
         places.touch = before.yield / root;
         places.touch_speed = -arrival.speed / velocity;
@@ -179,7 +182,8 @@ class YieldedImpacts {
     }
 
     bool any_ = false;
-    Groups<Mask> yielded_;
+    Groups<Mask> left_;     ///< the elastic branch
+    Groups<Mask> yielded_;  ///< those of which state and time at yield are known
     Groups<Lanes> length_unit_;
     Groups<Lanes> time_unit_;
     Groups<Lanes> flattening_;

@@ -12,8 +12,10 @@
 #include "solver/batch/batch.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/contact/jkr.hpp"
+#include "solver/contact/thornton_ning.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/scale.hpp"
+#include "solver/numeric/number.hpp"
 #include "tests/solver/batch/batch_sample.hpp"
 #include "tests/support/checks.hpp"
 #include "tests/support/random.hpp"
@@ -419,6 +421,43 @@ TEST_CASE("impacts that yield are followed in lanes, to the turn and back on the
                   return solve_impacts(impacts.batch(), {.method = BatchMethod::table});
               }) == "method 'table': law 'thornton-ning' with damping law '" +
                         std::string(name_of(impacts.damping_law)) + "' has no table; allowed: integration");
+    }
+}
+
+TEST_CASE("impacts that turn next to their yield point, before or beyond it, turn where they do alone") {
+    Random random(42);
+    for (Impacts& impacts : random_impacts(sanitized ? 10 : 200, 1.0, 42)) {
+        if (!impacts.law.is_plastic()) continue;
+        CAPTURE(name_of(impacts));
+        for (Eigen::Index i = 0; i < impacts.size(); ++i) {
+            Impact elastic = impacts.at(i);
+            elastic.contact.yield_pressure = 1e6 * elastic.contact.contact_modulus;
+            const double length = Scale::of(elastic.contact, elastic.velocity).length;
+            const double adhesion = Jkr<double>::adhesion_number(elastic.contact, length);
+            const double overlap = solve_impact(elastic).maximum_overlap / length;
+            double u = 1.0 + std::sqrt(std::sqrt(overlap)) + std::cbrt(adhesion);
+            for (int k = 0; k < 12; ++k)  // Newton from above
+                u -= (power<4>(u) - adhesion * u - overlap) / (4.0 * power<3>(u) - adhesion);
+            const double nearness = random.log_uniform(1e-9, 1e-2) * (i % 2 == 0 ? 1.0 : -1.0);
+            const double yield = u * (1.0 - nearness);
+            elastic.contact.yield_pressure = 1.0;
+            impacts.yield_pressure[i] = (power<2>(yield) - adhesion / (2.0 * yield)) /
+                                        ThorntonNing<double>::yield_number(elastic.contact, length);
+        }
+        const ImpactBatchResult result = solve_impacts(impacts.batch());
+        Eigen::Index yielded = 0;
+        for (Eigen::Index i = 0; i < impacts.size(); ++i) {
+            CAPTURE(i);
+            const ImpactResult alone = solve_impact(impacts.at(i));
+            yielded += alone.yielded ? 1 : 0;
+            CHECK(result.outcome[i] == alone.outcome);
+            CHECK(conditioned_error(result.restitution[i], alone) <= bound_of(impacts.law));
+            CHECK(relative_difference(result.maximum_overlap[i], alone.maximum_overlap) <= 1e-9);
+            if (alone.approach_time)
+                CHECK(relative_difference(result.approach_time[i], *alone.approach_time) <= 1e-8);
+        }
+        CHECK(yielded > impacts.size() / 4);
+        CHECK(yielded < impacts.size() - impacts.size() / 4);
     }
 }
 
