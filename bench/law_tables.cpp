@@ -201,7 +201,7 @@ void print_single_laws(const Options& options, double unit) {
         DampingLaw damping;
         double yield_pressure = std::numeric_limits<double>::infinity();
     };
-    fmt::print("\n{:<30}{:>12}{:>12}{:>12}{:>8}\n", "one by one", "impacts/s", "dampings/s", "v_c/s",
+    fmt::print("\n{:<30}{:>12}{:>12}{:>12}{:>8}\n", "without tables", "impacts/s", "dampings/s", "v_c/s",
                "/ GSL");
     for (const Row& row : {Row{Law::of<Hertz>(), DampingLaw::brach_dunn},
                            {Law::of<Dmt>(), DampingLaw::brach_dunn},
