@@ -136,8 +136,9 @@ void Sheet::merge(std::size_t first_row, std::size_t first_column, std::size_t l
 }
 
 void Sheet::comment(std::size_t row, std::size_t column, std::string text) {
-    std::ranges::replace_if(
-        text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '"'; }, ' ');
+    std::replace_if(
+        text.begin(), text.end(),
+        [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '"'; }, ' ');
     if (trimmed(text).empty()) return;
     bytes_ += text.size();
     if (bytes() > most_bytes) throw too_large();
