@@ -395,7 +395,7 @@ TEST_CASE("a comment on a cell is said, and what it states counts as of a text b
     const XrdResult read = read_xrd(with("seen &quot;twice&quot;"), "a.xlsx");
     CHECK(read.samples.front().analysis.phases.size() == 2);
     CHECK(std::ranges::any_of(read.warnings, [](const Finding& each) {
-        return each.text == "the comment on B2, \"NN:  seen  twice\", is no part of the table";
+        return each.text == "the comment on B2, \"NN: seen  twice\", is no part of the table";
     }));
     CHECK(contains(input_error_of([&] { static_cast<void>(read_xrd(with("by volume"), "a.xlsx")); }),
                    "sheet \"S\", comments: \"comment on B2: NN: by volume\" states fractions by volume"));
@@ -417,7 +417,7 @@ TEST_CASE("comments of a table are said, unless they are its heading") {
         return joined(texts_of(read_xrd(text, "a.csv").warnings));
     };
     CHECK(contains(told("# unit: see below\nphase,wt%\nQuartz,60\n#\n# line 3 is new\nGlass,40\n"),
-                   "line 1, a comment, is no part of the table: \"unit: see below\" and \"line 3 is new\""));
+                   "line 1, a comment, is no part of the table: \"unit: see below\", \"line 3 is new\""));
     CHECK_FALSE(contains(told("# phase,wt%\nQuartz,60\nGlass,40\n"), "comment"));
     CHECK_FALSE(contains(told("# without amorphous\nphase,wt%\nQuartz,60\nMullite,40\n"), "a comment,"));
 }

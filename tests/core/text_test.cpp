@@ -203,7 +203,8 @@ TEST_CASE("junk, wrong dimensions and numbers that are none are one-line errors 
         CHECK(contains(line, "allowed: a length [m], e.g. 44 um"));
     }
     CHECK(message("2 kg/m 3", Dimension::density) ==
-          "the unit \"kg/m 3\" is not known; allowed: a density [kg/m3], e.g. 2160 kg/m3, 2.16 g/cm3");
+          "the unit \"kg/m 3\" is not known, did you mean \"kg/m3\"?; allowed: a density [kg/m3], e.g. 2160 "
+          "kg/m3, 2.16 g/cm3");
     CHECK(message("3 J", Dimension::energy_per_area) ==
           "the unit \"J\" is not one of energy per area; allowed: an energy per area [J/m2], e.g. 0.3 J/m2, "
           "300 "
