@@ -29,7 +29,7 @@ std::vector<TextBeside> texts_beside(const TextLines& file, std::span<const Text
 }
 
 std::optional<Finding> unread_comments(const TextLines& file, std::size_t heading, std::string_view code,
-                                       Severity severity, const std::set<std::string_view>& told) {
+                                       Severity severity, const std::set<std::string_view>& used) {
     constexpr std::size_t shown = 3;
     constexpr std::size_t longest = 80;  // of a comment that is shown
     std::size_t first = 0;
@@ -38,7 +38,7 @@ std::optional<Finding> unread_comments(const TextLines& file, std::size_t headin
         const std::string_view text = trimmed(line.text);
         const std::string_view bare = text.substr(std::min(text.find_first_not_of("# "), text.size()));
         if (!text.starts_with('#') || bare.empty() || line.number == heading ||
-            makes_statement({line.number, std::string(bare)}, told) ||
+            makes_statement({line.number, std::string(bare)}, used) ||
             (file.of_sheet() && bare.starts_with("comment on ")))
             continue;
         if (comments.empty()) first = line.number;
@@ -54,7 +54,7 @@ std::optional<Finding> unread_comments(const TextLines& file, std::size_t headin
 }
 
 CutTable cut_table(const TextLines& file, std::vector<TextLine> lines, std::size_t place,
-                   std::string_view code, Severity of_titles, const std::set<std::string_view>& told,
+                   std::string_view code, Severity of_titles, const std::set<std::string_view>& used,
                    const std::function<bool(TableRow&, const TableRow&)>& take_second) {
     CutTable table{.separator = separator_of(lines[place].text)};
     table.heading = cut_row(lines[place], table.separator);
@@ -65,21 +65,21 @@ CutTable cut_table(const TextLines& file, std::vector<TextLine> lines, std::size
         if (take_second ? take_second(table.heading, second) : take_units(table.heading, second, is_unit))
             ++first;
     }
-    const auto is_told = [&](const TextLine& line) {
-        return makes_statement({line.number, std::string(line.text)}, told);
+    const auto is_used = [&](const TextLine& line) {
+        return makes_statement({line.number, std::string(line.text)}, used);
     };
     for (std::size_t i = 0; i < place; ++i)
-        if (!is_told(lines[i]))
+        if (!is_used(lines[i]))
             table.findings.push_back({code, of_titles,
                                       at_line(lines[i].number) + ", above the heading, is not read: " +
                                           in_quotes(trimmed(lines[i].text))});
-    if (auto comments = unread_comments(file, lines[place].number, code, of_titles, told))
+    if (auto comments = unread_comments(file, lines[place].number, code, of_titles, used))
         table.findings.push_back(std::move(*comments));
     table.rows.assign(lines.begin() + static_cast<std::ptrdiff_t>(first), lines.end());
     std::vector<Finding> notes = take_notes(lines, first, table.separator, code);
     const std::size_t rows = lines.size() - first;
     for (std::size_t i = 0; i < notes.size(); ++i)
-        if (!is_told(table.rows[rows + i])) table.findings.push_back(std::move(notes[i]));
+        if (!is_used(table.rows[rows + i])) table.findings.push_back(std::move(notes[i]));
     table.notes.assign(table.rows.begin() + static_cast<std::ptrdiff_t>(rows), table.rows.end());
     table.rows.resize(rows);
     table.texts = texts_beside(file, std::span<const TextLine>(lines).subspan(place));

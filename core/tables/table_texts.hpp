@@ -45,17 +45,17 @@ struct CutTable {
 };
 
 /// A remark on the comments (#) of a file, which are not read but for what they state of the table.
-/// @param heading line of the heading, which may begin with "#" @param told statements that are used
+/// @param heading line of the heading, which may begin with "#" @param used statements that the reader uses
 [[nodiscard]] std::optional<Finding> unread_comments(const TextLines& file, std::size_t heading,
                                                      std::string_view code, Severity severity,
-                                                     const std::set<std::string_view>& told = {});
+                                                     const std::set<std::string_view>& used = {});
 
 /// @param lines of the file with content @param place of the heading among them
-/// @param told statements of which the reader tells, so that their texts need no finding
+/// @param used statements that the reader uses, so that their texts need no finding
 /// @param take_second takes a second line into the heading if it is part of it; none: one of units
 [[nodiscard]] CutTable cut_table(const TextLines& file, std::vector<TextLine> lines, std::size_t place,
                                  std::string_view code, Severity of_titles,
-                                 const std::set<std::string_view>& told = {},
+                                 const std::set<std::string_view>& used = {},
                                  const std::function<bool(TableRow&, const TableRow&)>& take_second = {});
 
 /// Refuses rows of numbers apart by blanks, as numpy.savetxt() writes them. @throws InputError
