@@ -436,6 +436,12 @@ class SieveTable {
             refuse_line(rows.back().line,
                         fmt::format("{:.3g} % is coarser than the largest size", 100 * (1 - finer.back())),
                         "a last size that all is finer than");
+        if (finer.back() < 1 - 1e-9)
+            notes.push_back(
+                {"deposition", Severity::remark,
+                 fmt::format("{:.3g} % is coarser than the largest size of the table; it is taken "
+                             "to lie below that size",
+                             100 * (1 - finer.back()))});
         finer.back() = 1;
         if (finer.front() > 0) {
             note_fines(finer.front(), notes);

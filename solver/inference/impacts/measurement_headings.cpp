@@ -255,8 +255,18 @@ bool is_normal(const TextColumn& column) {
 /// Decides what the velocities of impacts at an angle are. Beside an angle v_in is that of the sphere; the
 /// reading has to be named as normal to the wall. @throws InputError
 void settle_sideways(MeasurementHeading& heading) {
-    if (!heading.sideways) return;
     const MeasuredColumn& velocity = *heading.of(MeasuredQuantity::velocity);
+    if (!heading.sideways) {
+        const auto oblique = std::ranges::find_if(heading.unused, [](const TextColumn& column) {
+            return column_words().list_of(key_of(split(column.name).name)) == "tangential rebound";
+        });
+        if (oblique != heading.unused.end() && !is_normal(velocity))
+            throw InputError("column " + in_quotes(oblique->name) + " shows impacts at an angle, and " +
+                                 in_quotes(velocity.name) +
+                                 " may be the velocity of the sphere or its part normal to the wall",
+                             "v_n for the part, or a column \"angle [deg]\" or \"v_t [m/s]\"");
+        return;
+    }
     const MeasuredColumn& reading = heading.reading();
     heading.normal_velocity = !heading.sideways->is_angle || is_normal(velocity);
     if (heading.sideways->is_angle && !heading.normal_velocity && !is_normal(reading))

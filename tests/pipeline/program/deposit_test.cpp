@@ -216,6 +216,7 @@ TEST_CASE("what a sieve table has beside sizes and shares is said") {
          {std::pair{"size [um];passing [wt%];Bemerkung\n10;20;x\n20;100;\n",
                     "column \"Bemerkung\" is not used"},
           {"size [um];passing [Vol.-%]\n10;20\n20;100\n", "is by volume: taken as by mass"},
+          {"size [um];passing [%]\n10;20\n20;99.5\n", "0.5 % is coarser than the largest size of the table"},
           {"size [um];passing\n10;20\n20;100\n", "by their size they are per cent"},
           {"size [um];cumulative residue\n10;80\n15;20\n20;0\n", "by their size they are per cent"},
           {"size [um];passing [%]\n10 um;20 \u00b1 1\n20 um;100\n", "uncertainties are not used"},
