@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <chrono>
+#include <ctime>
 #include <random>
 #include <string>
 #include <vector>
@@ -89,10 +89,9 @@ TEST_CASE("a long cell of blanks, words or brackets takes no longer than it is")
         for (const std::string& text :
              {"phase;wt%\n" + cell + ";20\nglass;80\n", "phase;wt%;" + cell + "\nQuartz;20;1\nglass;80;1\n",
               "phase;wt%\nQuartz;" + cell + "\nglass;80\n", cell + "\nphase;wt%\nQuartz;20\nglass;80\n"}) {
-            const auto start = std::chrono::steady_clock::now();
+            const std::clock_t start = std::clock();  // processor time, whatever else the machine does
             const std::string message = refused(text);
-            CHECK_MESSAGE(std::chrono::steady_clock::now() - start < std::chrono::seconds(5),
-                          message.substr(0, 100));
+            CHECK_MESSAGE(std::clock() - start < 5 * CLOCKS_PER_SEC, message.substr(0, 100));
         }
     }
 }
