@@ -341,7 +341,8 @@ class OxideTable {
     void take_titles(std::size_t heading) {
         for (std::size_t i = 0; i < heading; ++i) {
             const std::string title = joined(rows_[i].cells);
-            if (makes_statement({rows_[i].line, title}, {"ignited sample"})) continue;  // the balance states it
+            if (makes_statement({rows_[i].line, title}, {"ignited sample"}))
+                continue;  // the balance states it
             note(at_line(rows_[i].line) + ", above the heading, is not read: " + in_quotes(title),
                  Severity::background);
         }
