@@ -343,6 +343,7 @@ std::vector<ZonePairs> zone_pairs(double tabor, Eigen::Index count) {
 
 TEST_CASE("tabulated critical velocities of a cohesive zone are those of the backward integration to 1e-9") {
     for (const double tabor : {0.3, 0.7, 4.0}) {
+        if (sanitized && tabor < 4.0) continue;  // the same code, for a minute
         for (const ZonePairs& pairs : zone_pairs(tabor, sanitized ? 8 : 30)) {
             // A zone of long reach refuses that end: no undamped impact may gain energy.
             if (pairs.detachment == Detachment::load_controlled && tabor < 2.0) continue;
