@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # run.sh CRITICAL_VELOCITY_STUDY FIT_STUDY: both with a few laboratories a row (a minute), or whole where
-# ASHIMPACT_WHOLE is set: 200 a row, its value if that is above 1 (about an hour on two cores).
+# ASHIMPACT_WHOLE is set: 200 a row, its value if that is above 1 (an hour and a half on two cores).
 set -eu
 whole=${ASHIMPACT_WHOLE:-0}
 seed=20261211
