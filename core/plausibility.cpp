@@ -93,12 +93,12 @@ double factor_outside(const PlausibleRange& range, double value) {
     return std::max({1.0, value / range.greatest, range.least / value});
 }
 
-/// ", did you mean 90 um?" by the first unit with which a number lies in its range; empty if none does.
-std::string meant_with_unit(const PlausibleRange& range, double number) {
+/// "90 um" for 90, by the first unit with which a number lies in its range; none if there is no such unit.
+std::optional<std::string> meant_with_unit(const PlausibleRange& range, double number) {
     for (const std::string_view unit : range.units)
         if (range.holds(to_si(number, unit, range.dimension)))
-            return fmt::format(", did you mean {} {}?", shortest(number), unit);
-    return {};
+            return fmt::format("{} {}", shortest(number), unit);
+    return std::nullopt;
 }
 
 /// How a value of JSON is written; none if it is no positive quantity of this dimension.
@@ -201,19 +201,21 @@ std::optional<Finding> implausible(const PlausibleRange& range, const Writing& w
     const double size = range.either_sign ? std::abs(written.value) : written.value;
     if (!(size > 0) || range.holds(size)) return std::nullopt;
     const std::string unit(si_unit(range.dimension));
-    if (written.number && factor_outside(range, size) >= slip)
-        throw InputError(fmt::format("{} has no unit and is {} {}{}", shortest(*written.number),
-                                     shortest(written.value), unit, meant_with_unit(range, *written.number)),
-                         fmt::format("{}; beyond that a number with its unit", range.words));
+    if (written.number && factor_outside(range, size) >= slip) {
+        const auto meant = meant_with_unit(range, *written.number);
+        throw InputError(
+            fmt::format("{} has no unit and is {} {}{}", shortest(*written.number), shortest(written.value),
+                        unit, meant ? ", did you mean " + *meant + "?" : ""),
+            fmt::format("{}; beyond that a number with its unit", range.words));
+    }
     const std::string shown = readable(written.value, unit);
     std::string_view rest(shown);
     double number = 0;
     static_cast<void>(take_decimal(rest, number));
-    std::string meant = number > 0 ? meant_with_unit(range, number) : std::string();
-    if (!meant.empty()) meant.replace(0, 3, " D");  // of ", did you mean ..."
+    const auto meant = number > 0 ? meant_with_unit(range, number) : std::nullopt;
     return Finding{implausible_code, Severity::doubt,
                    fmt::format("{} is outside of what is plausible, {}: is the unit right?{}", shown,
-                               range.words, meant)};
+                               range.words, meant ? " Did you mean " + *meant + "?" : "")};
 }
 
 std::optional<Finding> implausible_at(const std::string& place, const PlausibleRange& range,

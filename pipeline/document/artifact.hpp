@@ -57,7 +57,7 @@ struct Envelope {
 /// @param run identity of its run; empty: it starts one
 [[nodiscard]] Artifact sealed_artifact(const Envelope& envelope, Json result, const std::string& run);
 
-/// What is said of an artifact that was edited, behind its name.
+/// The remark on an edited artifact, behind the name of its file.
 inline constexpr std::string_view edited_words = "was edited after ashimpact wrote it";
 
 /// An artifact of an earlier run, checked against its schema. An edited one is taken, with a warning.

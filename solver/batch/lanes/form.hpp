@@ -12,8 +12,8 @@
 
 namespace ashimpact {
 
-/// A polynomial in the numbers of a law: x^(i + 3 k) stands for A^i B^k, of the adhesion number A and of the
-/// offset B of a PlasticLoading. No law has A^3.
+/// A polynomial in the adhesion number A of a law and the offset B of a PlasticLoading: element i + 3 k is
+/// the coefficient of A^i B^k. No law has A^3.
 using NumberPolynomial = Polynomial<double, 6>;
 inline constexpr int powers_of_adhesion = 3;
 

@@ -28,7 +28,7 @@ struct CriticalPolynomial {
     double detachment_energy;                ///< [m V_a^2]
 };
 
-/// What a table tells of the impact at v_c.
+/// The quantity of the impact at v_c that a table holds.
 enum class CriticalQuantity {
     work,     ///< ln(work of damping/(beta m V_a^2))
     overlap,  ///< ln(greatest overlap), in units of the scale

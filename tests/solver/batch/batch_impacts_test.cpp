@@ -399,6 +399,18 @@ TEST_CASE("a table tells most impacts, undamped ones and those of no adhesion to
     }
 }
 
+namespace {
+
+/// The impact of a batch has outcome, restitution and turning point of the scalar solver.
+void check_as_alone(const Impacts& impacts, const ImpactBatchResult& result, Eigen::Index i,
+                    const ImpactResult& alone) {
+    CHECK(result.outcome[i] == alone.outcome);
+    CHECK(conditioned_error(result.restitution[i], alone) <= bound_of(impacts.law));
+    CHECK(relative_difference(result.maximum_overlap[i], alone.maximum_overlap) <= 1e-9);
+}
+
+}  // namespace
+
 TEST_CASE("impacts that yield are followed in lanes, to the turn and back on the flattened sphere") {
     for (const Impacts& impacts : random_impacts(sanitized ? 10 : 400, 1.0, 16)) {
         if (!impacts.law.is_plastic()) continue;
@@ -410,9 +422,7 @@ TEST_CASE("impacts that yield are followed in lanes, to the turn and back on the
             CAPTURE(i);
             const ImpactResult alone = solve_impact(impacts.at(i));
             yielded += alone.yielded ? 1 : 0;
-            CHECK(result.outcome[i] == alone.outcome);
-            CHECK(conditioned_error(result.restitution[i], alone) <= bound_of(impacts.law));
-            CHECK(relative_difference(result.maximum_overlap[i], alone.maximum_overlap) <= 1e-9);
+            check_as_alone(impacts, result, i, alone);
             CHECK(std::isnan(result.approach_time[i]) != alone.approach_time.has_value());
         }
         CHECK(yielded > impacts.size() / 8);
@@ -450,9 +460,7 @@ TEST_CASE("impacts that turn next to their yield point, before or beyond it, tur
             CAPTURE(i);
             const ImpactResult alone = solve_impact(impacts.at(i));
             yielded += alone.yielded ? 1 : 0;
-            CHECK(result.outcome[i] == alone.outcome);
-            CHECK(conditioned_error(result.restitution[i], alone) <= bound_of(impacts.law));
-            CHECK(relative_difference(result.maximum_overlap[i], alone.maximum_overlap) <= 1e-9);
+            check_as_alone(impacts, result, i, alone);
             if (alone.approach_time)
                 CHECK(relative_difference(result.approach_time[i], *alone.approach_time) <= 1e-8);
         }
