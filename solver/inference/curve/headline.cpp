@@ -216,7 +216,8 @@ std::optional<Finding> no_captures_note(const MeasurementSet& set) {
 /// Notes on impacts around v_c: none between the fastest capture and a much faster rebound, a remark, as the
 /// outcomes alone make the interval span most of that gap; or no rebound between rest and a speed that the
 /// camera resolves.
-std::optional<Finding> onset_note(const std::vector<RecordedImpact>& impacts, double unit) {
+/// @param noise of slow rebounds where none is stated [m/s]
+std::optional<Finding> onset_note(const std::vector<RecordedImpact>& impacts, std::optional<double> noise) {
     constexpr double wide = 1.5;
     constexpr double resolved = 2.5;  // in standard uncertainties
     double capture = 0.0;
@@ -237,7 +238,7 @@ std::optional<Finding> onset_note(const std::vector<RecordedImpact>& impacts, do
                        "no impact between " + shortest(capture) + " m/s, captured, and " +
                            shortest(slowest->velocity) + " m/s: the interval of v_c spans most of this gap"};
     // A sharp onset leaves the same gap.
-    if (zero && least->rebound > resolved * unit * std::max(least->incident_u, least->rebound_u))
+    if (zero && least->rebound > resolved * noise.value_or(std::max(least->incident_u, least->rebound_u)))
         return Finding{"no-slow-rebounds", Severity::doubt,
                        "no rebound slower than " + readable_number(least->rebound, 3) +
                            " m/s is recorded: if slower ones were taken for captures, v_c is lower"};
@@ -276,6 +277,8 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
     bool noise_known = set.has_noise();
     require_enough(impacts, noise_known);
     const double neighbours = noise_known ? 0.0 : noise_of_neighbours(impacts);
+    std::optional<double> slow_noise;
+    if (!noise_known) slow_noise = std::min(neighbours, noise_of_neighbours(impacts, 0.2));
     if (impacts.size() > few_impacts) {
         if (!noise_known)
             for (RecordedImpact& impact : impacts) impact.incident_u = impact.rebound_u = neighbours;
@@ -340,7 +343,7 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
          {slow_rebound_note(estimate.curve, curve, impacts),
           misfit_note(estimate.curve.scatter, set.has_noise()), particles_note(estimate.curve.scatter),
           wide_note(v), no_captures_note(set), adhesion_note(model, found_velocity.value),
-          rising_note(estimate.curve.damping), onset_note(impacts, noise_known ? 1.0 : neighbours)})
+          rising_note(estimate.curve.damping), onset_note(impacts, slow_noise)})
         if (note) estimate.findings.push_back(*note);
     if (grouped_without_noise) estimate.curve.scatter.noise *= neighbours;  // a velocity, as without groups
     return estimate;

@@ -92,11 +92,15 @@ std::vector<RecordedImpact> recorded_impacts(const MeasurementSet& set) {
     return impacts;
 }
 
-double noise_of_neighbours(const std::vector<RecordedImpact>& impacts) {
+double noise_of_neighbours(const std::vector<RecordedImpact>& impacts, double share) {
+    constexpr std::size_t fewest = 12;
     std::vector<RecordedImpact> rebounds;
     for (const RecordedImpact& impact : impacts)
         if (impact.recorded == Recorded::rebound) rebounds.push_back(impact);
     std::ranges::sort(rebounds, {}, &RecordedImpact::velocity);
+    const auto slowest = static_cast<std::size_t>(share * static_cast<double>(rebounds.size()));
+    if (const std::size_t kept = std::max(slowest, fewest); kept < rebounds.size())
+        rebounds.erase(rebounds.begin() + static_cast<std::ptrdiff_t>(kept), rebounds.end());
     // Squared distance of each middle rebound from the line through its two neighbours.
     std::vector<double> squares;
     for (std::size_t i = 1; i + 1 < rebounds.size(); ++i) {

@@ -39,7 +39,9 @@ struct RecordedImpact {
 
 /// Standard uncertainty of both velocities, estimated from the scatter of neighbouring rebounds about
 /// straight lines, for sets that state none [m/s].
-[[nodiscard]] double noise_of_neighbours(const std::vector<RecordedImpact>& impacts);
+/// @param share of the rebounds that count, the slowest ones but at least twelve: noise often grows with
+/// velocity
+[[nodiscard]] double noise_of_neighbours(const std::vector<RecordedImpact>& impacts, double share = 1.0);
 
 /// Greatest number of impacts that are not grouped.
 inline constexpr std::size_t few_impacts = 2500;
