@@ -18,7 +18,7 @@ namespace ashimpact {
 namespace {
 
 constexpr int solved_sizes = 16;
-constexpr int solved_velocities = 12;          ///< of a size
+constexpr int solved_velocities = 48;          ///< of a size
 constexpr double slowest_without_v_c = 0.01;   ///< where nothing is captured, over the fastest impact
 constexpr std::size_t means_of_rebounds = 10;  ///< of a sample
 

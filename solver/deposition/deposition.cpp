@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "solver/batch/parallel.hpp"
+#include "solver/numeric/gsl/interpolation.hpp"
 
 namespace ashimpact {
 
@@ -30,16 +31,15 @@ Rebounds rebounds_within(const TubeImpaction& impaction, const std::vector<Offse
                          const RestitutionOfVelocity& restitution) {
     Rebounds sum;
     const auto add = [&](double from, double to) {
-        // Dense at both ends, where e and the velocity change with the root of the distance.
-        const auto share_below = [](double place) {
-            return 0.5 - 0.5 * std::cos(std::numbers::pi * place / points_of_rebounds);
-        };
-        for (int i = 0; i < points_of_rebounds && to > from; ++i) {
-            const double width = share_below(i + 1) - share_below(i);
-            const double offset = from + (to - from) * share_below(i + 0.5);
+        // At both ends e and the velocity change with the root of the distance: smooth in this angle.
+        static const auto angles = gsl::gauss_legendre(points_of_rebounds, 0, std::numbers::pi);
+        for (const gsl::QuadratureNode& angle : angles) {
+            if (!(to > from)) return;
+            const double offset = from + (to - from) * (0.5 - 0.5 * std::cos(angle.position));
             const double velocity = gas_velocity * impaction.at_offset(offset).normal;
             const double ratio = restitution(velocity);
-            sum.add({(to - from) * width, ratio, ratio * velocity}, 1);
+            sum.add({(to - from) * 0.5 * std::sin(angle.position) * angle.weight, ratio, ratio * velocity},
+                    1);
         }
     };
     double from = part.from;
