@@ -108,6 +108,16 @@ void for_each_number(std::string_view text, const Visitor& visitor) {
     }
 }
 
+/// The number in the bracket behind another one: "1.2" of "30.1 (1.2)"; empty without one.
+std::string_view bracket_of(std::string_view cell) {
+    const auto open = cell.find('(');
+    const auto close = cell.find(')');
+    if (open == std::string_view::npos || open == 0 || close == std::string_view::npos || close < open)
+        return {};
+    const std::string_view inside = trimmed(cell.substr(open + 1, close - open - 1));
+    return inside.find_first_not_of("0123456789.,") == std::string_view::npos ? inside : std::string_view{};
+}
+
 /// Reads a number, also "(12.3 ± 0.4) %". @throws InputError for "12.3 ± 3 %"
 std::optional<PrintedNumber> read_with_uncertainty(std::string_view text) {
     text = trimmed(text);
@@ -141,6 +151,7 @@ std::string_view without_unit(std::string_view cell, std::string_view unit) {
 }
 
 void NumberMarks::see(std::string_view cell, std::size_t column) {
+    bracket_in_units_ = bracket_in_units_ || bracket_of(cell).find_first_of(".,") != std::string_view::npos;
     if (cell.find_first_of(".,") == std::string_view::npos) {
         const auto found = columns_.find(column);
         if (found != columns_.end() && found->second.thousands &&
@@ -211,6 +222,12 @@ std::optional<PrintedNumber> NumberMarks::read(std::string_view cell, std::size_
         if (text.starts_with(sign) && columns_.contains(column) && columns_.at(column).uncertainties)
             text = trimmed(text.substr(sign.size()));
     if (text.find_first_of(".,") == std::string_view::npos) return read_with_uncertainty(text);
+    if (const std::string_view bracket = bracket_of(text);
+        bracket_in_units_ && !bracket.empty() && bracket.find_first_of(".,") == std::string_view::npos)
+        throw InputError(in_quotes(cell) + " has an uncertainty of " + std::string(bracket) +
+                             " last places, or of " + std::string(bracket) +
+                             " as other brackets of the table",
+                         "one form in all cells: \"12.3 (1.0)\"");
     std::string plain;
     std::size_t done = 0;
     for_each_number(text, [&](std::size_t first, std::size_t count) {

@@ -201,7 +201,9 @@ std::string as_shown(const std::string& shown, const std::string& number) {
     const std::string prefix = shown.substr(0, first);
     std::string suffix = shown.substr(last + 1);
     if (number.ends_with('%') && suffix.find('%') != std::string::npos) suffix.clear();
-    return beside(has_meaning(prefix) ? prefix : "", number, has_meaning(suffix) ? suffix : "");
+    if (shown.substr(first, last - first).find_first_of("^(") != std::string::npos) return shown;
+    const bool has_sign = number.front() != '-' && prefix.find_first_of("-(") != std::string::npos;
+    return beside(has_meaning(prefix) || has_sign ? prefix : "", number, has_meaning(suffix) ? suffix : "");
 }
 
 std::string ods_cell_text(const pugi::xml_node& cell, const TextStyles& styles) {

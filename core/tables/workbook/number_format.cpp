@@ -36,7 +36,11 @@ NumberFormat format_of_code(std::string_view code) {
     std::string literal;
     const auto end_literal = [&] {
         FormatSection& section = format.back();
-        if (has_meaning(literal)) (section.has_number ? section.suffix : section.prefix) += literal;
+        // Other sections have them in place of the sign of their numbers.
+        const bool changes_number = format.size() == 1 && section.condition.empty() &&
+                                    literal.find_first_of("-(0123456789") != std::string::npos;
+        if (has_meaning(literal) || changes_number)
+            (section.has_number ? section.suffix : section.prefix) += literal;
         literal.clear();
     };
     for (std::size_t i = 0; i < code.size(); ++i) {
@@ -71,7 +75,8 @@ NumberFormat format_of_code(std::string_view code) {
             i += 6;
         } else if (std::string_view("dmyhsDMYHS").find(c) != std::string_view::npos) {
             section.format = Format::date;
-        } else if (c == '<' || c == '>' || c == '~' || c == '/' || static_cast<unsigned char>(c) >= 0x80) {
+        } else if (std::string_view("<>~/").find(c) != std::string_view::npos ||
+                   static_cast<unsigned char>(c) >= 0x80 || (!section.has_number && (c == '-' || c == '('))) {
             literal += c;
         }
     }
