@@ -129,9 +129,11 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
     double sum = 0;
     for (const Entry& entry : group.entries) {
         if (!entry.amount) {
-            sample.warnings.push_back({xrd_code, Severity::remark,
-                                       in_quotes(entry.phase) + " has no amount (line " +
-                                           std::to_string(entry.line) + ") and is left out"});
+            sample.warnings.push_back(
+                {xrd_code, Severity::remark,
+                 fmt::format("{}{} has no amount (line {}{}) and is left out", in_quotes(entry.phase),
+                             group.sample.empty() ? "" : " in " + in_quotes(group.sample), entry.line,
+                             entry.without_number.empty() ? "" : ": " + in_quotes(entry.without_number))});
             continue;
         }
         const double fraction = entry.amount->value * scale;

@@ -234,6 +234,12 @@ void require_plain_name(const std::string& name, const Table& table, std::size_t
             .at(at_cell(line, column));
 }
 
+/// Whether a row names its sample.
+bool names_samples(const Table& table) {
+    return std::ranges::any_of(
+        table.rows, [k = *table.column(Role::sample)](const TableRow& row) { return !row.cells[k].empty(); });
+}
+
 /// One row a phase: phase and weight, or phase, intensity and RIR.
 std::vector<Entry> long_entries(const Table& table, Layout layout) {
     std::vector<Entry> entries;
@@ -255,8 +261,12 @@ std::vector<Entry> long_entries(const Table& table, Layout layout) {
         Entry entry{.sample = cell(Role::sample), .phase = phase.name, .line = row.line, .mark = phase.mark};
         if (entry.sample.empty() && !entries.empty())
             entry.sample = entries.back().sample;  // named once, above
+        else if (entry.sample.empty() && table.has(Role::sample) && names_samples(table))
+            refuse_line(row.line, "the line names no sample, and none stands above it", "a sample");
         if (entry.phase.empty()) refuse_line(row.line, "the line names no phase", "a phase");
-        entry.amount = number(table.has(Role::weight) ? Role::weight : Role::volume);
+        const Role amount = table.has(Role::weight) ? Role::weight : Role::volume;
+        entry.amount = number(amount);
+        if (!entry.amount) entry.without_number = cell(amount);
         if (const auto uncertainty = number(Role::uncertainty)) {
             if (table.headings[*table.column(Role::uncertainty)].scale == Scale::not_stated)
                 refuse_mixed_per_cent(table.has(Role::intensity) ? number(Role::intensity) : entry.amount,
@@ -329,7 +339,8 @@ std::vector<Entry> wide_entries(const Table& table, Role row_role) {
                                .line = row.line,
                                .amount = number,
                                .density = density ? density_in(row, *density, table) : std::nullopt,
-                               .mark = phase.mark});
+                               .mark = phase.mark,
+                               .without_number = number ? std::string() : row.cells[i]});
         }
     }
     if (entries.empty()) {

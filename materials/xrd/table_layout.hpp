@@ -26,6 +26,7 @@ struct Entry {
     std::optional<double> ratio_uncertainty{};
     std::optional<PrintedNumber> standard{};  ///< known weight fraction
     PhaseMark mark = PhaseMark::none;
+    std::string without_number{};  ///< the cell of an amount that states none: "< 3", "traces"
 };
 
 /// A table cut into cells.
