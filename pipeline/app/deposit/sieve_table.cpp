@@ -60,6 +60,22 @@ SieveHeading sieve_heading(const std::string& cell) {
     return heading;
 }
 
+/// The headings that are not known, of the first line that may be one of headings: ": \"D / %\" is not
+/// known".
+std::string unknown_in(const std::vector<TextLine>& lines) {
+    for (const TextLine& line : lines) {
+        const std::vector<std::string> cells = cut_row(line, separator_of(line.text)).cells;
+        const auto is_name = [](const std::string& cell) { return !cell.empty() && !is_digit(cell.front()); };
+        if (cells.size() < 2 || !std::ranges::all_of(cells, is_name)) continue;
+        std::vector<std::string> unknown;
+        for (const std::string& cell : cells)
+            if (!sieve_heading(cell).column) unknown.push_back(in_quotes(cell));
+        if (!unknown.empty())
+            return fmt::format(": {} {} not known", joined(unknown), unknown.size() == 1 ? "is" : "are");
+    }
+    return {};
+}
+
 bool is_size(SieveColumn column) {
     return column == SieveColumn::size || column == SieveColumn::from || column == SieveColumn::to;
 }
@@ -74,7 +90,7 @@ class SieveTable {
             std::ranges::find_if(lines, [&](const TextLine& line) { return is_heading(line); });
         if (heading == lines.end())
             refuse_line(
-                file.lines().front().number, "no line names the columns of a sieve table",
+                file.lines().front().number, "no line names the columns of a sieve table" + unknown_in(lines),
                 "\"size [um]\" with \"passing [%]\" or \"residue [%]\"; or \"from [um]\", \"to [um]\", "
                 "\"share [%]\"");
         const auto place = static_cast<std::size_t>(heading - lines.begin());
