@@ -268,6 +268,10 @@ void settle_sideways(MeasurementHeading& heading) {
         return;
     }
     const MeasuredColumn& reading = heading.reading();
+    if (velocity.name.starts_with('|') && !is_normal(velocity))
+        throw InputError("beside " + in_quotes(heading.sideways->name) + ", " + in_quotes(velocity.name) +
+                             " may be the speed of the sphere or the size of its part normal to the wall",
+                         "v_n for the part, v_in beside an angle for the speed");
     heading.normal_velocity = !heading.sideways->is_angle || is_normal(velocity);
     if (heading.sideways->is_angle && !heading.normal_velocity && !is_normal(reading))
         throw InputError("beside the angle, column " + in_quotes(reading.name) +
