@@ -189,6 +189,16 @@ void require_uncertainty(const Quantity& quantity, Dimension dimension) {
     if (quantity.standard_uncertainty.value_or(0) > most)
         throw InputError("a standard uncertainty of " + shortest(*quantity.standard_uncertainty),
                          dimension == Dimension::fraction ? "0 to 1, or up to the value" : "0 to 1e40 in SI");
+    constexpr std::array positive{Dimension::length, Dimension::pressure, Dimension::density, Dimension::mass,
+                                  Dimension::energy_per_area};
+    constexpr double most_of_value = 1e3;
+    if (quantity.value > 0 && quantity.standard_uncertainty.value_or(0) > most_of_value * quantity.value &&
+        std::ranges::find(positive, dimension) != positive.end())
+        throw InputError(
+            fmt::format("a standard uncertainty of {}, {:.3g} times the value: it may be in another unit",
+                        readable(*quantity.standard_uncertainty, quantity.unit),
+                        *quantity.standard_uncertainty / quantity.value),
+            "the unit of the value");
 }
 
 Quantity quantity_of_text(const std::string& text, Dimension expected) {
