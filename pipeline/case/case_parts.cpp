@@ -203,7 +203,12 @@ Stated read_diameter(const View& node, std::vector<Finding>& notes) {
         return parse_quantity(match.str(number) + " " + match.str(unit), Dimension::length);
     };
     try {
-        return read_positive(node, "diameter", Dimension::length);
+        Stated diameter = read_positive(node, "diameter", Dimension::length);
+        constexpr double least = 2e-9;  // some molecules [m]
+        if (diameter.value() < least)
+            node.fail("the diameter " + readable(diameter.quantity) + " is that of a molecule, no particle",
+                      readable(least, "m") + " or more");
+        return diameter;
     } catch (const InputError&) {
         // Matching calls itself once a character: a longer text would end on the stack.
         if (text.size() > 100 || !std::regex_match(text, match, meshes)) throw;

@@ -216,10 +216,13 @@ TEST_CASE("cells of .xlsx hold what the spreadsheet shows") {
         "<numFmt numFmtId='166' formatCode='[Red]0.00\" days\"'/>"
         "<numFmt numFmtId='167' formatCode='[&lt;0.1]\"&lt;\"0.0;0.0\\ \\g/\"kg\"'/>"
         "<numFmt numFmtId='168' formatCode='#,##0.00_);(#,##0.00);\"n.d.\"'/>"
-        "<numFmt numFmtId='169' formatCode='#,##0.00,\" m/s\"'/></numFmts>"
+        "<numFmt numFmtId='169' formatCode='#,##0.00,\" m/s\"'/>"
+        "<numFmt numFmtId='170' formatCode='\"-\"0.0'/><numFmt numFmtId='171' formatCode='(0.0)'/>"
+        "<numFmt numFmtId='172' formatCode='0\" 10^-1\"'/></numFmts>"
         "<fonts><font/><font><strike/></font></fonts><cellXfs><xf/>"
         "<xf numFmtId='164'/><xf numFmtId='165'/><xf numFmtId='166'/><xf numFmtId='14'/><xf fontId='1'/>"
-        "<xf numFmtId='167'/><xf numFmtId='168'/><xf numFmtId='169'/></cellXfs></styleSheet>";
+        "<xf numFmtId='167'/><xf numFmtId='168'/><xf numFmtId='169'/>"
+        "<xf numFmtId='170'/><xf numFmtId='171'/><xf numFmtId='172'/></cellXfs></styleSheet>";
     const std::string strings =
         "<sst><si><t>plain</t></si><si><r><t>ri</t></r><r><t>ch</t></r>"
         "<rPh><t>phonetic</t></rPh></si></sst>";
@@ -243,6 +246,9 @@ TEST_CASE("cells of .xlsx hold what the spreadsheet shows") {
     CHECK(cell("<c r='A1' s='7'><v>-2.5</v></c>") == "-2.5");
     CHECK(cell("<c r='A1' s='7'><v>0</v></c>") == "n.d.");
     CHECK(cell("<c r='A1' s='8'><v>1250</v></c>") == "1250 (shown as 1.25 by its number format)");
+    CHECK(cell("<c r='A1' s='9'><v>5</v></c>") == "-5");  // what a reader sees
+    CHECK(cell("<c r='A1' s='10'><v>5</v></c>") == "(5");
+    CHECK(cell("<c r='A1' s='11'><v>5</v></c>") == "5 10^-1");
     CHECK(cell("<c r='A1' t='str'><f>B1*2</f></c>") == "=B1*2 (a formula, saved without its result)");
     CHECK(cell("<c r='A1' t='s'><v>0</v></c>") == "plain");
     CHECK(cell("<c r='A1' t='s'><v>1</v></c>") == "rich");
@@ -614,6 +620,13 @@ TEST_CASE("marks in numbers have one reading, by the other numbers of the table,
     }
     CHECK(contains(input_error_of([&] { static_cast<void>(marks.read("1,234", 0)); }),
                    "\"1,234\" is 1.234 or 1234"));
+    NumberMarks brackets;
+    CHECK(brackets.read("12.3 (1)", 0)->standard_uncertainty == 0.1);
+    brackets.see("30.1 (1.2)", 1);
+    CHECK(brackets.read("30.1 (1.2)", 1)->standard_uncertainty == 1.2);
+    CHECK(brackets.read("12 (1)", 1)->standard_uncertainty == 1);
+    CHECK(contains(input_error_of([&] { static_cast<void>(brackets.read("12.3 (1)", 0)); }),
+                   "\"12.3 (1)\" has an uncertainty of 1 last places, or of 1 as other brackets"));
 }
 
 TEST_CASE("a second heading line holds units, and lines of one text behind a blank one are notes") {

@@ -346,6 +346,12 @@ TEST_CASE("a quantity is read from a number, a string or an object, and is SI af
     CHECK(relative_difference(from_object.value, 143.1e9) < 1e-15);
     CHECK(from_object.unit == "Pa");
     CHECK(relative_difference(from_object.standard_uncertainty.value(), 2.5e9) < 1e-15);
+    const auto other_unit = json::parse(R"({"value": 143.1, "unit": "GPa", "standard_uncertainty": 2.5e9})");
+    CHECK(contains(input_error_of([&] { static_cast<void>(read_quantity(other_unit, Dimension::pressure)); }),
+                   "1.75e+07 times the value: it may be in another unit"));
+    // A velocity may be a difference.
+    const auto difference = json::parse(R"({"value": 1e-9, "unit": "m/s", "standard_uncertainty": 0.5})");
+    CHECK(read_quantity(difference, Dimension::velocity).standard_uncertainty == 0.5);
 }
 
 TEST_CASE("a string may carry its standard uncertainty, with one unit for both, or per cent") {

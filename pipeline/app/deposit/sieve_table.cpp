@@ -70,8 +70,9 @@ std::string unknown_in(const std::vector<TextLine>& lines) {
         std::vector<std::string> unknown;
         for (const std::string& cell : cells)
             if (!sieve_heading(cell).column) unknown.push_back(in_quotes(cell));
-        if (!unknown.empty())
-            return fmt::format(": {} {} not known", joined(unknown), unknown.size() == 1 ? "is" : "are");
+        return unknown.empty()
+                   ? ": no column holds shares"
+                   : fmt::format(": {} {} not known", joined(unknown), unknown.size() == 1 ? "is" : "are");
     }
     return {};
 }

@@ -234,7 +234,8 @@ TEST_CASE("tables as laboratories send them") {
           1e-12);
     CHECK(relative_difference(*long_table.samples[1].analysis.phases[1].standard_uncertainty, 0.006) < 1e-14);
     REQUIRE(long_table.samples[1].warnings.size() == 1);
-    CHECK(long_table.samples[1].warnings[0].text == "\"Magnetite\" in \"FA-02\" has no amount (line 9) and is left out");
+    CHECK(long_table.samples[1].warnings[0].text ==
+          "\"Magnetite\" in \"FA-02\" has no amount (line 9) and is left out");
     REQUIRE(long_table.warnings.size() == 2);
     CHECK(contains(long_table.warnings[0].text, "a comment, is no part of the table"));
     CHECK(long_table.warnings[1].text == "column \"Remark\" is not used");
@@ -623,6 +624,20 @@ TEST_CASE("rows of uncertainties behind each sample") {
         CHECK_FALSE(result.samples[0].analysis.phases[0].standard_uncertainty);
         CHECK(contains(joined(texts_of(result.warnings)), "[%] may be of the whole or of the value"));
     }
+}
+
+TEST_CASE("a bound is no amount, which is said with its sample, and each row has a sample") {
+    const XrdResult bounded =
+        read_xrd("Phase;FA 7 [wt%];FA 8 [wt%]\nQuartz;40;50\nGlass;57.8;50\nHematite;2.2;< 3\n", "t.csv");
+    REQUIRE(bounded.samples[1].warnings.size() == 1);
+    CHECK(bounded.samples[1].warnings[0].text ==
+          "\"Hematite\" in \"FA 8\" has no amount (line 4: \"< 3\") and is left out");
+    CHECK(contains(input_error_of([] {
+                       static_cast<void>(
+                           read_xrd("sample,phase,wt%\n,mullite,60\n,quartz,40\nB,quartz,100\n", "t.csv"));
+                   }),
+                   "line 2: the line names no sample, and none stands above it"));
+    CHECK(read_xrd("sample,phase,wt%\n,mullite,60\n,quartz,40\n", "t.csv").samples.size() == 1);
 }
 
 TEST_CASE("an internal standard that is only named, and phases that were not detected") {

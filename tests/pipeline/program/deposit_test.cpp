@@ -137,6 +137,15 @@ TEST_CASE("what stays goes from nothing to all, and without a load there are sha
                                           "'5 m/s' --damping-law tsuji --damping 0.5")
                                     .out)["restitution"]["value"];
     CHECK(relative_difference(value_of(damped["result"]["sizes"][0], "restitution"), e) < 1e-6);
+    // The mean of the whole tube is that of its parts.
+    const Json adhesive =
+        deposited(sandbox, ash +
+                               " --law jkr --work-of-adhesion '0.4 J/m2' --damping-law tsuji "
+                               "--damping 0.5");
+    CHECK(value_of(adhesive["result"]["total"], "stick_fraction") > 0);
+    for (const char* mean : {"restitution", "rebound_velocity"})
+        CHECK(relative_difference(value_of(adhesive["result"]["total"], mean),
+                                  value_of(adhesive["result"]["sizes"][0], mean)) < 1e-4);
     const Json thick = deposited(sandbox, ash + " --law hertz --gas-viscosity '200 uPa s'");
     CHECK(value_of(thick["result"]["total"], "impaction_efficiency") <
           0.2 * value_of(none["result"]["total"], "impaction_efficiency"));
@@ -273,6 +282,7 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
     sandbox.write("sum.csv", "from [um],to [um],share [%]\n0,10,20\n10,20,60\n");
     sandbox.write("gap.csv", "from [um],to [um],share [%]\n0,10,40\n12,20,60\n");
     sandbox.write("none.csv", "a,b\n1,2\n");
+    sandbox.write("no-share.csv", "d / mm,D / %\n0.1,90\n");
     sandbox.write("sum-and-rest.csv", "size [um];passing [%];residue [%]\n10;20;20\n20;100;0\n");
     sandbox.write("each.csv", "Residue on each sieve\nsize [um];residue [%]\n80;0\n40;20\n20;30\n10;40\n");
     sandbox.write("two-sizes.csv", "size [um];size [mm];passing [%]\n10;1;20\n20;2;100\n");
@@ -325,7 +335,8 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
           Refused{"two-sizes.csv", "state one thing twice"},
           Refused{"residue.csv",
                   "line 2: the residues may be all that is coarser, or what lies on each sieve"},
-          Refused{"density.csv", "no line names the columns"},
+          Refused{"density.csv", "no line names the columns of a sieve table: \"q3\" is not known"},
+          Refused{"no-share.csv", "no line names the columns of a sieve table: no column holds shares"},
           Refused{"units.csv", "line 3, cell 1: cannot read \"0.02 mm\"; allowed: a number in um"},
           Refused{"grams.csv", "unit of \"passing [g]\""},
           Refused{"number.csv", "unit of"},

@@ -297,6 +297,8 @@ TEST_CASE("impossible numbers of a case, a NUL in a name and endless lists are r
     refused(
         "/samples/0/density", {{"value", 2500}, {"unit", "kg/m3"}, {"standard_uncertainty", 1e6}},
         "case.json: /samples/0/density/standard_uncertainty: is 1e+06; allowed: ten times the value at most");
+    refused("/samples/0/diameter", "88 pm",
+            "case.json: /samples/0/diameter: the diameter 88 pm is that of a molecule");
     refused("/samples/0/restitution/file", std::string("impacts.csv\0x", 13),
             "case.json: /samples/0/restitution/file: holds a NUL character");
     refused("/laws", std::vector<std::string>(10'000, "hertz"), "case.json: /laws: is a list of 10000");

@@ -160,6 +160,8 @@ TEST_CASE("impacts at an angle: the part of v_in normal to the wall counts") {
           {"v_in [m/s],e_n,angle [deg],v_t [m/s]\n2,0.5,60,1\n", "both state how oblique the impacts are"},
           {"v_in [m/s],v_rn [m/s],v_rt [m/s]\n2,0.5,1\n",
            "column \"v_rt [m/s]\" shows impacts at an angle, and \"v_in\" may be"},
+          {"|v_in| [m/s],v_rn [m/s],v_t [m/s]\n2,0.5,1\n",
+           "beside \"v_t\", \"|v_in|\" may be the speed of the sphere or the size of its part normal"},
           {"v_in [m/s],e_n,angle [m]\n2,0.5,60\n", "is not one of angle"}})
         CHECK_MESSAGE(contains(input_error_of([&, &text = table] { return read(text); }), says), says);
 }
