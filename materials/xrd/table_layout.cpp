@@ -59,10 +59,16 @@ bool is_ambiguous(const Heading& heading) {
 
 std::vector<Heading> headings_of(const TableRow& row) {
     std::vector<Heading> headings;
+    bool has_amounts = false;
     for (const std::string& cell : row.cells) {
         headings.push_back(read_heading(cell));
-        if (names_other_basis(headings.back()) || is_ambiguous(headings.back()))
-            headings.back().role = Role::measure;
+        Heading& heading = headings.back();
+        const bool is_amount = heading.role == Role::weight || heading.role == Role::volume;
+        const bool is_uncertainty_alone =
+            is_amount && !has_amounts && (cell.starts_with("\u00b1") || cell.starts_with("+"));
+        if (names_other_basis(heading) || is_ambiguous(heading) || is_uncertainty_alone)
+            heading.role = Role::measure;
+        has_amounts = has_amounts || is_amount;
     }
     return headings;
 }

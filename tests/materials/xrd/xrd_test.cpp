@@ -638,6 +638,9 @@ TEST_CASE("a bound is no amount, which is said with its sample, and each row has
                    }),
                    "line 2: the line names no sample, and none stands above it"));
     CHECK(read_xrd("sample,phase,wt%\n,mullite,60\n,quartz,40\n", "t.csv").samples.size() == 1);
+    CHECK_FALSE(input_error_of([] {
+                    static_cast<void>(read_xrd("phase,\u00b1wt%\nmullite,60\nquartz,40\n", "t.csv"));
+                }).empty());
 }
 
 TEST_CASE("an internal standard that is only named, and phases that were not detected") {
