@@ -235,7 +235,7 @@ TEST_CASE("tables as laboratories send them") {
     CHECK(relative_difference(*long_table.samples[1].analysis.phases[1].standard_uncertainty, 0.006) < 1e-14);
     REQUIRE(long_table.samples[1].warnings.size() == 1);
     CHECK(long_table.samples[1].warnings[0].text ==
-          "\"Magnetite\" in \"FA-02\" has no amount (line 9) and is left out");
+          "\"Magnetite\" in \"FA-02\" has no amount (line 9: \"n.d.\") and is left out");
     REQUIRE(long_table.warnings.size() == 2);
     CHECK(contains(long_table.warnings[0].text, "a comment, is no part of the table"));
     CHECK(long_table.warnings[1].text == "column \"Remark\" is not used");
