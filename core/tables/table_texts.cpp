@@ -89,7 +89,9 @@ CutTable cut_table(const TextLines& file, std::vector<TextLine> lines, std::size
 void CutTable::take_unused_cells(const std::function<bool(std::size_t column)>& is_unused) {
     for (const TextLine& row : rows)
         for_each_cell(row, separator, [&](std::string_view cell, std::size_t k) {
-            if (!cell.empty() && is_unused(k)) texts.push_back({row.number, std::string(cell)});
+            if (cell.empty() || !is_unused(k)) return;
+            refuse_sign_of_bound(cell, "a column that is not read", row.number, k);
+            texts.push_back({row.number, std::string(cell)});
         });
 }
 
@@ -364,6 +366,29 @@ void refuse_invalid_row(std::string_view cell, const std::string& column, std::s
     throw InputError(
         fmt::format("{} in {} calls the row invalid, and remarks are not read", in_quotes(cell), column),
         "a file without this row, or without the remark if the row counts")
+        .at(at_cell(line, position));
+}
+
+Finding uncertainties_in_per_cent(std::string_view code) {
+    return {
+        std::string(code), Severity::remark,
+        "the uncertainties in % are taken as per cent of the sample, as the amounts are, not of the amounts"};
+}
+
+bool has_sign_of_bound(std::string_view text) {
+    for (const std::string_view sign : {"<", ">", "~", "\u2264", "\u2265", "\u2248"})
+        for (auto at = text.find(sign); at != std::string_view::npos; at = text.find(sign, at + 1)) {
+            const std::string_view behind = trimmed(text.substr(at + sign.size()));
+            if (behind.empty() || (!is_digit(behind.front()) && behind.front() != '=')) return true;
+        }
+    return false;
+}
+
+void refuse_sign_of_bound(std::string_view cell, const std::string& column, std::size_t line,
+                          std::size_t position) {
+    if (cell != "<" && cell != "\u2264") return;
+    throw InputError(fmt::format("{} in {} may make the number beside it a bound", in_quotes(cell), column),
+                     "\"< 0.6\" in the cell of the number, or a file without this column")
         .at(at_cell(line, position));
 }
 

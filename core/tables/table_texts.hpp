@@ -114,6 +114,17 @@ void require_diameters(const std::vector<TextBeside>& texts);
 /// Refuses the row of a cell that calls it invalid, where the cells of its column are not read.
 [[noreturn]] void refuse_invalid_row(std::string_view cell, const std::string& column, std::size_t line,
                                      std::size_t position);
+/// A remark on uncertainties with a per cent sign in their cells beside amounts in per cent.
+[[nodiscard]] Finding uncertainties_in_per_cent(std::string_view code);
+
+/// Whether a name or heading has the sign of a bound or an estimate, "Quartz (<)", "v_r >" and "Na2O ~",
+/// unlike "ash < 63 um".
+[[nodiscard]] bool has_sign_of_bound(std::string_view text);
+
+/// Refuses the sign of an upper bound, "<", alone in a cell: it may be that of the number beside it.
+/// @throws InputError
+void refuse_sign_of_bound(std::string_view cell, const std::string& column, std::size_t line,
+                          std::size_t position);
 
 /// What texts state of all numbers of a table, as the vocabulary lists it: "crystalline part", "ignited
 /// sample", "means", "tangential". The first text of each.

@@ -355,8 +355,9 @@ StatedCoverage read_coverage(std::string_view heading) {
     const auto is_expanded = [](const std::string& word) {
         return special_words().list_of(word) == "expanded";
     };
-    const std::string_view symbol = trimmed(heading.substr(0, heading.find_first_of("[(,")));
-    if (symbol == "U" || (any_word(heading, is_expanded) && any_word(heading, is_uncertainty_word)))
+    const std::string_view symbol = trimmed(heading.substr(0, heading.find_first_of("[(,/")));
+    if (symbol == "U" || heading.starts_with("U in ") ||
+        (any_word(heading, is_expanded) && any_word(heading, is_uncertainty_word)))
         coverage.problem = std::string("an expanded uncertainty needs its coverage factor (") + remedy + ")";
     return coverage;
 }

@@ -218,11 +218,13 @@ TEST_CASE("cells of .xlsx hold what the spreadsheet shows") {
         "<numFmt numFmtId='168' formatCode='#,##0.00_);(#,##0.00);\"n.d.\"'/>"
         "<numFmt numFmtId='169' formatCode='#,##0.00,\" m/s\"'/>"
         "<numFmt numFmtId='170' formatCode='\"-\"0.0'/><numFmt numFmtId='171' formatCode='(0.0)'/>"
-        "<numFmt numFmtId='172' formatCode='0\" 10^-1\"'/></numFmts>"
+        "<numFmt numFmtId='172' formatCode='0\" 10^-1\"'/><numFmt numFmtId='173' formatCode=';;;'/>"
+        "<numFmt numFmtId='174' formatCode='0.0\"*\"'/></numFmts>"
         "<fonts><font/><font><strike/></font></fonts><cellXfs><xf/>"
         "<xf numFmtId='164'/><xf numFmtId='165'/><xf numFmtId='166'/><xf numFmtId='14'/><xf fontId='1'/>"
         "<xf numFmtId='167'/><xf numFmtId='168'/><xf numFmtId='169'/>"
-        "<xf numFmtId='170'/><xf numFmtId='171'/><xf numFmtId='172'/></cellXfs></styleSheet>";
+        "<xf numFmtId='170'/><xf numFmtId='171'/><xf numFmtId='172'/><xf numFmtId='173'/>"
+        "<xf numFmtId='174'/></cellXfs></styleSheet>";
     const std::string strings =
         "<sst><si><t>plain</t></si><si><r><t>ri</t></r><r><t>ch</t></r>"
         "<rPh><t>phonetic</t></rPh></si></sst>";
@@ -249,6 +251,8 @@ TEST_CASE("cells of .xlsx hold what the spreadsheet shows") {
     CHECK(cell("<c r='A1' s='9'><v>5</v></c>") == "-5");  // what a reader sees
     CHECK(cell("<c r='A1' s='10'><v>5</v></c>") == "(5");
     CHECK(cell("<c r='A1' s='11'><v>5</v></c>") == "5 10^-1");
+    CHECK(cell("<c r='A1' s='12'><v>5</v></c>") == "5 (hidden by its number format)");
+    CHECK(cell("<c r='A1' s='13'><v>5</v></c>") == "5 *");
     CHECK(cell("<c r='A1' t='str'><f>B1*2</f></c>") == "=B1*2 (a formula, saved without its result)");
     CHECK(cell("<c r='A1' t='s'><v>0</v></c>") == "plain");
     CHECK(cell("<c r='A1' t='s'><v>1</v></c>") == "rich");
@@ -316,6 +320,9 @@ TEST_CASE("cells of .ods hold what the spreadsheet shows") {
                                       {"&lt;3,2", "<3.2"},
                                       {"n.d.", "n.d."},
                                       {"###", "3.2"},
+                                      {"", "3.2 (hidden by its number format)"},
+                                      {"3,2*", "3.2 *"},
+                                      {"3,2 \u00b1 0,4", "3,2 \u00b1 0,4"},
                                       {"(3,2)", "(3.2"},  // no number: a negative one in accounts
                                       {"3,2E+00", "3.2"}})
         CHECK(row(std::string("<table:table-cell office:value-type='float' office:value='3.2'><text:p>") +

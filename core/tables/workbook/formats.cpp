@@ -201,7 +201,9 @@ std::string as_shown(const std::string& shown, const std::string& number) {
     const std::string prefix = shown.substr(0, first);
     std::string suffix = shown.substr(last + 1);
     if (number.ends_with('%') && suffix.find('%') != std::string::npos) suffix.clear();
-    if (shown.substr(first, last - first).find_first_of("^(") != std::string::npos) return shown;
+    const std::string_view core = std::string_view(shown).substr(first, last - first);
+    if (core.find_first_of("^(") != std::string::npos || core.find("\u00b1") != std::string::npos)
+        return shown;
     const bool has_sign = number.front() != '-' && prefix.find_first_of("-(") != std::string::npos;
     return beside(has_meaning(prefix) || has_sign ? prefix : "", number, has_meaning(suffix) ? suffix : "");
 }
@@ -222,9 +224,11 @@ std::string ods_cell_text(const pugi::xml_node& cell, const TextStyles& styles) 
         if (number && *number != 0 &&
             styles.in_thousands.contains(attribute_of(cell, "style-name").value_or("")))
             return shown_in_thousands(*number);
+        const std::string shown = text_of_paragraphs(cell, styles);
+        if (number && shown.empty() && !cell.children().empty())
+            return shown_number(*number) + " (hidden by its number format)";
         if (number)
-            return as_shown(text_of_paragraphs(cell, styles),
-                            type == "percentage" ? shown_per_cent(*number) : shown_number(*number));
+            return as_shown(shown, type == "percentage" ? shown_per_cent(*number) : shown_number(*number));
     }
     return text_of_paragraphs(cell, styles);
 }
@@ -260,7 +264,7 @@ class OdsRows {
     /// Rows that are equal, such as two impacts captured at the same velocity, are stored once.
     void take_row(const pugi::xml_node& row) {
         std::vector<std::pair<std::size_t, std::string>> cells;
-        std::vector<std::size_t> covered;
+        std::vector<std::size_t> covered, spanning;
         std::size_t column = 0;
         for (const pugi::xml_node& cell : row) {
             const auto name = local_name(cell.name());
@@ -274,6 +278,7 @@ class OdsRows {
                 cells.emplace_back(column + i, text);
                 if (name == "covered-table-cell") covered.push_back(column + i);
             }
+            if (repeats(cell, "number-rows-spanned") > 1) spanning.push_back(column);
             if (const pugi::xml_node note = child_of(cell, "annotation"))
                 sheet_.comment(row_, column, text_of_paragraphs(note, styles_));
             column += copies;
@@ -285,6 +290,7 @@ class OdsRows {
             if (visible == "collapse" || visible == "filter") sheet_.count_hidden_row();
         }
         for (const std::size_t place : covered) sheet_.cover(row_, place);
+        for (const std::size_t place : spanning) sheet_.span_rows(row_, place);
         row_ += times;
     }
 
@@ -446,6 +452,8 @@ std::string shown_value(const std::string& value, const pugi::xml_node& cell, co
     const FormatSection& section = section_of(shared.formats[style], *number);
     if (section.format == Format::date) return shown_date(date_of(*number, shared.since_1904));
     if (!section.has_number && !section.prefix.empty()) return section.prefix;
+    if (!section.has_number && shared.formats[style].size() > 1)
+        return shown_number(*number) + " (hidden by its number format)";
     if (section.in_thousands && *number != 0) return shown_in_thousands(*number);
     return beside(section.prefix,
                   section.format == Format::per_cent ? shown_per_cent(*number) : shown_number(*number),

@@ -12,7 +12,8 @@ namespace ashimpact {
 bool has_meaning(std::string_view text) {
     return std::ranges::any_of(text, [](char c) {
         const auto byte = static_cast<unsigned char>(c);
-        return std::isalpha(byte) != 0 || byte >= 0x80 || c == '<' || c == '>' || c == '~' || c == '%';
+        return std::isalpha(byte) != 0 || byte >= 0x80 ||
+               std::string_view("<>~%*").find(c) != std::string_view::npos;
     });
 }
 
@@ -61,7 +62,7 @@ NumberFormat format_of_code(std::string_view code) {
         } else if (c == ';') {
             end_literal();
             format.emplace_back();
-        } else if (c == '0' || c == '#' || c == '?') {
+        } else if (std::string_view("0#?@").find(c) != std::string_view::npos) {
             end_literal();
             section.has_number = true;
         } else if (c == ',' && section.has_number) {

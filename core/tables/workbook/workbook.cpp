@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 
@@ -133,6 +134,13 @@ void Sheet::merge(std::size_t first_row, std::size_t first_column, std::size_t l
             if (++merged_ > most_cells) throw too_large();
             if (row != first_row || column != first_column) cover(row, column);
         }
+    if (last_row > first_row) span_rows(first_row, first_column);
+}
+
+void Sheet::span_rows(std::size_t row, std::size_t column) {
+    const bool exists = row < rows_.size() && column < rows_[row].size();
+    if (spanning_.empty() && exists && read_number(rows_[row][column], true))
+        spanning_ = cell_name(row, column);
 }
 
 void Sheet::comment(std::size_t row, std::size_t column, std::string text) {
@@ -224,6 +232,11 @@ TableFile::TableFile(std::string_view bytes, const SheetRequest& request) {
         throw InputError("the cell has a value that a merged cell hides",
                          "cells that are not merged, or this one empty")
             .at("sheet " + in_quotes(*name_) + ", cell " + sheet.covered());
+    if (!sheet.spanning().empty())
+        findings_.push_back({request.code, Severity::remark,
+                             fmt::format("the number in {} is merged with cells below it: it counts for the "
+                                         "first row alone, unless it names a sample",
+                                         sheet.spanning())});
     if (const auto& comments = sheet.comments(); !comments.empty())
         findings_.push_back(
             {request.code, Severity::remark,

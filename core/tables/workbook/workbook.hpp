@@ -31,6 +31,8 @@ class Sheet {
     /// The same of all cells of a range but its first. @throws InputError for more than a sheet has
     void merge(std::size_t first_row, std::size_t first_column, std::size_t last_row,
                std::size_t last_column);
+    /// States that a cell is merged with some below it.
+    void span_rows(std::size_t row, std::size_t column);
     /// Adds a comment on a cell: a line of its own below the rows, beginning with "#".
     void comment(std::size_t row, std::size_t column, std::string text);
     void count_hidden_row() { ++hidden_rows_; }
@@ -49,6 +51,8 @@ class Sheet {
     [[nodiscard]] InputError too_large() const;
     /// Name of a cell with a text under a merged one; empty if there is none.
     [[nodiscard]] const std::string& covered() const { return covered_; }
+    /// Name of the first cell with a number that is merged with some below it; empty if there is none.
+    [[nodiscard]] const std::string& spanning() const { return spanning_; }
     struct Comment {
         std::string cell, text;
     };
@@ -73,7 +77,7 @@ class Sheet {
     std::size_t hidden_rows_ = 0;
     std::vector<std::pair<std::size_t, std::size_t>> hidden_columns_;  ///< first ones and how many
     std::set<std::size_t> summaries_;
-    std::string covered_{};
+    std::string covered_{}, spanning_{};
     std::size_t merged_ = 0;  ///< cells of ranges that were looked at
     std::vector<Comment> comments_{};
 };
