@@ -38,10 +38,15 @@ struct Contents {
 };
 
 Value read_value(std::string_view text, std::size_t line) {
+    const auto comma = text.find(',');
+    if (comma != std::string_view::npos && comma > 0 && comma + 1 < text.size() &&
+        is_digit(text[comma - 1]) && is_digit(text[comma + 1]))
+        refuse_line(line, in_quotes(trimmed(text)) + " has a decimal comma",
+                    "a decimal point, as BGMN writes it");
     const std::string_view value = trimmed(text.substr(0, text.find(',')));
     if (says_no_number(value)) return {.line = line};
     const auto number = read_number(value);
-    if (!number)
+    if (!number || number->per_cent)
         refuse_line(line, "cannot read " + in_quotes(value),
                     "a number, possibly with +- and its uncertainty");
     return {.number = number, .line = line};
@@ -175,13 +180,16 @@ void compare_with_goal(const PhaseFraction& phase, const Contents& contents, std
                                 " (a correction for microabsorption is only in the goal)"});
 }
 
-/// Warns of goals that could not be computed and have no block: their phases may be missing.
-void report_failed_goals(const Contents& contents, std::vector<Finding>& warnings) {
-    for (const auto& [name, goal] : contents.goals)
-        if (!goal.number && !contents.first_lines.contains(name))
-            warnings.push_back({xrd_code, Severity::remark,
-                                "the goal Q" + name + " (line " + std::to_string(goal.line) +
-                                    ") could not be computed by the refinement, and no block has that name"});
+/// Warns of goals without a block: their phases may be missing.
+void report_goals_alone(const Contents& contents, std::vector<Finding>& warnings) {
+    for (const auto& [name, goal] : contents.goals) {
+        if (contents.first_lines.contains(name) || (goal.number && goal.number->value == 0)) continue;
+        warnings.push_back({xrd_code, Severity::remark,
+                            "the goal Q" + name + " (line " + std::to_string(goal.line) +
+                                (goal.number ? "), " + shortest(goal.number->value) + ", is not used"
+                                             : ") could not be computed by the refinement") +
+                                ", and no block has that name"});
+    }
 }
 
 }  // namespace
@@ -206,7 +214,7 @@ XrdResult read_bgmn(const TextLines& file) {
     add_fractions(sample, phases, "weight", "GEWICHT above zero", file.last_line());
     for (const PhaseFraction& phase : sample.analysis.phases)
         compare_with_goal(phase, contents, sample.warnings);
-    report_failed_goals(contents, sample.warnings);
+    report_goals_alone(contents, sample.warnings);
     require_whole_number(sample, contents, file);
     return {.format = XrdFormat::bgmn_lst, .samples = {std::move(sample)}};
 }

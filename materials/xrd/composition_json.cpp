@@ -35,7 +35,12 @@ Quantity read_fraction(const View& node, std::optional<FractionBasis> basis = st
     return fraction;
 }
 
+void require_plain_name(const std::string& name, const View& node) {
+    if (has_sign_of_bound(name)) node.fail(in_quotes(name) + " has the sign of a bound", "the name alone");
+}
+
 PhaseFraction read_phase(const std::string& name, const View& node, const std::string& place) {
+    require_plain_name(name, node);
     const Quantity fraction = read_fraction(node);
     return {.name = name,
             .fraction = fraction.value,
@@ -49,6 +54,11 @@ std::vector<PhaseFraction> read_fractions(const View& node) {
     for (const auto& [name, value] : node.members())
         phases.push_back(read_phase(name, value, value.pointer()));
     return phases;
+}
+
+double density_of(const View& node) {
+    static_cast<void>(node.certain_number(Dimension::density, "a phase of your own under \"phases\" for it"));
+    return positive_quantity(node, "density", Dimension::density).value;
 }
 
 /// [{"name", "weight_fraction" or "volume_fraction", "density"}, ...]; the basis is that of all of them.
@@ -65,13 +75,13 @@ void read_list(const View& list, Analysis& analysis) {
         analysis.phases.push_back(read_phase(node.at("name").text(),
                                              node.at(by_weight ? "weight_fraction" : "volume_fraction"),
                                              node.pointer()));
-        if (const auto density = node.find("density"))
-            analysis.phases.back().density = positive_quantity(*density, "density", Dimension::density).value;
+        if (const auto density = node.find("density")) analysis.phases.back().density = density_of(*density);
     }
 }
 
 PeakIntensity read_peak(const View& node) {
     node.require_keys({"name", "intensity", "rir"});
+    require_plain_name(node.at("name").text(), node);
     const Quantity intensity = node.at("intensity").quantity(Dimension::fraction);
     const Quantity ratio = node.at("rir").quantity(Dimension::fraction);
     return {.name = node.at("name").text(),
@@ -86,6 +96,13 @@ std::vector<PhaseFraction> read_peaks(const View& list) {
     std::vector<PeakIntensity> peaks;
     peaks.reserve(nodes.size());
     for (const View& node : nodes) peaks.push_back(read_peak(node));
+    const auto in_per_cent = [](const View& node) {
+        const View& intensity = node.at("intensity");
+        return intensity.is_string() && intensity.text().find('%') != std::string::npos;
+    };
+    const auto mixed = std::ranges::count_if(nodes, in_per_cent);
+    if (mixed > 0 && mixed < std::ssize(nodes))
+        list.fail("some intensities are in % and others are not", "one unit for all");
     auto phases = at_place(list.pointer(), [&] { return adiabatic_fractions(peaks); });
     for (std::size_t i = 0; i < nodes.size(); ++i) phases[i].place = nodes[i].pointer();
     return phases;
@@ -169,7 +186,7 @@ void read_densities(const View& densities, std::vector<PhaseFraction>& phases) {
         if (phase == phases.end())
             value.fail("is the density of a phase that is not in the composition",
                        "phases of the composition; \"phases\" of a case gives another glass");
-        phase->density = positive_quantity(value, "density", Dimension::density).value;
+        phase->density = density_of(value);
     }
 }
 

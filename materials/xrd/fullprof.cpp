@@ -51,7 +51,13 @@ std::optional<PrintedNumber> read_percentage(std::string_view text, std::size_t 
         const std::string_view inside = closed ? trimmed(text.substr(open + 1, close - open - 1)) : "";
         const auto deviation = read_number(inside);
         if (deviation && deviation->value > 0) number->standard_uncertainty = deviation->value;
-        closed = closed && (deviation || inside.starts_with('*') || says_no_number(inside));
+        if (deviation && deviation->value > 0 && inside.find('.') == std::string_view::npos)
+            refuse_line(line, "the uncertainty in " + in_quotes(text) + " may be in last places",
+                        "as FullProf writes it, in the unit of the value: 11.41( 2.25)");
+        const bool readable = deviation && deviation->value >= 0;
+        closed = closed && (readable || inside.starts_with('*') || says_no_number(inside));
+    } else if (number && trimmed(text.substr(printed.size())).find_first_of("0123456789") == 0) {
+        closed = false;
     }
     if (!number || !closed)
         refuse_line(line, "cannot read " + in_quotes(text), "a percentage such as 11.41( 2.25)");

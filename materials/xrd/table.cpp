@@ -203,6 +203,11 @@ void require_computable(const PeakIntensity& peak) {
 }
 
 XrdSample sample_of_peaks(const Group& group) {
+    const auto in_per_cent = [](const Entry& entry) { return entry.intensity && entry.intensity->per_cent; };
+    const auto mixed = std::ranges::count_if(group.entries, in_per_cent);
+    if (mixed > 0 && mixed < std::ssize(group.entries))
+        refuse_line(std::ranges::find_if(group.entries, in_per_cent)->line,
+                    "some intensities are in % and others are not", "one unit for all");
     std::vector<PeakIntensity> peaks;
     for (const Entry& entry : group.entries) {
         if (!entry.intensity || !entry.ratio)
@@ -266,6 +271,29 @@ bool is_ignored(const Heading& heading, Layout layout) {
     return role == Role::other || role == Role::measure || (layout == Layout::fractions && peaks);
 }
 
+/// Remarks on what headings leave open: whether a word is a sample, and which intensities they are.
+void note_readings(const Table& table, Layout layout, std::vector<Finding>& warnings) {
+    const auto is_sample = [](const Heading& heading) {
+        return heading.role == Role::other && !heading.text.empty();
+    };
+    const auto found = std::ranges::find_if(table.headings, is_sample);
+    const bool is_word = found != table.headings.end() && found->states == HeadingUnit::fraction &&
+                         found->text.find_first_of("0123456789") == std::string::npos;
+    if (layout == Layout::one_column_a_sample && is_word &&
+        std::ranges::count_if(table.headings, is_sample) == 1)
+        warnings.push_back({xrd_code, Severity::remark,
+                            "the column " + in_quotes(found->written) + " is taken as the sample " +
+                                in_quotes(found->text) + ", in % by weight"});
+    const auto intensity = table.column(Role::intensity);
+    if (layout != Layout::peaks || !intensity) return;
+    const std::string& written = table.headings[*intensity].written;
+    const auto open = written.find('(');
+    if (open != std::string::npos && written.find(' ', open) != std::string::npos)
+        warnings.push_back(
+            {xrd_code, Severity::remark,
+             "the column " + in_quotes(written) + " is taken as net intensities of the strongest peaks"});
+}
+
 void warn_of_ignored(const Table& table, Layout layout, std::vector<Finding>& warnings) {
     for (std::size_t k = 0; k < table.headings.size(); ++k) {
         const Heading& heading = table.headings[k];
@@ -307,8 +335,11 @@ XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) 
     std::vector<Entry> entries = entries_of(table, layout);
     for (Finding& each : table.marks.findings(xrd_code)) result.warnings.push_back(std::move(each));
     if (layout == Layout::fractions) require_complete(file, table, entries.back());
+    if (std::ranges::any_of(entries, &Entry::uncertainty_in_per_cent))
+        result.warnings.push_back(uncertainties_in_per_cent(xrd_code));
     const double scale = layout == Layout::peaks ? 1 : scale_of(table, entries, result.warnings);
     warn_of_ignored(table, layout, result.warnings);
+    note_readings(table, layout, result.warnings);
     refuse_oxides(entries, table.heading_line);
     for (const Group& group : groups_of(std::move(entries))) {
         refuse_repeated(group.entries);

@@ -268,6 +268,17 @@ Heading read_heading(std::string_view text) {
     if ((heading.role == Role::weight || heading.role == Role::volume) &&
         (heading.states == HeadingUnit::other || heading.states == contrary))
         heading.role = Role::measure;
+    static const WordLists bases("bases");
+    if (heading.role == Role::other && heading.states == HeadingUnit::fraction &&
+        bases.list_of(heading.text) == "weight")
+        heading.role = Role::weight;                      // "масс. %"
+    const std::string whole = lower_case(coverage.rest);  // mass in a volume
+    const bool is_concentration =
+        whole.find("w/v") != std::string::npos || whole.find("m/v") != std::string::npos;
+    if (is_concentration) {
+        heading.role = Role::measure;
+        heading.states = HeadingUnit::other;
+    }
     // "2 sigma" alone, or behind the name of a phase or sample, is the uncertainty of the column before it.
     if (!coverage.stated.empty() && (heading.text.empty() || heading.role == Role::other))
         heading.role = Role::uncertainty;

@@ -53,8 +53,7 @@ bool is_ambiguous(const Heading& heading) {
     auto bases = bases_in(heading.written, false);
     for (const char* other : {"number", "intensity", "mode"}) bases.erase(other);
     if (bases.size() > 1) return true;
-    const bool names = heading.role == Role::other && !heading.text.empty();
-    return !names && heading.written.find_first_of("<>") != std::string::npos;
+    return has_sign_of_bound(heading.written);
 }
 
 std::vector<Heading> headings_of(const TableRow& row) {
@@ -143,7 +142,8 @@ void check_units_of_uncertainties(Table& table) {
         if (heading.states == HeadingUnit::other || !scaled_alike ||
             heading.states == (is_volume ? HeadingUnit::weight : HeadingUnit::volume))
             heading.coverage.problem = "they are in another unit than the fractions";
-        else if (heading.unit == "%" && known && amounts->unit != "%" && amounts->scale == Scale::per_cent)
+        else if (heading.unit == "%" &&
+                 (!known || (amounts->unit != "%" && amounts->scale == Scale::per_cent)))
             heading.coverage.problem =
                 "[%] may be of the whole or of the value (write the unit of the fractions)";
     }
@@ -218,7 +218,13 @@ void refuse_mixed_per_cent(const std::optional<PrintedNumber>& amount, const Pri
 /// or calls it none, "Quartz (excluded)". @throws InputError
 void require_plain_name(const std::string& name, const Table& table, std::size_t line, std::size_t column) {
     static const std::regex factor("(?:[x*/]|\u00d7|\u00f7) *[0-9.,]+|[0-9.,]+ *(?:x|\u00d7)");
+    static const std::regex nothing_said(".*\\([^0-9A-Za-z\\x80-\\xff]*\\)");  // "(~)", "(?)"
     if (calls_invalid(name)) refuse_invalid_row(name, "the names", line, column);
+    if (has_sign_of_bound(name) || (name.size() <= longest_heading && std::regex_match(name, nothing_said)))
+        throw InputError(
+            "the sign in the name " + in_quotes(name) + " may make its amount a bound or doubtful",
+            "the name alone, and \"< 12.3\" in the cell of a bound")
+            .at(at_cell(line, column));
     const auto open = name.find_last_of("([");
     if (open == std::string::npos || name.find_last_of(")]") != name.size() - 1 ||
         name.size() > longest_heading)
@@ -281,6 +287,7 @@ std::vector<Entry> long_entries(const Table& table, Layout layout) {
                 refuse_line(row.line, "the cell and a column state an uncertainty of the fraction",
                             "one of them");
             entry.uncertainty = uncertainty->value;
+            entry.uncertainty_in_per_cent = uncertainty->per_cent;
         }
         if (entry.uncertainty && *entry.uncertainty < 0)
             refuse_line(row.line, "the uncertainty is below zero", "zero or more");
@@ -333,6 +340,7 @@ std::vector<Entry> wide_entries(const Table& table, Role row_role) {
                 if (!number) continue;
                 refuse_mixed_per_cent(entries.back().amount, *number, row, i);
                 entries.back().uncertainty = number->value;
+                entries.back().uncertainty_in_per_cent = number->per_cent;
                 continue;
             }
             const MarkedPhase phase = read_phase_name(row_role == Role::sample ? name : row.cells[label]);
@@ -746,6 +754,8 @@ void require_agreeing_texts(Table& table, std::vector<TextBeside> texts, std::sp
             if (is_unused(table.headings[k]) &&
                 (calls_invalid(cell) || rejects(table.headings[k].text, cell)))
                 refuse_invalid_row(cell, "column " + in_quotes(table.headings[k].written), row.number, k);
+            if (is_unused(table.headings[k]))
+                refuse_sign_of_bound(cell, "column " + in_quotes(table.headings[k].written), row.number, k);
             if (is_beside(cell, k)) texts.push_back({row.number, std::string(cell)});
         });
     UncertainColumns columns(table.headings.size());
@@ -847,6 +857,16 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     return table;
 }
 
+/// Refuses the name of a sample that may be a factor of its amounts: "0.1 wt%", "FA7 x10". @throws InputError
+static void refuse_factor(const std::string& name, const std::string& written, std::size_t line) {
+    static const std::regex factor("10+|(?:.* )?0[.]0*1|.*(?:x|\u00d7|[*]) *10+");
+    if (name.size() > longest_heading || !std::regex_match(name, factor)) return;
+    refuse_line(line,
+                "the column " + in_quotes(written) +
+                    " may be a sample of that name, or state a factor of its amounts",
+                "a name of other letters, and the amounts in [wt%]");
+}
+
 Layout layout_of(const Table& table) {
     refuse_repeated_roles(table);
     const std::size_t line = table.heading_line;
@@ -898,6 +918,7 @@ Layout layout_of(const Table& table) {
                             " may be a sample, or a quantity that is not known here",
                         "\"weight %\" or \"volume %\" as its heading, or as the unit of the sample: " +
                             in_quotes(only->text + " [wt%]"));
+        if (columns == 1) refuse_factor(only->text, only->written, line);
         return Layout::one_column_a_sample;
     }
     if (!phase && table.has(Role::sample)) return Layout::one_column_a_phase;

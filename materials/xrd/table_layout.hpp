@@ -20,6 +20,7 @@ struct Entry {
     std::size_t line = 0;
     std::optional<PrintedNumber> amount{};  ///< by weight or volume
     std::optional<double> uncertainty{};    ///< of the amount
+    bool uncertainty_in_per_cent = false;   ///< by a sign in its cell
     std::optional<double> density{};        ///< [kg/m3]
     std::optional<PrintedNumber> intensity{};
     std::optional<PrintedNumber> ratio{};

@@ -86,7 +86,7 @@ std::optional<PrintedNumber> printed_number(std::string_view word) {
     rest = rest.substr(0, rest.find("_LIMIT"));
     if (rest.empty()) return number;
     const auto deviation = rest.starts_with('_') ? read_number(rest.substr(1)) : std::nullopt;
-    if (!deviation) return std::nullopt;
+    if (!deviation || deviation->per_cent) return std::nullopt;
     if (deviation->value > 0) number->standard_uncertainty = deviation->value;
     return number;
 }
@@ -143,7 +143,11 @@ class TopasReader {
         if (at_ >= tokens_.size()) cut_off(keyword);
         const Token& token = tokens_[at_++];
         const auto number = printed_number(token.text);
-        if (!number || number->value < 0)
+        // "12,3", "12.3(4)", "12.3` _0.4"
+        const std::string next = at_ < tokens_.size() && !tokens_[at_].quoted ? tokens_[at_].text : "";
+        const bool is_deviation = next.size() > 1 && next.front() == '_' && is_digit(next[1]);
+        const bool goes_on = next == "," || next == "(" || is_deviation;
+        if (!number || number->value < 0 || goes_on)
             refuse_line(token.line, "cannot read " + in_quotes(token.text) + " behind " + keyword.text,
                         "a number that is not negative, such as 12.3, 12.3` or 12.3`_0.4");
         return *number;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "core/quantities/checks.hpp"
 #include "core/tables/text_lines.hpp"
 #include "core/tables/workbook/workbook.hpp"
@@ -84,6 +86,18 @@ XrdResult read_text(const TextLines& file, std::optional<DecimalMark> decimal) {
     refuse_line(1, "the format is not known", xrd::known_formats);
 }
 
+/// A remark on phases without an uncertainty beside others with one.
+void note_missing_uncertainties(XrdSample& sample) {
+    std::vector<std::string> without;
+    for (const PhaseFraction& phase : sample.analysis.phases)
+        if (!phase.standard_uncertainty && phase.fraction > 0) without.push_back(in_quotes(phase.name));
+    if (without.empty() || without.size() == sample.analysis.phases.size()) return;
+    sample.warnings.push_back(
+        {xrd_code, Severity::remark,
+         fmt::format("{} {} no uncertainty, as other phases do, and {} as exact", joined(without),
+                     without.size() == 1 ? "has" : "have", without.size() == 1 ? "counts" : "count")});
+}
+
 XrdResult read(std::string_view bytes, const TableOptions& options) {
     const TableFile file(bytes, {.name = options.sheet,
                                  .option = "the name of a sheet (--sheet, in a case \"xrd_sheet\")",
@@ -96,6 +110,7 @@ XrdResult read(std::string_view bytes, const TableOptions& options) {
         file.add_findings(result.warnings);
         for (XrdSample& sample : result.samples) {
             file.name_rows(sample.warnings);
+            note_missing_uncertainties(sample);
             for (PhaseFraction& phase : sample.analysis.phases) phase.place = file.place(phase.place);
         }
         return result;

@@ -164,8 +164,9 @@ TEST_CASE("TOPAS: several patterns, phases without an xdd, a phase without a wei
                                .samples[0];
     CHECK(bare.name == "ash");
     CHECK(close_to(bare.analysis.phases[1].fraction, 0.4));
-    REQUIRE(bare.warnings.size() == 1);
+    REQUIRE(bare.warnings.size() == 2);
     CHECK(contains(bare.warnings[0].text, "\"Lime\" has no weight (line 4)"));
+    CHECK(contains(bare.warnings[1].text, "\"Quartz\" has no uncertainty, as other phases do"));
 }
 
 TEST_CASE("malformed TOPAS files are refused at their line") {

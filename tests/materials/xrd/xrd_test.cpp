@@ -196,7 +196,8 @@ TEST_CASE("a BGMN list with CRLF, UNDEF, ERROR, mean values and missing uncertai
     CHECK(digest(sample) == "Quartz 3021, Mullite 6979");
     CHECK(!sample.analysis.phases[0].standard_uncertainty);
     CHECK(relative_difference(*sample.analysis.phases[1].standard_uncertainty, 0.0088) < 1e-14);
-    REQUIRE(sample.warnings.size() == 2);
+    REQUIRE(sample.warnings.size() == 3);
+    CHECK(contains(sample.warnings[2].text, "\"Quartz\" has no uncertainty, as other phases do"));
     CHECK(sample.warnings[0].text == "the phase \"Lime\" has no weight (line 34) and is left out");
     CHECK(sample.warnings[1].text == "the phase \"Calcite\" has no weight (line 39) and is left out");
 }
@@ -624,6 +625,63 @@ TEST_CASE("rows of uncertainties behind each sample") {
         CHECK_FALSE(result.samples[0].analysis.phases[0].standard_uncertainty);
         CHECK(contains(joined(texts_of(result.warnings)), "[%] may be of the whole or of the value"));
     }
+}
+
+TEST_CASE("a mark of a bound beside an amount is refused, a missing uncertainty is said") {
+    const auto refused = [](std::string_view text, const char* file) {
+        return input_error_of([&] { static_cast<void>(read_xrd(text, file)); });
+    };
+    CHECK(contains(refused("phase;wt%;qual\nQuartz;12.3;<\nMullite;87.7;\n", "t.csv"),
+                   "line 2, cell 3: \"<\" in column \"qual\" may make the number beside it a bound"));
+    const XrdSample sample = read_xrd("phase,wt%,esd\nQuartz,12.3,2\nMullite,87.7,\n", "t.csv").samples[0];
+    REQUIRE(sample.warnings.size() == 1);
+    CHECK(sample.warnings[0].text ==
+          "\"Mullite\" has no uncertainty, as other phases do, and counts as exact");
+    CHECK(read_xrd("phase,wt%\nQuartz,12.3\nMullite,87.7\n", "t.csv").samples[0].warnings.empty());
+    for (const char* heading :
+         {"recovery %", "0.1 wt%", "10 wt%", "w/v %", "\u2264 wt%", "FA7 x10 [wt%]", "porosity [%]"})
+        CHECK_MESSAGE(
+            !refused(std::string("phase;") + heading + "\nQuartz;12.3\nMullite;87.7\n", "t.csv").empty(),
+            heading);
+    for (const char* name : {"Quartz (<)", "Quartz <", "< Quartz", "Quartz (~)", "Quartz (?)"})
+        CHECK_MESSAGE(contains(refused(std::string("phase;wt%\n") + name + ";12.3\nMullite;87.7\n", "t.csv"),
+                               "may make its amount a bound or doubtful"),
+                      name);
+    CHECK(read_xrd("phase;ash < 63 um [wt%]\nQuartz;12.3\nMullite;87.7\n", "t.csv").samples[0].name ==
+          "ash < 63 um");
+    CHECK(contains(refused(R"({"samples": [{"name": "a", "weight_fractions": {"quartz <": 1}}]})", "t.json"),
+                   "\"quartz <\" has the sign of a bound"));
+    const XrdResult errors =
+        read_xrd("Phase;Anteil;Unsicherheit\nQuarz;12,3 %;5 %\nMullit;87,7 %;5 %\n", "t.csv");
+    CHECK(
+        contains(errors.warnings.front().text, "the uncertainties in % are taken as per cent of the sample"));
+    const XrdResult russian = read_xrd(
+        "\u0424\u0430\u0437\u0430;\u043c\u0430\u0441\u0441. %;"
+        "\u043f\u043e\u0433\u0440\u0435\u0448\u043d\u043e\u0441\u0442\u044c\n"
+        "quartz;12.3;1\nmullite;87.7;2\n",
+        "t.csv");
+    REQUIRE(russian.samples.size() == 1);
+    CHECK(*russian.samples[0].analysis.phases[1].standard_uncertainty == doctest::Approx(0.02));
+    const XrdResult word = read_xrd("phase;X [%]\nQuartz;12.3\nMullite;87.7\n", "t.csv");
+    REQUIRE(word.warnings.size() == 1);
+    CHECK(contains(word.warnings[0].text, "\"X [%]\" is taken as the sample \"X\""));
+    CHECK(contains(refused("phase;intensity;rir\nQuartz;753;3.1\nMullite;75 %;0.9\n", "t.csv"),
+                   "line 3: some intensities are in % and others are not"));
+    const XrdResult peaks = read_xrd("phase;I (2nd peak);rir\nQuartz;753;3.1\nMullite;75;0.9\n", "t.csv");
+    REQUIRE_FALSE(peaks.warnings.empty());
+    CHECK(contains(peaks.warnings[0].text, "is taken as net intensities of the strongest peaks"));
+    const std::string block = "Local parameters and GOALs for phase quartz\nXrayDensity=2.648\nGEWICHT=";
+    for (const char* weight : {"0,1230+-0,0040", "12.3 %", "0.1230+-4.0%"})
+        CHECK_FALSE(refused(block + weight + "\n", "a.lst").empty());
+    CHECK(refused(block + "0.1230+-0.0040\n", "a.lst").empty());
+    const std::string phase = "xdd a.raw\nstr\nphase_name \"quartz\"\nweight_percent ";
+    for (const char* weight : {"100,0", "100.0(4)", "100.0` _0.4`", "100.0`_4%"})
+        CHECK(contains(refused(phase + weight + "\n", "a.out"), "behind weight_percent"));
+    CHECK(refused(phase + "100.0`_0.4\n", "a.out").empty());
+    const std::string pattern = " => Phase:  1     Quartz\n => Bragg R-factor: 2.9  Vol: 162.  Fract(%):  ";
+    for (const char* fraction : {"100.0(40)", "100.0(-0.40)", "100.0 0.4"})
+        CHECK_FALSE(refused(pattern + fraction + "\n", "a.sum").empty());
+    CHECK(refused(pattern + "100.0( 0.40)\n", "a.sum").empty());
 }
 
 TEST_CASE("a bound is no amount, which is said with its sample, and each row has a sample") {
