@@ -84,6 +84,7 @@ std::optional<NamedOxide> oxide_within(std::string text) {
     static const std::regex word("[A-Za-z][A-Za-z0-9]+");
     for (std::sregex_iterator at(text.begin(), text.end(), word), end; at != end; ++at) {
         std::string name = at->str();
+        if (name.ends_with("eq")) name.resize(name.size() - 2);  // "Na2Oeq", which holds K2O as well
         if (name == "Fe") return named_oxide("Fe2O3");
         for (const char zero : {'0', 'O'}) {
             std::ranges::replace(name, '0', zero);
@@ -96,6 +97,7 @@ std::optional<NamedOxide> oxide_within(std::string text) {
 
 // NOLINTNEXTLINE(misc-no-recursion): once, with the plain text
 OxideLine read_line(const std::string& text) {
+    if (has_sign_of_bound(text)) return {.heading = xrd::read_heading(text)};
     const WordLists& words = column_words();
     OxideLine line{.heading = xrd::read_heading(text)};
     const std::string& name = line.heading.text;
@@ -197,6 +199,7 @@ struct OxideCell {
     std::string uncertainty{};
     const xrd::Heading* unit = nullptr;           ///< heading that states the unit of the amount
     const xrd::Heading* error_heading = nullptr;  ///< of the uncertainty
+    std::size_t error_column = 0;
 };
 
 /// The amounts of one sample.
@@ -333,7 +336,10 @@ class OxideTable {
             else
                 columns[k] = {each.written, each.coverage, is_uncertainty_column(each.written, headings_[k])};
         }
-        if (const auto statements = statements_in(texts); statements.contains("ignited sample"))
+        for (const OxideLine& each : headings_)  // "wt% (LOI-free)", unlike "SiO2"
+            if (!is_content(each.role) && !each.heading.written.empty())
+                names.push_back({heading.value_or(1), each.heading.written});
+        if (const auto statements = statements_in(names); statements.contains("ignited sample"))
             ignited = in_quotes(statements.at("ignited sample").text);
         check_coverage(glass_code, texts, columns, table, separator_, warnings);
     }
@@ -460,6 +466,7 @@ class OxideTable {
                 if (!after_oxide) continue;
                 sample.cells.back().uncertainty = row.cells[i];
                 sample.cells.back().error_heading = &what.heading;
+                sample.cells.back().error_column = i;
                 continue;
             }
             after_oxide = is_content(what.role) || what.role == OxideRole::trace;
@@ -468,8 +475,15 @@ class OxideTable {
                 {.line = row.line, .column = i, .what = what, .text = row.cells[i], .unit = &what.heading});
             marks_.see(row.cells[i], i);
         }
+        const bool is_named = label >= headings_.size() || !name.empty() || samples.empty();
         const bool blank = std::ranges::all_of(
             sample.cells, [](const OxideCell& cell) { return trimmed(cell.text).empty(); });
+        if (!blank && !is_named)
+            refuse_line(row.line,
+                        "the line names no sample: it may be another one, or hold a second run or the "
+                        "uncertainties of " +
+                            in_quotes(samples.back().sample),
+                        "a name for each sample");
         if (!blank)
             samples.push_back(std::move(sample));
         else if (const std::string text = only_text(row); !text.empty())
@@ -507,6 +521,7 @@ class OxideTable {
             const bool is_unit = heading.role == xrd::Role::weight;
             samples.push_back({.sample = is_unit ? std::string() : heading.text});
         }
+        errors_ = error_columns(amounts, rows_[has_heading ? first - 1 : first].line);
         std::vector<OxideLine> lines;
         for (std::size_t r = first; r < rows_.size(); ++r) lines.push_back(line_of(rows_[r], names));
         mark_thousands(std::ranges::any_of(
@@ -564,6 +579,38 @@ class OxideTable {
         return by_name.empty() ? by_number : by_name;
     }
 
+    /// Of each column of amounts that of its uncertainties: the one behind it, or the only one of the table.
+    [[nodiscard]] std::vector<std::optional<std::size_t>> error_columns(
+        const std::vector<std::size_t>& amounts, std::size_t line) const {
+        std::vector<std::optional<std::size_t>> errors(amounts.size());
+        for (std::size_t i = 0; i < headings_.size(); ++i) {
+            if (headings_[i].role != OxideRole::uncertainty) continue;
+            const auto before = i > 0 ? std::ranges::find(amounts, i - 1) : amounts.end();
+            const auto k = before == amounts.end() && amounts.size() == 1 ? 0 : before - amounts.begin();
+            if (k == std::ssize(amounts) || errors[static_cast<std::size_t>(k)])
+                refuse_line(line,
+                            "the uncertainties in column " + in_quotes(headings_[i].heading.written) +
+                                " may be of any column",
+                            "each column of uncertainties behind its amounts");
+            errors[static_cast<std::size_t>(k)] = i;
+        }
+        return errors;
+    }
+
+    /// Refuses a row that a cell beside its amounts calls invalid, or a bound.
+    void refuse_marked(const TableRow& row, std::size_t names,
+                       const std::vector<std::size_t>& amounts) const {
+        for (std::size_t i = 0; i < row.cells.size(); ++i) {
+            const bool read = i == names || i == units_ || std::ranges::find(amounts, i) != amounts.end() ||
+                              std::ranges::find(errors_, std::optional(i)) != errors_.end();
+            if (read) continue;
+            const std::string column =
+                i < headings_.size() ? "column " + in_quotes(headings_[i].heading.written) : "a column";
+            if (calls_invalid(row.cells[i])) refuse_invalid_row(row.cells[i], column, row.line, i);
+            refuse_sign_of_bound(row.cells[i], column, row.line, i);
+        }
+    }
+
     /// The oxide of a row, with the unit of its own.
     [[nodiscard]] OxideLine line_of(const TableRow& row, std::size_t names) const {
         if (names >= row.cells.size() || row.cells[names].empty()) return {};
@@ -580,6 +627,7 @@ class OxideTable {
             note("row " + in_quotes(row.cells[names]) + " is not used", severity_of_unused(what));
             return;
         }
+        refuse_marked(row, names, amounts);
         for (std::size_t k = 0; k < amounts.size(); ++k) {
             const std::size_t column = amounts[k];
             if (column >= row.cells.size()) continue;
@@ -587,10 +635,10 @@ class OxideTable {
             const bool own_unit = !what.heading.unit.empty();
             cell.what = what;
             cell.unit = own_unit ? nullptr : &headings_[column].heading;
-            if (column + 1 < std::min(row.cells.size(), headings_.size()) &&
-                headings_[column + 1].role == OxideRole::uncertainty) {
-                cell.uncertainty = row.cells[column + 1];
-                cell.error_heading = &headings_[column + 1].heading;
+            if (const auto errors = errors_[k]; errors && *errors < row.cells.size()) {
+                cell.uncertainty = row.cells[*errors];
+                cell.error_heading = &headings_[*errors].heading;
+                cell.error_column = *errors;
             }
             marks_.see(cell.text, column);
             samples[k].cells.push_back(std::move(cell));
@@ -602,6 +650,7 @@ class OxideTable {
     std::vector<TableRow> rows_{};
     std::vector<AmountNote> notes_{};
     std::vector<OxideLine> headings_{};
+    std::vector<std::optional<std::size_t>> errors_{};  ///< columns of uncertainties, by those of amounts
     std::size_t units_ = std::string::npos;  ///< column of the units of single rows, if there is one
 };
 
@@ -681,7 +730,7 @@ std::optional<OxideNumber> number_of(const OxideCell& cell, const NumberMarks& m
             if (cell.error_heading->unit == "%" && unit.unit != "%" && unit.scale == xrd::Scale::per_cent)
                 throw InputError("the uncertainty in [%] may be of the sample or of the amount",
                                  "the unit of the amounts, such as [wt%]");
-            const auto error = marks.read(cell.uncertainty, cell.column + 1);
+            const auto error = marks.read(cell.uncertainty, cell.error_column);
             if (!error || error->value < 0)
                 throw InputError("cannot read the uncertainty " + in_quotes(cell.uncertainty),
                                  "a number, zero or more");
@@ -708,6 +757,10 @@ class OxideSampleMaker {
     OxideSample make() {
         find_scale();
         for (const OxideCell& cell : column_.cells) add(cell);
+        const auto in_per_cent = [](const OxideCell& cell) { return cell.uncertainty.ends_with('%'); };
+        if (std::ranges::any_of(column_.cells, in_per_cent))
+            sample_.warnings.push_back(uncertainties_in_per_cent(glass_code));
+        if (!missing_.empty()) note("no amount is given of " + joined(missing_) + ": not in the glass");
         merge_iron();
         check_total();
         if (traces_ > 0)
@@ -750,6 +803,7 @@ class OxideSampleMaker {
     void add(const OxideCell& cell) {
         const auto number = number_of(cell, marks_);
         const std::string name = cell.what.heading.text;
+        if (!number && cell.what.role == OxideRole::oxide) missing_.push_back(name);
         if (!number) return;
         const double scale = number->scale.value_or(scale_);
         if (cell.what.role == OxideRole::trace) {
@@ -835,6 +889,7 @@ class OxideSampleMaker {
     double listed_ = 0;
     double traces_ = 0;
     std::vector<std::string> trace_names_{};
+    std::vector<std::string> missing_{};  ///< oxides without a number
     std::optional<double> total_{};
     std::vector<Iron> iron_{};
 };
@@ -889,7 +944,7 @@ void add_share(const std::string& name, const View& node, OxideAnalysis& analysi
         analysis.loss_on_ignition = share;
         return;
     }
-    const auto oxide = named_oxide(name);
+    const auto oxide = has_sign_of_bound(name) ? std::nullopt : named_oxide(name);
     if (!oxide) {
         const auto near = nearest_oxides(name);
         node.fail("no oxide is called " + in_quotes(name),

@@ -41,6 +41,31 @@ bool tells(const std::vector<Finding>& warnings, std::string_view text) {
 
 }  // namespace
 
+TEST_CASE("uncertainties of oxides may stand behind other columns, and marks beside amounts are refused") {
+    for (const char* heading : {"oxide;Conc.;Unit;StdErr\nSiO2;60;%;2\nAl2O3;40;%;2\n",
+                                "oxide;wt%;LOD;esd\nSiO2;60;<0.05;2\nAl2O3;40;0.05;2\n",
+                                "oxide;esd;wt%\nSiO2;2;60\nAl2O3;2;40\n"}) {
+        CAPTURE(heading);
+        CHECK(near(*only(heading).analysis.oxides[0].standard_uncertainty, 0.02));
+    }
+    const auto refused = [](std::string_view text) {
+        return input_error_of([&] { static_cast<void>(read_oxides(text, "xrf.csv")); });
+    };
+    CHECK(contains(refused("oxide;FA1;FA2;note;esd\nSiO2;60;50;a;2\nAl2O3;40;50;b;2\n"),
+                   "the uncertainties in column \"esd\" may be of any column"));
+    CHECK(contains(refused("oxide;;wt%\nSiO2;;60\nAl2O3;;39.4\nNa2O;<;0.6\n"),
+                   "line 4, cell 2: \"<\" in column \"\" may make the number beside it a bound"));
+    CHECK(contains(refused("oxide;wt%;note\nSiO2;60;\nAl2O3;40;invalid\n"), "calls the row invalid"));
+    CHECK(contains(refused("Sample;SiO2;Al2O3\nFA1;60;40\n;0.4;0.3\n"), "line 3: the line names no sample"));
+    CHECK(contains(refused("Sample,SiO2,Al2O3,Na2Oeq\nFA1,60,39,1\n"), "nothing else gives Na2O"));
+    CHECK(contains(refused("oxide;wt%\nSiO2;60\nAl2O3;39\nNa2O <;1\n"), "nothing else gives Na2O"));
+    const OxideSample relative =
+        only("Oxide;Massenanteil;Messunsicherheit\nSiO2;60 %;5 %\nAl2O3;40 %;5 %\nK2O;;\n");
+    CHECK(tells(relative.warnings, "the uncertainties in % are taken as per cent of the sample"));
+    CHECK(tells(relative.warnings, "no amount is given of K2O: not in the glass"));
+    CHECK_FALSE(only("oxide;wt% (LOI-free)\nSiO2;60\nAl2O3;40\n").analysis.ignited.empty());
+}
+
 TEST_CASE("oxides in columns: two samples, units in the headings, below them and not at all") {
     for (const char* text :
          {"Sample,SiO2 [wt%],Al2O3 [wt%],Fe2O3 (%),LOI [wt%]\nFA1,60,30,8,2\nFA2,50,40,8,2\n",
