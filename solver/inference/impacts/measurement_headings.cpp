@@ -77,6 +77,8 @@ std::string_view change_in(std::string_view name) {
                                                                                   {"\u2202", "difference"}}};
     for (const auto& [sign, change] : signs)
         if (name.find(sign) != std::string_view::npos) return change;
+    if (name.ends_with("(E)")) return "restitution of energy";
+    if (has_sign_of_bound(name)) return "bound";
     return {};
 }
 
@@ -373,6 +375,10 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
         throw InputError(
             "column " + in_quotes(cell) + " holds " + with_article(change) + ", not the quantity",
             "v_in, v_r or e_n and their standard uncertainties; another name for what is not read");
+    if (meaning->quantity == MeasuredQuantity::restitution && unit.empty() &&
+        name.find('%') != std::string_view::npos)
+        throw InputError("column " + in_quotes(cell) + " may be in per cent, or hold fractions",
+                         "\"e_n [%]\" or \"e_n\"");
     const auto& incident = heading.of(MeasuredQuantity::velocity);
     const bool follows_v0 = incident && key_of(incident->name) == "v0";
     if (follows_v0 && key_of(name).find("v1") != std::string::npos)
@@ -401,6 +407,11 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
                                  "column " + in_quotes(cell) + " is taken as the uncertainty of " +
                                      in_quotes(value->name) + ", which stands before it"});
     }
+    if (is_ratio && meaning->is_uncertainty && unit == "%")
+        heading.notes.push_back(
+            {impacts_code, Severity::remark,
+             "column " + in_quotes(cell) +
+                 " is taken as points of the restitution, 5 % as 0.05, not as a share of it"});
     take_measured(heading, *meaning, std::move(column));
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numbers>
 #include <span>
 #include <string>
@@ -411,7 +412,7 @@ void require_agreeing_remarks(const MeasurementHeading& heading, const TableRow&
     for (const TextColumn& column : heading.remarks) {
         const std::string& remark = row.cells[column.position];
         const OutcomeWord mentioned = outcome_mentioned(remark);
-        const bool of_capture = mentioned == OutcomeWord::capture && point.rebound > reach_of(point);
+        const bool of_capture = mentioned == OutcomeWord::capture && !point.captured();
         const bool of_rebound = mentioned == OutcomeWord::rebound && point.captured();
         if (!of_capture && !of_rebound) continue;
         throw InputError(
@@ -420,6 +421,25 @@ void require_agreeing_remarks(const MeasurementHeading& heading, const TableRow&
                             : "a rebound, and the reading is a capture"),
             "one of them, or a file without this row")
             .at(at_cell(row.line, column.position));
+    }
+}
+
+/// Refuses marks in columns that are not read: the sign of a bound, and an outcome that is not that of the
+/// reading. @throws InputError
+void require_agreeing_marks(const MeasurementHeading& heading, const TableRow& row,
+                            const Measurement& point) {
+    for (const TextColumn& column : heading.unused) {
+        const std::string& cell = row.cells[column.position];
+        const std::string name =
+            column.name.empty() ? "a column without heading" : "column " + in_quotes(column.name);
+        refuse_sign_of_bound(cell, name, row.line, column.position);
+        if (cell.empty() || is_digit(cell.front())) continue;
+        const OutcomeWord word = outcome_of_remark(cell);
+        const bool contradicts = word == (point.captured() ? OutcomeWord::rebound : OutcomeWord::capture);
+        if (contradicts)
+            throw InputError(in_quotes(cell) + " in " + name + " speaks of another outcome than the reading",
+                             "one of them, and \"outcome\" as the heading of the column")
+                .at(at_cell(row.line, column.position));
     }
 }
 
@@ -504,7 +524,10 @@ class Unread {
     /// An impact, whose remarks may be other texts than words for an outcome.
     void take_impact(const TableRow& row) {
         for (const TextColumn& column : heading_.unused)
-            if (column.name.empty() && !row.cells[column.position].empty()) nameless_ = column.position + 1;
+            if (column.name.empty() && !row.cells[column.position].empty())
+                nameless_ = column.position + 1;
+            else if (auto& values = values_[column.position]; values.size() <= most_groups)
+                ++values[row.cells[column.position]];
         for (const TextColumn& column : heading_.remarks) {
             const std::string& cell = row.cells[column.position];
             if (cell.empty() || outcome_of_remark(cell) != OutcomeWord::none) continue;
@@ -533,6 +556,7 @@ class Unread {
             warnings.push_back(
                 {impacts_code, Severity::remark,
                  "column " + std::to_string(nameless_) + ", which has no heading, is not used"});
+        for (const TextColumn& column : heading_.unused) tell_groups(column, warnings);
         if (!not_read_.empty())
             warnings.push_back({impacts_code, Severity::remark,
                                 first_not_read_ + " is not read (" + numbered("line", not_read_) +
@@ -566,7 +590,23 @@ class Unread {
         return joined(names);
     }
 
+    /// A remark on a column that is not read and cuts the impacts into some groups, as samples or walls do.
+    void tell_groups(const TextColumn& column, std::vector<Finding>& warnings) const {
+        const auto found = values_.find(column.position);
+        if (found == values_.end() || found->second.size() < 2 || found->second.size() > most_groups) return;
+        std::vector<std::string> names;
+        for (const auto& [value, count] : found->second) {
+            if (value.empty() || count < 2) return;
+            names.push_back(in_quotes(value));
+        }
+        warnings.push_back({impacts_code, Severity::remark,
+                            "column " + in_quotes(column.name) + " has " + joined(names) +
+                                ": all impacts count as those of one particle and wall"});
+    }
+
+    static constexpr std::size_t most_groups = 5;
     const MeasurementHeading& heading_;
+    std::map<std::size_t, std::map<std::string, std::size_t>> values_{};  ///< of columns that are not read
     std::vector<std::size_t> remarked_;
     std::vector<std::size_t> unknown_;
     std::vector<std::size_t> elsewhere_;
@@ -688,6 +728,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
             const OutcomeWord remark = remarked_outcome(heading, row);
             if (auto point = measurement_of(heading, cells, row, remark, stated)) {
                 cells.require_agreement(row, *point);
+                require_agreeing_marks(heading, row, *point);
                 if (remark_counts(heading, row, remark, *point)) unread.take_remarked(row);
                 unread.take_impact(row);
                 set.points.push_back(*point);

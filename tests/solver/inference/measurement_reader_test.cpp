@@ -166,6 +166,29 @@ TEST_CASE("impacts at an angle: the part of v_in normal to the wall counts") {
         CHECK_MESSAGE(contains(input_error_of([&, &text = table] { return read(text); }), says), says);
 }
 
+TEST_CASE("marks of outcomes and groups of impacts in columns that are not read are said or refused") {
+    const auto refused = [](std::string_view text) {
+        return input_error_of([&] { static_cast<void>(read_measurements(text, "t.csv")); });
+    };
+    CHECK(contains(refused("v_in [m/s],v_r [m/s],fate\n1,0.1,stuck\n2,1,\n"),
+                   "\"stuck\" in column \"fate\" speaks of another outcome than the reading"));
+    CHECK(contains(refused("v_in [m/s],v_r [m/s],\n1,0.1,haftet\n2,1,\n"), "in a column without heading"));
+    CHECK(contains(refused("v_in [m/s],v_r [m/s],remark\n1,0.1,particle stuck\n2,1,\n"),
+                   "speaks of a capture"));
+    CHECK(
+        contains(refused("v_in [m/s],,v_r [m/s]\n1,<,0.1\n2,,1\n"), "may make the number beside it a bound"));
+    CHECK(
+        contains(refused("v_in [m/s],% e\n1,0.1\n2,0.2\n"), "\"% e\" may be in per cent, or hold fractions"));
+    CHECK(contains(refused("v_in [m/s],v_r < [m/s]\n1,0.1\n2,0.2\n"), "holds a bound, not the quantity"));
+    CHECK(contains(refused("v_in [m/s],e (E)\n1,0.1\n2,0.2\n"), "restitution of energy, not the quantity"));
+    CHECK(refused("v_in [m/s],v_r [m/s],fate\n1,0,stuck\n2,1,rebound\n").empty());
+    const auto said = [](std::string_view text) { return warnings_of(read_measurements(text, "t.csv")); };
+    const std::string table = "v_in [m/s],v_r [m/s],wall\n1,0.2,steel\n2,1,steel\n3,1.8,alumina\n4,2.5,";
+    CHECK(contains(said(table + "alumina\n"),
+                   "column \"wall\" has \"alumina\", \"steel\": all impacts count as"));
+    CHECK_FALSE(contains(said(table + "glass\n"), "all impacts count as"));
+}
+
 TEST_CASE("classes of angle are compared, and told apart where damping differs") {
     std::mt19937_64 random(11);
     std::normal_distribution<double> noise(0, 0.03);
