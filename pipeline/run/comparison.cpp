@@ -230,11 +230,11 @@ std::map<std::string_view, std::string> no_damping_reasons(const Run& run) {
 }
 
 /// The velocity that the outcomes of a sample's impacts show, also where the case states a measured one.
-std::optional<MeasuredCriticalVelocity> outcomes_of(const ComparedSample& of) {
+std::optional<MeasuredCriticalVelocity> outcomes_of(const ComparedSample& of, double scale_uncertainty) {
     if (!of.sample.measured_critical_velocity) return of.velocities.measured;
     if (of.series == nullptr || of.series->origin != Origin::measured) return std::nullopt;
     try {
-        return measured_critical_velocity(of.series->impacts);
+        return measured_critical_velocity(of.series->impacts, scale_uncertainty);
     } catch (const InputError&) {  // as without a stated velocity, for which the stage has a note
         return std::nullopt;
     }
@@ -244,11 +244,12 @@ std::optional<MeasuredCriticalVelocity> outcomes_of(const ComparedSample& of) {
 struct Reporting {
     ReportedLaw law;
     std::vector<Law> preference;
+    double scale_uncertainty;  ///< that the velocities have in common [1]
 };
 
 ReportedVelocity reported_of(const ComparedSample& of, const Reporting& reporting,
                              const std::string& no_damping) {
-    const auto outcomes = outcomes_of(of);
+    const auto outcomes = outcomes_of(of, reporting.scale_uncertainty);
     return reported_velocity({.law = reporting.law,
                               .preference = reporting.preference,
                               .velocities = of.velocities.laws,
@@ -303,7 +304,9 @@ ComparisonResult comparison_stage(const Run& run, StageRecord& record) {
     const auto no_damping = no_damping_reasons(run);
     result.reported = reported_law(data, run.contact);
     std::optional<Reporting> reporting;
-    if (result.reported) reporting = {*result.reported, laws_by_preference(data, run.contact)};
+    if (result.reported)
+        reporting = {*result.reported, laws_by_preference(data, run.contact),
+                     data.fit.estimate.scale_uncertainty};
     for (std::size_t i = 0; i < data.samples.size(); ++i) {
         const ComparedSample of{
             data.samples[i],

@@ -13,7 +13,8 @@ namespace {
 
 /// The critical velocity a case reports, or else the one that the outcomes of its impacts show.
 std::optional<MeasuredCriticalVelocity> measured_velocity(const Sample& sample,
-                                                          const RestitutionSeries* series) {
+                                                          const RestitutionSeries* series,
+                                                          double scale_uncertainty) {
     if (sample.measured_critical_velocity) {
         const Quantity& reported = sample.measured_critical_velocity->quantity;
         MeasuredCriticalVelocity measured;
@@ -28,7 +29,7 @@ std::optional<MeasuredCriticalVelocity> measured_velocity(const Sample& sample,
         return measured;
     }
     if (series == nullptr || series->origin != Origin::measured) return std::nullopt;
-    return measured_critical_velocity(series->impacts);
+    return measured_critical_velocity(series->impacts, scale_uncertainty);
 }
 
 ResultOfLaw<LawCriticalVelocity> velocity_of(const VelocityTask& task) {
@@ -84,7 +85,7 @@ CriticalVelocityResult critical_velocity_stage(const Case& data, const ModulusRe
         std::vector<Finding> findings;
         const auto measured =
             attempt("measured v_c", "no-measured-critical-velocity", Severity::doubt, findings, [&] {
-                return measured_velocity(sample, first);
+                return measured_velocity(sample, first, data.fit.estimate.scale_uncertainty);
             }).value_or(std::nullopt);
         record.note(findings, sample.name);
         const auto solve = [&](const LawChoice& choice) -> ResultOfLaw<LawCriticalVelocity> {

@@ -40,7 +40,8 @@ struct PhaseMixture {
 /// A second sphere in place of the wall.
 struct RandomPartner {
     RandomInput diameter;  ///< [m]
-    RandomInput mass;      ///< [kg]
+    RandomInput mass;      ///< [kg], or density [kg/m3]
+    bool by_density = false;
 };
 
 /// A sphere of one sieve size on a flat wall, or on a second sphere. Exactly one of mixture, young_modulus
@@ -118,8 +119,10 @@ struct MeasuredCriticalVelocity {
 /// Captures alone bound v_c from below, by the greatest v_in - z u(v_in) of an impact, z the normal quantile
 /// of 1 - 0.05/n for n impacts; rebounds alone bound it from above, by the least v_in + z u(v_in). If all
 /// particles share one v_c such a bound holds in 95 % of cases or more, whatever velocities were aimed at.
+/// @param scale_uncertainty as in EstimateOptions: it widens the interval or moves the bound
 /// @throws InputError for a set that is not valid
-[[nodiscard]] MeasuredCriticalVelocity measured_critical_velocity(const MeasurementSet& stated);
+[[nodiscard]] MeasuredCriticalVelocity measured_critical_velocity(const MeasurementSet& stated,
+                                                                  double scale_uncertainty = 0.0);
 
 /// Standard uncertainty of the difference of two estimates from the same impacts, which share most of their
 /// errors. If one of them is efficient, the variance of the difference is the difference of the variances

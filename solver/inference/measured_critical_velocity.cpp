@@ -329,15 +329,30 @@ void take_transition(const MeasurementSet& set, double noise, bool mixed, Measur
                         : "between the fastest capture and the slowest rebound, with their noise";
 }
 
+/// Adds a relative uncertainty that all velocities have in common.
+void widen(MeasuredCriticalVelocity& result, double uncertainty) {
+    const double own = confidence_quantile() * uncertainty;
+    const auto end = [&](std::optional<double>& bound, double sign) {
+        const double distance = result.value && bound ? std::log(*bound / *result.value) : 0.0;
+        if (bound && *bound > 0.0 && uncertainty > 0.0)
+            bound = *bound * std::exp(sign * (std::hypot(distance, own) - std::abs(distance)));
+    };
+    end(result.lower, -1.0);
+    end(result.upper, 1.0);
+    if (result.value && result.standard_uncertainty)
+        result.standard_uncertainty = std::hypot(*result.standard_uncertainty, uncertainty * *result.value);
+}
+
 }  // namespace
 
-MeasuredCriticalVelocity measured_critical_velocity(const MeasurementSet& stated) {
+MeasuredCriticalVelocity measured_critical_velocity(const MeasurementSet& stated, double scale_uncertainty) {
     validate(stated);
     const MeasurementSet set = with_noise(stated);
     MeasuredCriticalVelocity result;
     note_range(set, result);
     if (!result.fastest_capture || !result.slowest_rebound) {
         bound_one_side(set, result);
+        widen(result, scale_uncertainty);
         return result;
     }
     const double noise = mean_noise(set);
@@ -356,6 +371,7 @@ MeasuredCriticalVelocity measured_critical_velocity(const MeasurementSet& stated
             "; v_c may be lower, as the slowest rebounds can hardly be told from captures, which may be "
             "rebounds";
     }
+    widen(result, scale_uncertainty);
     return result;
 }
 

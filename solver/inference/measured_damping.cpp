@@ -57,12 +57,13 @@ DampingCurveFit extrapolate(MeasuredDamping& result, const ContactModel& model,
 }
 
 /// The analysis before any step of it: the contact, and the measured critical velocity.
-MeasuredDamping begun(Law law, Detachment detachment, const ContactPair& pair, const MeasurementSet& set) {
+MeasuredDamping begun(Law law, Detachment detachment, const ContactPair& pair, const MeasurementSet& set,
+                      const EstimateOptions& options) {
     validate(set);
     MeasuredDamping result{.law = law, .detachment = detachment, .contact = pair};
     result.measured =
         attempt("measured v_c", "no-measured-critical-velocity", Severity::doubt, result.findings, [&] {
-            return measured_critical_velocity(set);
+            return measured_critical_velocity(set, options.scale_uncertainty);
         }).value_or(MeasuredCriticalVelocity{});
     return result;
 }
@@ -160,7 +161,7 @@ VelocityRange velocities_for_fits(Law law, Detachment detachment, const ContactP
 MeasuredDamping analyse_impacts(Law law, Detachment detachment, const ContactPair& contact,
                                 const MeasurementSet& set, const MeasuredDampingOptions& options) {
     if (can_yield(law, contact)) {
-        MeasuredDamping result = begun(law, detachment, contact, set);
+        MeasuredDamping result = begun(law, detachment, contact, set, options.estimate);
         result.impacts = invert_by_solving(law, detachment, contact, set);
         note_parts(result, set, options.parts);
         result.findings.push_back(
@@ -178,7 +179,8 @@ MeasuredDamping analyse_impacts(Law law, Detachment detachment, const ContactPai
 
 MeasuredDamping analyse_impacts(const ContactModel& model, const MeasurementSet& set,
                                 const MeasuredDampingOptions& options) {
-    MeasuredDamping result = begun(model.map().law(), model.map().detachment(), model.contact(), set);
+    MeasuredDamping result =
+        begun(model.map().law(), model.map().detachment(), model.contact(), set, options.estimate);
     result.accuracy = model.map().accuracy();
     if (!options.rising_to) {
         result.impacts = invert(model, set);

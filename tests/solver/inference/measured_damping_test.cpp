@@ -340,6 +340,14 @@ TEST_CASE(
     CHECK(fit.critical_damping.standard_uncertainty ==
           doctest::Approx(std::sqrt(fit.covariance(0, 0))).epsilon(1e-6));
     CHECK(has_finding(result, "extrapolation-sizes"));
+    // So does that of the outcomes alone: 1.96 times 4 % beside its own.
+    const MeasuredCriticalVelocity own = measured_critical_velocity(set);
+    const MeasuredCriticalVelocity shared = result.measured;
+    CHECK(*shared.value == *own.value);
+    CHECK(std::log(*shared.upper / *shared.value) ==
+          doctest::Approx(std::hypot(std::log(*own.upper / *own.value), 1.959964 * 0.04)).epsilon(1e-6));
+    CHECK(std::log(*shared.value / *shared.lower) ==
+          doctest::Approx(std::hypot(std::log(*own.value / *own.lower), 1.959964 * 0.04)).epsilon(1e-6));
 }
 
 TEST_CASE("impacts without scatter give the damping behind them") {
