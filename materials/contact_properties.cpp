@@ -51,10 +51,6 @@ double contact_modulus(const ElasticBody& particle, RigidWall /*wall*/) {
     return 1 / plane_strain_compliance(particle);
 }
 
-double particle_share_of_compliance(const ElasticBody& particle, double contact_modulus) {
-    return contact_modulus * plane_strain_compliance(particle);
-}
-
 double effective_radius(double particle_radius, double wall_radius) {
     require_positive("particle_radius", particle_radius, Dimension::length);
     require_positive_or_infinite("wall_radius", wall_radius, Dimension::length);

@@ -27,10 +27,6 @@ struct RigidWall {};
 /// Returns the contact modulus E* on a rigid wall [Pa]: E1/(1 - nu1^2), Eq. 7 with E2 -> infinity.
 [[nodiscard]] double contact_modulus(const ElasticBody& particle, RigidWall wall);
 
-/// Returns d ln E* / d ln E1 [1], the share of the particle in the compliance: (E*/E1)(1 - nu1^2).
-/// The relative standard uncertainty of E* from that of E1 is this times u(E1)/E1.
-[[nodiscard]] double particle_share_of_compliance(const ElasticBody& particle, double contact_modulus);
-
 /// Returns the effective radius R* of two spheres [m]: 1/R* = 1/r1 + 1/r2. Source: Dong et al. 2013, Eq. 6.
 /// A flat wall is an infinite r2, which gives R* = r1.
 [[nodiscard]] double effective_radius(double particle_radius, double wall_radius);

@@ -32,6 +32,15 @@ Stated poisson_ratio_of(const Sample& sample, const SampleModulus& modulus) {
                      "poisson_ratio of the sample, or of each of its phases");
 }
 
+/// Standard uncertainty of (1 - nu^2)/E, a body's part of the compliance in Eq. 7 [1/Pa].
+double compliance_uncertainty(const Quantity& young_modulus, const Quantity& poisson_ratio) {
+    const double nu = poisson_ratio.value;
+    const double of_modulus =
+        (1 - nu * nu) / young_modulus.value * young_modulus.standard_uncertainty.value_or(0);
+    const double of_ratio = 2 * nu * poisson_ratio.standard_uncertainty.value_or(0);
+    return std::hypot(of_modulus, of_ratio) / young_modulus.value;
+}
+
 Stated contact_modulus_of(const Sample& sample, const std::optional<Wall>& wall, const SampleModulus& modulus,
                           const std::optional<Stated>& poisson_ratio) {
     if (sample.contact_modulus) return *sample.contact_modulus;
@@ -43,9 +52,13 @@ Stated contact_modulus_of(const Sample& sample, const std::optional<Wall>& wall,
                              : contact_modulus(particle, ElasticBody{elastic->young_modulus.value(),
                                                                      elastic->poisson_ratio.value()});
     Stated stated = computed(value, Dimension::pressure, "Eq. 7");
-    if (const auto u = modulus.young_modulus.standard_uncertainty)
-        stated.quantity.standard_uncertainty =
-            value * particle_share_of_compliance(particle, value) * *u / modulus.young_modulus.value;
+    const double of_wall = elastic != nullptr ? compliance_uncertainty(elastic->young_modulus.quantity,
+                                                                       elastic->poisson_ratio.quantity)
+                                              : 0;
+    const double u =
+        value * value *
+        std::hypot(compliance_uncertainty(modulus.young_modulus, poisson_ratio->quantity), of_wall);
+    if (u > 0) stated.quantity.standard_uncertainty = u;
     return stated;
 }
 
@@ -53,15 +66,24 @@ bool needs_poisson_ratio(const Sample& sample, const std::optional<Wall>& wall) 
     return !sample.contact_modulus && !std::holds_alternative<Stated>(*wall);
 }
 
-/// Density that follows from the phases and the stated porosity [kg/m3].
-double density_from_phases(const Sample& sample, const SampleModulus& modulus) {
-    const bool stated = sample.porosity && !sample.porosity_from_density;
-    return modulus.density.value * (1 - (stated ? sample.porosity->value : 0));
+/// Density that follows from the phases and the stated porosity, with the uncertainties of both [kg/m3].
+Quantity density_from_phases(const Sample& sample, const SampleModulus& modulus) {
+    Porosity pores;
+    if (sample.porosity && !sample.porosity_from_density) pores = *sample.porosity;
+    const double dense = modulus.density.value;
+    Quantity density = make_quantity(dense * (1 - pores.value), Dimension::density);
+    const double u = std::hypot((1 - pores.value) * modulus.density.standard_uncertainty.value_or(0),
+                                dense * pores.standard_uncertainty.value_or(0));
+    if (u > 0) density.standard_uncertainty = u;
+    return density;
 }
 
 Stated density_of(const Sample& sample, const SampleModulus& modulus, StageRecord& record) {
-    if (!sample.density)
-        return computed(density_from_phases(sample, modulus), Dimension::density, "phases, less the pores");
+    if (!sample.density) {
+        Stated density = computed(0, Dimension::density, "phases, less the pores");
+        density.quantity = density_from_phases(sample, modulus);
+        return density;
+    }
     const double dense = modulus.density.value;
     const double ratio = sample.density->value() / dense;
     if (ratio <= 1 && sample.porosity && !sample.porosity_from_density)
@@ -124,12 +146,20 @@ Quantity effective_radius_of(const Quantity& particle, const Quantity& partner) 
 }
 
 /// Sets the second sphere and the R* of both.
+/// Mass of a sphere with the uncertainties of its radius and density.
+Quantity mass_of(const Quantity& radius, const Quantity& density) {
+    Quantity mass = make_quantity(sphere_mass(radius.value, density.value), Dimension::mass);
+    const double relative = std::hypot(3 * radius.standard_uncertainty.value_or(0) / radius.value,
+                                       density.standard_uncertainty.value_or(0) / density.value);
+    if (relative > 0) mass.standard_uncertainty = mass.value * relative;
+    return mass;
+}
+
 void set_partner(const PartnerSphere& partner, SampleContact& contact) {
     const Quantity radius = radius_of(partner.diameter);
-    const double mass =
-        partner.mass ? partner.mass->value() : sphere_mass(radius.value, partner.density->value());
     contact.effective_radius = effective_radius_of(contact.radius, radius);
-    contact.partner = SecondSphere{radius, make_quantity(mass, Dimension::mass)};
+    contact.partner = SecondSphere{
+        radius, partner.mass ? partner.mass->quantity : mass_of(radius, partner.density->quantity)};
 }
 
 void set_roughness(const Stated& roughness, const std::string& sample, SampleContact& contact,
@@ -154,7 +184,7 @@ SampleContact contact_of(const Sample& sample, const Case& data, const SampleMod
     if (needs_poisson_ratio(sample, data.wall)) contact.poisson_ratio = poisson_ratio_of(sample, modulus);
     contact.contact_modulus = contact_modulus_of(sample, data.wall, modulus, contact.poisson_ratio);
     contact.density = density_of(sample, modulus, record);
-    contact.density_from_phases = density_from_phases(sample, modulus);
+    contact.density_from_phases = density_from_phases(sample, modulus).value;
     contact.mass = make_quantity(sphere_mass(contact.radius.value, contact.density.value()), Dimension::mass);
     contact.effective_radius = contact.radius;
     contact.work_of_adhesion = adhesion_of(sample);
@@ -202,12 +232,18 @@ SampleAnalytic analytic_of(const SampleContact& sample) {
 /// series and parallel models on E take their place.
 /// Pores soften them as they soften the chosen rule, by a factor of the porosity and Poisson's ratio alone.
 ModulusBounds bounds_of(const ModulusEstimate& estimate, MixtureRule chosen) {
-    const double softening = estimate.young_modulus / estimate.by(chosen).value().young_modulus;
+    const RuleResult dense = estimate.by(chosen).value();
+    const double softening = estimate.young_modulus / dense.young_modulus;
+    // What the uncertainty of the pores adds, relative.
+    const double of_pores =
+        std::sqrt(std::max(0.0, std::pow(estimate.standard_uncertainty / estimate.young_modulus, 2) -
+                                    std::pow(dense.standard_uncertainty / dense.young_modulus, 2)));
     const auto bound = [&](MixtureRule first, MixtureRule second) {
         auto result = estimate.by(first);
         if (!result) result = estimate.by(second).value();
         result->young_modulus *= softening;
-        result->standard_uncertainty *= softening;
+        result->standard_uncertainty =
+            std::hypot(softening * result->standard_uncertainty, result->young_modulus * of_pores);
         return *result;
     };
     const auto quantity = [](const RuleResult& result) {

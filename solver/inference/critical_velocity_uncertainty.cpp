@@ -23,7 +23,8 @@ double next(std::span<const double>& values) {
     return value;
 }
 
-void add_mixture(std::vector<RandomInput>& inputs, const Composition& composition) {
+void add_mixture(std::vector<RandomInput>& inputs, const PhaseMixture& mixture) {
+    const Composition& composition = mixture.composition;
     const std::string basis = composition.basis == FractionBasis::weight ? "weight" : "volume";
     const FractionModel& model = composition.model;
     for (std::size_t i = 0; i < model.amounts.size(); ++i)
@@ -41,6 +42,10 @@ void add_mixture(std::vector<RandomInput>& inputs, const Composition& compositio
                           .distribution = lognormal_around,
                           .factor = known ? "" : "Young's moduli of unknown uncertainty"});
     }
+    if (const auto& porosity = mixture.options.porosity)
+        inputs.push_back({.name = "porosity",
+                          .value = porosity->value,
+                          .standard_uncertainty = porosity->standard_uncertainty.value_or(0.0)});
 }
 
 /// @param at is left at the values: copying a mixture would cost more than its modulus
@@ -48,6 +53,8 @@ double mixed_modulus(PhaseMixture& at, std::span<const double>& values) {
     for (double& amount : at.composition.model.amounts) amount = std::max(0.0, next(values));
     at.composition.model.parameter = std::max(0.0, next(values));
     for (Component& component : at.composition.components) component.phase.young_modulus.value = next(values);
+    constexpr double most_pores = 0.99;
+    if (at.options.porosity) at.options.porosity->value = std::clamp(next(values), 0.0, most_pores);
     return young_modulus_of(at.composition, at.options);
 }
 
@@ -219,7 +226,7 @@ RandomContact random_contact(const SphereInContact& sphere) {
         result.inputs.insert(result.inputs.end(),
                              {sphere.poisson_ratio, sphere.wall_young_modulus, sphere.wall_poisson_ratio});
         if (sphere.young_modulus) result.inputs.push_back(*sphere.young_modulus);
-        if (sphere.mixture) add_mixture(result.inputs, sphere.mixture->composition);
+        if (sphere.mixture) add_mixture(result.inputs, *sphere.mixture);
     }
     if (sphere.partner)
         result.inputs.insert(result.inputs.end(), {sphere.partner->diameter, sphere.partner->mass});
@@ -234,8 +241,11 @@ RandomContact random_contact(const SphereInContact& sphere) {
                          .parameters = sphere.other_parameters};
         set_modulus(pair, sphere, values);
         if (sphere.partner) {
-            pair.effective_radius = effective_radius(radius, 0.5 * next(values));
-            pair.mass = effective_mass(pair.mass, next(values));
+            const double partner = 0.5 * next(values);
+            const double given = next(values);
+            pair.effective_radius = effective_radius(radius, partner);
+            pair.mass =
+                effective_mass(pair.mass, sphere.partner->by_density ? sphere_mass(partner, given) : given);
         }
         for (const auto& [parameter, input] : sphere.parameters)
             pair.parameters.set(parameter.name, next(values));

@@ -67,19 +67,6 @@ TEST_CASE("a rigid wall is the limit of a stiff one") {
     CHECK(relative_difference(contact_modulus(ash, RigidWall{}), 156.399535e9) < 1e-8);
     const ElasticBody stiff{.young_modulus = 1e25, .poisson_ratio = 0.1};
     CHECK(relative_difference(contact_modulus(ash, stiff), contact_modulus(ash, RigidWall{})) < 1e-12);
-    CHECK(relative_difference(particle_share_of_compliance(ash, contact_modulus(ash, RigidWall{})), 1) <
-          1e-15);
-}
-
-TEST_CASE("the particle's share of the compliance is the logarithmic derivative of E*") {
-    const double h = 1e-5;
-    ElasticBody up = ash;
-    ElasticBody down = ash;
-    up.young_modulus *= 1 + h;
-    down.young_modulus *= 1 - h;
-    const double value = contact_modulus(ash, steel);
-    const double difference = (contact_modulus(up, steel) - contact_modulus(down, steel)) / (2 * h * value);
-    CHECK(relative_difference(particle_share_of_compliance(ash, value), difference) < 1e-9);
 }
 
 TEST_CASE("effective radius and mass, and their limits at a flat, fixed wall") {

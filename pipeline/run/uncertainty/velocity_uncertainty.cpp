@@ -151,17 +151,27 @@ Quantity diameter_of(Quantity radius) {
     return radius;
 }
 
+/// Of the mass where the case states it, else of the density and the diameter that it follows from.
+RandomPartner partner_of(const Case& data, const SecondSphere& partner) {
+    const RandomInput diameter = positive("diameter of the partner", diameter_of(partner.radius));
+    const bool by_density = data.partner && data.partner->density;
+    if (!by_density) return {diameter, positive("mass of the partner", partner.mass)};
+    const Quantity& stated = data.partner->density->quantity;
+    Quantity density =
+        make_quantity(partner.mass.value / sphere_mass(partner.radius.value, 1), Dimension::density);
+    density.standard_uncertainty = stated.standard_uncertainty.value_or(0) / stated.value * density.value;
+    return {diameter, positive("density of the partner", density), true};
+}
+
 /// @param law whose parameters are inputs; those of other laws are only carried along
-SphereInContact sphere_of(const SampleContact& contact, Law law) {
+SphereInContact sphere_of(const Case& data, const SampleContact& contact, Law law) {
     const Quantity diameter = diameter_of(contact.radius);
     SphereInContact sphere{
         .diameter = positive("diameter", diameter),
         .density = positive("density", contact.density.quantity),
         .work_of_adhesion = positive("work of adhesion", contact.work_of_adhesion.quantity),
         .yield_pressure = contact.pair.yield_pressure};
-    if (contact.partner)
-        sphere.partner = {positive("diameter of the partner", diameter_of(contact.partner->radius)),
-                          positive("mass of the partner", contact.partner->mass)};
+    if (contact.partner) sphere.partner = partner_of(data, *contact.partner);
     for (const auto& [parameter, value] : contact.parameters) {
         const auto same = [&, &name = parameter.name](const LawParameter& own) { return own.name == name; };
         if (std::ranges::any_of(law.parameters(), same))
@@ -178,7 +188,7 @@ std::optional<RandomContact> from_phases(const Case& data, const Sample& sample,
     const auto* wall = data.wall ? std::get_if<ElasticWall>(&*data.wall) : nullptr;
     if (wall == nullptr || sample.contact_modulus || !contact.poisson_ratio) return std::nullopt;
     const PhaseCatalogue catalogue({PhaseSet{.name = "case", .phases = data.phases}});
-    SphereInContact sphere = sphere_of(contact, law);
+    SphereInContact sphere = sphere_of(data, contact, law);
     sphere.poisson_ratio = ratio("Poisson's ratio", contact.poisson_ratio->quantity);
     sphere.wall_young_modulus = positive("Young's modulus of the wall", wall->young_modulus.quantity);
     sphere.wall_poisson_ratio = ratio("Poisson's ratio of the wall", wall->poisson_ratio.quantity);
@@ -197,7 +207,7 @@ std::optional<RandomContact> from_phases(const Case& data, const Sample& sample,
 RandomContact independent_contact(const Case& data, const Sample& sample, const SampleContact& contact,
                                   Law law) {
     if (auto random = from_phases(data, sample, contact, law)) return *std::move(random);
-    SphereInContact sphere = sphere_of(contact, law);
+    SphereInContact sphere = sphere_of(data, contact, law);
     sphere.contact_modulus = positive("contact modulus", contact.contact_modulus.quantity);
     return random_contact(sphere);
 }

@@ -52,6 +52,46 @@ const Json steel_ball = Json::parse(R"({"diameter": {"value": 200, "unit": "um",
 
 }  // namespace
 
+TEST_CASE("every stated uncertainty is in the properties of the contact and of the modulus") {
+    const Sandbox sandbox;
+    Json document = with_partner(steel_ball);
+    document["partner"]["density"] = "7800 +- 390 kg/m3";  // 5 %
+    document["partner"]["young_modulus"] = "193 +- 20 GPa";
+    document["samples"][0].erase("density");
+    document["samples"][0]["porosity"] = {{"law", "pabst-gregorova"}, {"value", "15 +- 5 %"}};
+    write_example(sandbox, document);
+    const auto finished = ashimpact_program(sandbox, "run case.json -o out --no-report");
+    CAPTURE(finished.err);
+    REQUIRE(finished.status == 0);
+    const auto sample_of = [&](const char* file) {
+        return sandbox.json(std::string("out/") + file)["result"]["samples"][0];
+    };
+    const Json contact = sample_of("2-contact.json");
+    const auto u = [](const Json& quantity) { return quantity["standard_uncertainty"].get<double>(); };
+    const Json& mass = contact["partner"]["mass"];
+    CHECK(relative_difference(u(mass) / number(mass), std::hypot(3 * 0.02, 0.05)) < 1e-9);
+    const Json modulus = sample_of("1-modulus.json");
+    const Json& dense = modulus["density"];
+    const double of_phases = dense.value("standard_uncertainty", 0.0);
+    CHECK(relative_difference(u(contact["density"]), std::hypot(0.85 * of_phases, 0.05 * number(dense))) <
+          1e-9);
+    // Eq. 7, each body's compliance moved by its modulus.
+    const double particle = number(modulus["young_modulus"]);
+    const double nu = number(contact["poisson_ratio"]);
+    const ElasticBody ball{.young_modulus = 193e9, .poisson_ratio = 0.29};
+    const double e = contact_modulus({particle, nu}, ball);
+    const double by_particle = contact_modulus({particle * (1 + 1e-6), nu}, ball) - e;
+    const double by_ball = contact_modulus({particle, nu}, {193e9 * (1 + 1e-6), 0.29}) - e;
+    const double expected =
+        std::hypot(by_particle / 1e-6 * u(modulus["young_modulus"]) / particle, by_ball / 1e-6 * 20 / 193);
+    CHECK(u(contact["contact_modulus"]) > 0.99 * expected);  // and Poisson's ratio
+    // ln E goes with -2/(1 - P)^2.
+    for (const char* end : {"lower", "upper"}) {
+        const Json& bound = modulus["bounds"][end];
+        CHECK(u(bound) / number(bound) > 0.99 * 2 / (0.85 * 0.85) * 0.05);
+    }
+}
+
 TEST_CASE("maugis-dugdale takes exactly one of Tabor parameter, cohesive stress and range") {
     const Sandbox sandbox;
     const std::string impact =
