@@ -289,7 +289,10 @@ Adhesion read_adhesion(const View& node) {
         node.fail("\"rule\" is missing, by which w follows from the surface energies",
                   joined(names_of<AdhesionRule>()));
     const View energies = node.at("surface_energies");
-    const auto energy = [&](const char* key) { return energies.at(key).number(Dimension::energy_per_area); };
+    const auto energy = [&](const char* key) {
+        return energies.at(key).certain_number(Dimension::energy_per_area,
+                                               "\"work_of_adhesion\" itself with its uncertainty");
+    };
     if (count_of(energies, {"wall", "partner"}) != 1)
         energies.fail("the surface energy of the other body is given twice, or not at all",
                       "\"wall\", or \"partner\" for a second sphere");
@@ -303,6 +306,7 @@ Adhesion read_adhesion(const View& node) {
 
 Temperatures read_temperatures(const View& node) {
     const auto read = [](const View& each) {
+        static_cast<void>(each.certain_number(Dimension::temperature, "the temperature alone"));
         return read_positive(each, "temperature", Dimension::temperature);
     };
     if (!node.is_object() || node.has("value")) {
@@ -327,7 +331,7 @@ Porosity read_porosity(const View& node) {
         porosity.standard_uncertainty = quantity.standard_uncertainty;
     }
     if (const auto coefficient = node.find("coefficient"))
-        porosity.coefficient = coefficient->number(Dimension::fraction);
+        porosity.coefficient = coefficient->certain_number(Dimension::fraction, "the coefficient alone");
     at_place(node.pointer(), [&] { require_valid(porosity); });
     return porosity;
 }

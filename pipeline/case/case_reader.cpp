@@ -314,6 +314,7 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
                  [&] { require_not_negative("rms roughness", data.roughness->value(), Dimension::length); });
     }
     if (const auto friction = document.find("friction")) {
+        static_cast<void>(friction->certain_number(Dimension::fraction, "the coefficient alone"));
         data.friction = read_stated(*friction, Dimension::fraction);
         at_place(friction->pointer(),
                  [&] { require_not_negative("friction", data.friction->value(), Dimension::fraction); });

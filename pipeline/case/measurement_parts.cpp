@@ -126,13 +126,20 @@ double read_frame_rate(std::string_view text) {
     return number * known->factor;
 }
 
+/// Refuses an uncertainty, which would be one of scale. @throws InputError
+const View& certain(const View& node, Dimension dimension) {
+    static_cast<void>(node.certain_number(dimension, "\"velocity_scale_uncertainty\" under \"fit\" for it"));
+    return node;
+}
+
 Camera read_camera(const View& node) {
     const View rate = node.at("frame_rate");
-    Camera camera{
-        .frame_rate = rate.is_string()
-                          ? at_place(rate.pointer(), [&] { return read_frame_rate(rate.text()); })
-                          : rate.number(Dimension::fraction),
-        .pixel_size = positive_quantity(node.at("pixel_size"), "pixel size", Dimension::length).value};
+    Camera camera{.frame_rate = rate.is_string()
+                                    ? at_place(rate.pointer(), [&] { return read_frame_rate(rate.text()); })
+                                    : rate.number(Dimension::fraction),
+                  .pixel_size = positive_quantity(certain(node.at("pixel_size"), Dimension::length),
+                                                  "pixel size", Dimension::length)
+                                    .value};
     if (const auto frames = node.find("frames")) camera.frames = frames->integer();
     if (const auto position = node.find("position_in_pixels"))
         camera.position_in_pixels = position->number(Dimension::fraction);

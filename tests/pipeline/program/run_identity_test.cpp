@@ -281,6 +281,22 @@ TEST_CASE("artifacts and cases of another schema version are refused by version"
     CHECK(ashimpact_program(sandbox, "run case.json -o two").status == 0);
 }
 
+TEST_CASE("where the damping is held, the uncertainty of the porosity is in the interval of v_c") {
+    const Sandbox sandbox;
+    const auto width = [&](const char* porosity) {
+        Json document = quick_case();
+        document["uncertainty"] = {{"damping", "held"}};
+        document["samples"][0]["density"] = "2300 kg/m3";
+        document["samples"][0]["porosity"] = {{"law", "pabst-gregorova"}, {"value", porosity}};
+        std::filesystem::remove_all(sandbox.folder() / "held");
+        run_case(sandbox, document, "held");
+        const Json law = sandbox.json("held/7-critical-velocity.json")["result"]["samples"][0]["hertz"];
+        return law["interval"]["upper"]["value"].get<double>() -
+               law["interval"]["lower"]["value"].get<double>();
+    };
+    CHECK(width("15 +- 5 %") > 1.1 * width("15 %"));
+}
+
 TEST_CASE("impossible numbers of a case, a NUL in a name and endless lists are refused with their place") {
     const Sandbox sandbox;
     const auto refused = [&](const char* pointer, const Json& value, const std::string& says) {
@@ -297,6 +313,12 @@ TEST_CASE("impossible numbers of a case, a NUL in a name and endless lists are r
     refused(
         "/samples/0/density", {{"value", 2500}, {"unit", "kg/m3"}, {"standard_uncertainty", 1e6}},
         "case.json: /samples/0/density/standard_uncertainty: is 1e+06; allowed: ten times the value at most");
+    refused("/temperature", "900 +- 50 C",
+            "case.json: /temperature: states an uncertainty, which nothing here uses");
+    refused("/work_of_adhesion",
+            {{"surface_energies", {{"particle", "40 +- 4 mJ/m2"}, {"wall", "0.5 J/m2"}}}, {"rule", "dupre"}},
+            "case.json: /work_of_adhesion/surface_energies/particle: states an uncertainty, which nothing "
+            "here uses");
     refused("/samples/0/diameter", "88 pm",
             "case.json: /samples/0/diameter: the diameter 88 pm is that of a molecule");
     refused("/samples/0/restitution/file", std::string("impacts.csv\0x", 13),
