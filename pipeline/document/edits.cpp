@@ -43,7 +43,7 @@ bool is_alone(const Json& fit) {
 constexpr std::array sources{Source{modulus_artifact, "young_modulus"},
                              Source{modulus_artifact, "density"},
                              Source{modulus_artifact, "poisson_ratio"},
-                             Source{contact_artifact, "contact_modulus"},
+                             Source{contact_artifact, "contact_modulus/value"},
                              Source{contact_artifact, "effective_radius"},
                              Source{contact_artifact, "radius"},
                              Source{contact_artifact, "mass"},
@@ -60,11 +60,10 @@ constexpr std::array sources{Source{modulus_artifact, "young_modulus"},
                              Source{damping_artifact, "damping_uncertainty", is_reconstructed},
                              Source{fit_artifact, "direct/critical_damping"},
                              Source{fit_artifact, "direct/critical_damping_interval"},
-                             Source{fit_artifact, "a", is_alone},
-                             Source{fit_artifact, "b", is_alone},
-                             Source{fit_artifact, "c", is_alone},
+                             Source{fit_artifact, "a/value", is_alone},
+                             Source{fit_artifact, "b/value", is_alone},
+                             Source{fit_artifact, "c/value", is_alone},
                              Source{fit_artifact, "critical_damping", is_alone},
-                             Source{fit_artifact, "covariance", is_alone},
                              Source{critical_velocity_artifact, "critical_velocity"},
                              Source{critical_velocity_artifact, "interval"},
                              Source{critical_velocity_artifact, "extrapolated/critical_velocity"},
@@ -89,6 +88,8 @@ class EditReader {
                                      const Json& holder, const std::string& member) {
         if (counts(holder, member) || (edited.is_null() && (removable_ || computed.is_null())))
             return std::nullopt;
+        if (edited.is_number() && computed.is_object())  // a bare number in SI
+            return first(edited, computed.value("value", Json()), pointer, holder, member + "/value");
         if (edited.is_number() && computed.is_number())
             return is_same_number(edited, computed) ? std::nullopt : std::optional(pointer);
         if (edited.is_array() && computed.is_array() && edited.size() == computed.size()) {
@@ -112,7 +113,10 @@ class EditReader {
   private:
     [[nodiscard]] bool counts(const Json& holder, const std::string& member) const {
         const auto is_this = [&](const Source& source) {
-            return source.file == file_ && source.member == member && source.counts(holder);
+            std::string unit(source.member);
+            if (unit.ends_with("/value")) unit.replace(unit.rfind('/'), std::string::npos, "/unit");
+            return source.file == file_ && (source.member == member || unit == member) &&
+                   source.counts(holder);
         };
         if (std::ranges::any_of(sources, is_this)) return true;
         return file_ == contact_artifact &&
@@ -136,7 +140,7 @@ std::string allowed_edits(std::string_view file) {
         if (source.file == file) members.emplace_back(source.member);
     std::string text = members.empty() ? "no edits of it" : "edits of " + joined(members);
     if (file == damping_artifact) text += " (of dampings that are not of measured impacts)";
-    if (file == fit_artifact) text += " (of a to covariance without \"direct\" and \"extrapolated\")";
+    if (file == fit_artifact) text += " (of a to critical_damping without \"direct\" and \"extrapolated\")";
     return text;
 }
 
