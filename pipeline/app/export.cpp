@@ -266,8 +266,8 @@ void add_export(const CommandLine& line, const CommandBody& body) {
         "ashimpact export lammps results --sample \"88 um\" --law brach-dunn -o ash-in-lammps\n"
         "  ashimpact export openfoam results --law jkr -o ash-in-openfoam\n"
         "  ashimpact export openfoam --law dmt --radius \"5 um\" --density \"2300 kg/m3\" --contact-modulus "
-        "\"60 GPa\"\n    --work-of-adhesion \"0.2 J/m2\" --damping \"1e-5 kg/s\" --from-diameter \"1 um\" "
-        "--to-diameter \"50 um\"\n    --damping-exponent 2 -o ash-in-openfoam\n"
+        "\"60 GPa\" \\\n    --work-of-adhesion \"0.2 J/m2\" --damping \"1e-5 kg/s\" --from-diameter \"1 um\" "
+        "--to-diameter \"50 um\" \\\n    --damping-exponent 2 -o ash-in-openfoam\n"
         "The folder holds inputs, a README, the assumptions, expected.json and a script that compares.",
         body);
     std::vector<std::string> codes;

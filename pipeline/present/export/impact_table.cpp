@@ -11,6 +11,8 @@
 #include "core/text/error.hpp"
 #include "solver/batch/batch.hpp"
 #include "solver/batch/parallel.hpp"
+#include "solver/contact/cohesive_zone.hpp"
+#include "solver/motion/regime.hpp"
 #include "solver/motion/trajectory.hpp"
 
 namespace ashimpact {
@@ -265,6 +267,25 @@ double threshold_error(const ExportSubject& subject, const ImpactTable& table) {
     return largest;
 }
 
+/// The range of diameters to be asked for instead: on one side of the size at which contacts of law
+/// maugis-dugdale begin to end without a gap, where v_c(d) bends.
+std::string smoother_range(const ExportSubject& subject) {
+    const auto ends_touching = [&](double diameter) {
+        const ContactPair contact = contact_at(subject, diameter);
+        return is_cohesive(subject.law, contact) &&
+               CohesiveZone(transition_parameter_of(contact)).pull_off().touching();
+    };
+    double lower = subject.from_diameter;
+    double upper = subject.to_diameter;
+    if (ends_touching(lower) == ends_touching(upper)) return "a shorter range of diameters";
+    while (upper > 1.001 * lower) {
+        const double middle = std::sqrt(lower * upper);
+        (ends_touching(middle) == ends_touching(upper) ? upper : lower) = middle;
+    }
+    return fmt::format("diameters above or below {}, where v_c by law {} bends",
+                       readable_number(1e6 * upper, 3) + " um", subject.law.name());
+}
+
 /// Sizes that v_c needs, more than e does. @throws InputError where v_c(d) is not smooth
 std::size_t sizes_for_thresholds(const ExportSubject& subject) {
     double before = std::numeric_limits<double>::infinity();
@@ -276,7 +297,7 @@ std::size_t sizes_for_thresholds(const ExportSubject& subject) {
         if (error > threshold_progress * before || sizes * smallest_nodes > largest_cells)
             throw InputError(
                 fmt::format("a table of {} sizes is still {:.1g} off in the critical velocity", sizes, error),
-                "a shorter range of diameters");
+                smoother_range(subject));
         before = error;
     }
 }
