@@ -356,6 +356,13 @@ DepositionResult deposition_on(const TubeConditions& tube, const DepositingAsh& 
             total.impaction_efficiency > 0)
             total.supported_fraction +=
                 size.mass_fraction * size.impaction_efficiency / total.impaction_efficiency;
+    constexpr double enough = 0.9;
+    if (ash.measured && total.impaction_efficiency > 0 && total.supported_fraction < enough)
+        record.note(
+            {"deposition", Severity::doubt,
+             fmt::format("{:.3g} % of the mass that arrives is of sizes that were not measured: for it v_c "
+                         "rests on the assumption {}",
+                         100 * (1 - total.supported_fraction), name_of(answer.basis))});
     note_limits(tube, classes, record);
     record.citations = {"Serafini 1954, NACA Report 1159 (drag beyond Stokes)",
                         "Israel & Rosner 1982, doi 10.1080/02786828308958612 (effective Stokes number)",

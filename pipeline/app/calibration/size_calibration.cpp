@@ -86,6 +86,9 @@ SizeHeading read_size_heading(const std::string& cell, const SizeHeading* before
         if (unit.empty() && before != nullptr) unit = before->unit_name;
     }
     if (!heading.column) return heading;
+    if (has_sign_of_bound(cell))
+        throw InputError("column " + in_quotes(cell) + " may hold bounds",
+                         "measured values, without that sign");
     if (heading.column == SizeColumn::uncertainty && !heading.coverage.problem.empty())
         throw InputError("the uncertainties in column " + in_quotes(cell) + ": " + heading.coverage.problem,
                          "u(v_c) [m/s], U(v_c) [m/s] (k=2)");

@@ -177,6 +177,9 @@ DepositSource source_of_run(const CommandOptions& options, const TubeConditions&
                 .at("--assumption");
     }
     const Run run = read_run(artifacts);
+    if (run.data.partner)
+        throw InputError("the impacts are those of two spheres, and a tube is a wall", "a run with a wall")
+            .at(FileName{artifacts.at(case_artifact).place});
     double densest = 0;
     for (const SampleContact& sample : run.contact.samples)
         densest = std::max(densest, sample.density.value());

@@ -56,7 +56,8 @@ SieveHeading sieve_heading(const std::string& cell) {
     constexpr std::array<double, 5> scales{1, 0.01, 1, 1e-3, 1e-6};  // by xrd::Scale
     const auto scale = static_cast<std::size_t>(xrd::read_heading("x [" + unit + "]").scale);
     SieveHeading heading{.unit = unit, .written = cell, .scale = scales[scale]};
-    if (!name.starts_with("q3")) heading.column = meaning<SieveColumn>(words, name);  // a density, unlike Q3
+    const bool is_density = name.starts_with("q3");  // unlike Q3
+    if (!is_density && !has_sign_of_bound(cell)) heading.column = meaning<SieveColumn>(words, name);
     return heading;
 }
 

@@ -134,7 +134,7 @@ std::string angle_table(const DepositionResult& result, std::size_t width) {
 }
 
 std::string assumption_table(const DepositionResult& result, std::size_t width) {
-    TextTable table({"assumption", "stay %", "interval of v_c", "g/(m2 h)"}, 1);
+    TextTable table({"assumption", "stay %", "over v_c", "g/(m2 h)"}, 1);
     for (const AssumedDeposition& each : result.assumptions)
         table.add({std::string(name_of(each.basis)), share_text(each.stays.value),
                    share_text(each.stays.span.least) == share_text(each.stays.span.greatest)
