@@ -285,6 +285,13 @@ TEST_CASE("one constant damping for sizes far apart is doubted, unless the spec 
     CHECK(warnings()[0] ==
           test::containing("damping: one coefficient for radii of 20 um to 44 um; with it v_c of small"));
     Json stated = json;
+    Json partner = json;
+    partner["variables"]["radius"] = {{"values", {"43 um", "44 um"}}};
+    partner["impact"]["partner_density"] = "2600 kg/m3";
+    partner["variables"]["partner_radius"] = {{"values", {"300 um", "30 um"}}};
+    const auto of_partner = read_sweep_spec(partner.dump()).spec.warnings;
+    REQUIRE(of_partner.size() == 1);
+    CHECK(of_partner[0] == test::containing("damping: one coefficient for radii of 17.67 um to 38.37 um"));
     json["variables"]["radius"] = {{"values", {"44 um", "20 um", "44 um"}}};  // in any order
     REQUIRE(warnings().size() == 1);
     CHECK(warnings()[0] == test::containing("radii of 20 um to 44 um"));

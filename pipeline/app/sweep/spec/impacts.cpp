@@ -233,12 +233,15 @@ Support bulk_of(const SweepSpec& spec, ImpactInput input) {
 
 namespace {
 
+bool is_varied(const SweepSpec& spec, ImpactInput input) {
+    return std::ranges::find(spec.variables, input, &SweepVariable::input) != spec.variables.end();
+}
+
 /// What varies of the inputs that the Tabor parameter depends on.
 std::optional<std::string> varied_below_tabor(const SweepSpec& spec) {
     for (const ImpactInput input : {ImpactInput::radius, ImpactInput::partner_radius,
                                     ImpactInput::work_of_adhesion, ImpactInput::contact_modulus})
-        if (std::ranges::find(spec.variables, input, &SweepVariable::input) != spec.variables.end())
-            return std::string(name_of(input));
+        if (is_varied(spec, input)) return std::string(name_of(input));
     return std::nullopt;
 }
 
@@ -253,11 +256,16 @@ std::vector<std::string> warnings_of_sizes(const SweepSpec& spec) {
             warnings.push_back("tabor: stays the same while " + *varied +
                                " varies, so that the range of the attraction goes with it; cohesion_range "
                                "or cohesive_stress is one for all");
-    constexpr double similar_sizes = 1.1;  // greatest ratio of radii that one damping may serve
+    constexpr double similar_sizes = 1.1;  // greatest ratio of effective radii that one damping may serve
     if (!is_given(spec, ImpactInput::radius) || !is_given(spec, ImpactInput::damping) ||
         spec.damping_law != DampingLaw::constant || spec.damping_over_sizes)
         return warnings;
-    const Support radii = bulk_of(spec, ImpactInput::radius);
+    Support radii = bulk_of(spec, ImpactInput::radius);
+    if (is_given(spec, ImpactInput::partner_radius)) {
+        const Support partners = bulk_of(spec, ImpactInput::partner_radius);
+        radii = {effective_radius(radii.lowest, partners.lowest),
+                 effective_radius(radii.highest, partners.highest)};
+    }
     if (radii.highest > similar_sizes * radii.lowest)
         warnings.push_back("damping: one coefficient for radii of " + readable(radii.lowest, "m") + " to " +
                            readable(radii.highest, "m") +
