@@ -285,10 +285,15 @@ def _call(arguments: dict[str, Any], *numbers: str) -> tuple[_core.Call, tuple[i
     if "partner_radius" in arrays:
         mass = _joint("mass", mass, _mass(arrays, "partner_"))
         radius = _joint("radius", radius, arrays["partner_radius"])
-    if arguments["damping_law"] != "constant" and "damping" in needed and not np.any(arrays["damping"]):
+    damps = any(np.any(arrays[name]) for name in ("damping", *own) if name in arrays and name.startswith(("damping", "adhesion_damping")))
+    if arguments["damping_law"] != "constant" and "damping" in needed and not damps:
         warnings.warn("damping_law: there is no damping, so it changes nothing", UserWarning, stacklevel=4)
     if arguments["damping_law"] == "constant" and "damping" in needed:
-        _warn_of_one_damping(arrays["radius"], arrays["damping"])
+        _warn_of_one_damping(radius, arrays["damping"])
+    varied = [name for name in ("radius", "partner_radius", "work_of_adhesion", "contact_modulus") if arrays.get(name, radius[:1]).size > 1]
+    if "tabor" in given and arrays["tabor"].size == 1 and varied:
+        text = f"tabor: stays the same while {varied[0]} varies; cohesion_range or cohesive_stress is one for all"
+        warnings.warn(text, UserWarning, stacklevel=4)
     columns = {"mass": mass, "effective_radius": radius, **spinning, **{name: arrays[name] for name in (*needed, *own)}}
     count = int(np.prod(shape, dtype=np.int64))
     detachment, threads = arguments["detachment"], arguments["threads"]

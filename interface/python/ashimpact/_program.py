@@ -356,7 +356,7 @@ def sweep(
         if isinstance(spec, Mapping):
             spec_file = os.path.join(scratch, "spec.json")
             with open(spec_file, "w", encoding="utf-8") as file:
-                json.dump(spec, file)
+                json.dump(spec, file, default=_plain)
         else:
             spec_file = _path(spec)
         result = os.path.join(scratch, "sweep.json") if output is None else _path(output)
@@ -435,6 +435,13 @@ def analyse_impacts(
                 out.write(text)
         document: Document = json.loads(_call("damping", *words, "--impacts", file, "--json", hidden=hidden))
         return document
+
+
+def _plain(value: Any) -> Any:
+    """A number or array of numpy as JSON has it."""
+    if not hasattr(value, "tolist"):
+        raise _core.InputError(f"a {type(value).__name__} is no value of a specification; allowed: what JSON has, and arrays")
+    return value.tolist()
 
 
 def _table_of(impacts: Any, given: Mapping[str, npt.ArrayLike], mark: str) -> str:

@@ -292,6 +292,8 @@ class Impacts(unittest.TestCase):
             (dict(radius=[22e-6, 22e-6], density=[2.3, 2300.0]), "density: 2.3 kg/m3"),
             (dict(radius=22e-6, damping=10.0), "above 500 m/s, outside the model"),
             (dict(radius=[22e-6, 44e-6], damping=1e-3), "damping: one coefficient for radii of 2.2e-05 m to 4.4e-05 m"),
+            (dict(radius=44e-6, partner_radius=[3e-5, 3e-4], partner_density=2300.0, damping=1e-3), "one coefficient for radii of 1.78e-05"),
+            (dict(law="maugis-dugdale", tabor=2.0, radius=[22e-6, 44e-6], damping=[1e-3, 2e-3]), "tabor: stays the same while radius varies"),
             (dict(radius=22e-6, density=None, mass=1.0), "mass: 1 kg is outside of what is plausible"),
             (dict(radius=22e-6, density=None, mass=[1e-10, 1e-6]), "mass: density of the sphere: 2.242e\\+07 kg/m3 is outside"),
         ):
@@ -301,6 +303,8 @@ class Impacts(unittest.TestCase):
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             ashimpact.impacts(radius=22e-6, velocity=2.0, **{**ASH, "work_of_adhesion": 0.0})
+            own = {"damping": 0.0, "damping_law": "brach-dunn-damping", "adhesion_damping": 1.0}
+            self.assertLess(ashimpact.impacts(radius=22e-6, velocity=2.0, **{**ASH, **own}).restitution, 0.999)
             ashimpact.impacts(radius=[22e-6, 44e-6], velocity=2.0, **{**ASH, "damping": [1e-3, 2e-3]})
 
     def test_errors_say_what_is_allowed(self):
