@@ -289,6 +289,12 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
     doubt_computed("--contact-modulus", "contact_modulus", pair.contact_modulus);
     doubt_computed("--work-of-adhesion", "work_of_adhesion", pair.work_of_adhesion);
     if (const auto doubt = outside_model(velocity)) computed.push_back(*doubt);
+    if (tabor > 0 && tabor < dmt_limit)
+        computed.push_back(
+            {regime_code, Severity::doubt,
+             fmt::format("Tabor parameter {:.3g} < 0.1: a hard contact, for which W_s and v_s, of a JKR "
+                         "contact, are far too great; maugis-dugdale holds",
+                         tabor)});
     warn_of(computed);
     doubts.insert(doubts.end(), computed.begin(), computed.end());
     TextList list;
