@@ -76,7 +76,7 @@ class NumberMarks {
     std::map<std::size_t, Column> columns_{};
     bool has_decimal_point_ = false;
     bool has_decimal_comma_ = false;
-    bool bracket_in_units_ = false;  ///< "30.1 (1.2)", unlike "30.1(12)"
+    bool bracket_in_units_ = false;        ///< "30.1 (1.2)", unlike "30.1(12)"
     mutable std::string first_grouped_{};  ///< because of other columns
 };
 

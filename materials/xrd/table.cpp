@@ -8,6 +8,7 @@
 
 #include "core/json/document.hpp"
 #include "core/quantities/checks.hpp"
+#include "core/tables/table_texts.hpp"
 #include "core/text/text.hpp"
 #include "materials/xrd/readers.hpp"
 #include "materials/xrd/table_layout.hpp"
