@@ -491,13 +491,26 @@ def columns(node: Mapping[str, Any]) -> dict[str, npt.NDArray[np.float64]]:
     return found
 
 
-def to_pandas(node: Mapping[str, Any]) -> "pandas.DataFrame":
-    """The columns of a part of an artifact as a table, units in the headings. Needs pandas.
+def _cells(row: Mapping[str, Any]) -> dict[str, Any]:
+    """The single values of a row, by their headings."""
+    cells = {}
+    for name, value in row.items():
+        if isinstance(value, Mapping) and "value" in value:
+            cells[f"{name} [{value.get('unit', '1')}]"] = value["value"]
+        elif value is not None and not isinstance(value, (Mapping, list)):
+            cells[name] = value
+    return cells
 
-    Columns must have one length; those of another length than the first are left out.
+
+def to_pandas(node: Union[Mapping[str, Any], Sequence[Mapping[str, Any]]]) -> "pandas.DataFrame":
+    """The columns of a part of an artifact, or its rows such as `by_size`, as a table, units in the headings. Needs pandas.
+
+    Columns must have one length; those of another length than the first are left out. Of rows all single values count.
     """
     import pandas
 
+    if not isinstance(node, Mapping):
+        return pandas.DataFrame([_cells(row) for row in node])
     table: dict[str, Any] = {}
     length = None
     for name, numbers in columns(node).items():

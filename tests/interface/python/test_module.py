@@ -593,6 +593,11 @@ class Documents(unittest.TestCase):
         table = ashimpact.to_pandas(node)
         self.assertIsInstance(table, pandas.DataFrame)
         self.assertIn("damping [kg/s]", table.columns)
+        sizes = self.artifacts["comparison"]["result"]["by_size"]
+        by_size = ashimpact.to_pandas(sizes)
+        self.assertEqual(len(by_size), len(sizes))
+        self.assertIn("critical_velocity [m/s]", by_size.columns)
+        self.assertEqual(by_size["diameter [m]"][0], sizes[0]["diameter"]["value"])
         frame = ashimpact.impacts(radius=[1e-6, 2e-6], velocity=1.0, **ASH).to_pandas()
         self.assertEqual(len(frame), 2)
 
