@@ -199,7 +199,7 @@ struct OxideCell {
     std::string uncertainty{};
     const xrd::Heading* unit = nullptr;           ///< heading that states the unit of the amount
     const xrd::Heading* error_heading = nullptr;  ///< of the uncertainty
-    std::size_t error_column = 0;
+    std::size_t error_column = 0;                 ///< of the uncertainty
 };
 
 /// The amounts of one sample.

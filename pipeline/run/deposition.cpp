@@ -356,8 +356,7 @@ DepositionResult deposition_on(const TubeConditions& tube, const DepositingAsh& 
             total.impaction_efficiency > 0)
             total.supported_fraction +=
                 size.mass_fraction * size.impaction_efficiency / total.impaction_efficiency;
-    constexpr double enough = 0.9;
-    if (ash.measured && total.impaction_efficiency > 0 && total.supported_fraction < enough)
+    if (ash.measured && total.impaction_efficiency > 0 && total.supported_fraction < enough_supported)
         record.note(
             {"deposition", Severity::doubt,
              fmt::format("{:.3g} % of the mass that arrives is of sizes that were not measured: for it v_c "

@@ -31,10 +31,10 @@ Rebounds rebounds_within(const TubeImpaction& impaction, const std::vector<Offse
                          const RestitutionOfVelocity& restitution) {
     Rebounds sum;
     const auto add = [&](double from, double to) {
+        if (!(to > from)) return;
         // At both ends e and the velocity change with the root of the distance: smooth in this angle.
         static const auto angles = gsl::gauss_legendre(points_of_rebounds, 0, std::numbers::pi);
         for (const gsl::QuadratureNode& angle : angles) {
-            if (!(to > from)) return;
             const double offset = from + (to - from) * (0.5 - 0.5 * std::cos(angle.position));
             const double velocity = gas_velocity * impaction.at_offset(offset).normal;
             const double ratio = restitution(velocity);

@@ -40,7 +40,7 @@ struct PhaseMixture {
 /// A second sphere in place of the wall.
 struct RandomPartner {
     RandomInput diameter;  ///< [m]
-    RandomInput mass;      ///< [kg], or density [kg/m3]
+    RandomInput mass;      ///< [kg]; with by_density the density that it follows from [kg/m3]
     bool by_density = false;
 };
 

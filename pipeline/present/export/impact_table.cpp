@@ -282,8 +282,8 @@ std::string smoother_range(const ExportSubject& subject) {
         const double middle = std::sqrt(lower * upper);
         (ends_touching(middle) == ends_touching(upper) ? upper : lower) = middle;
     }
-    return fmt::format("diameters above or below {}, where v_c by law {} bends",
-                       readable_number(1e6 * upper, 3) + " um", subject.law.name());
+    return fmt::format("diameters above or below {}, where v_c by law {} bends", readable(upper, "m"),
+                       subject.law.name());
 }
 
 /// Sizes that v_c needs, more than e does. @throws InputError where v_c(d) is not smooth

@@ -19,7 +19,6 @@ namespace {
 constexpr std::size_t most_size_groups = 7;
 constexpr std::size_t arcs_together = 3;  ///< in a row: 15 degrees
 constexpr double shown_share = 5e-4;      ///< of the mass in a row
-constexpr double supported = 0.9;  ///< of the mass that arrives, from which the data support the answer
 
 std::string share_text(double share) {
     return fmt::format("{:.3g}", 100 * share);
@@ -154,7 +153,7 @@ std::string flux_text(double flux) {
 std::vector<std::string> deposition_sentences(const DepositionResult& result) {
     const DepositionTotal& total = result.total;
     std::vector<std::string> sentences;
-    if (result.measured && total.impaction_efficiency > 0 && total.supported_fraction < supported)
+    if (result.measured && total.impaction_efficiency > 0 && total.supported_fraction < enough_supported)
         sentences.push_back(fmt::format(
             "This is outside of what the data support: {} % of the mass that arrives is of the measured "
             "sizes, {}; "

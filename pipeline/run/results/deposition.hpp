@@ -76,6 +76,9 @@ struct AssumedDeposition {
     std::optional<Quantity> deposition_flux{};  ///< mean over the circumference
 };
 
+/// Share of the mass that arrives, of sizes that were measured, from which the data support the answer [1].
+inline constexpr double enough_supported = 0.9;
+
 /// Mass of all sizes together.
 struct DepositionTotal {
     double impaction_efficiency = 0;  ///< share of what flies at the tube that meets it [1]

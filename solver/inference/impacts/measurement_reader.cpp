@@ -430,10 +430,10 @@ void require_agreeing_marks(const MeasurementHeading& heading, const TableRow& r
                             const Measurement& point) {
     for (const TextColumn& column : heading.unused) {
         const std::string& cell = row.cells[column.position];
+        if (cell.empty() || is_digit(cell.front())) continue;
         const std::string name =
             column.name.empty() ? "a column without heading" : "column " + in_quotes(column.name);
         refuse_sign_of_bound(cell, name, row.line, column.position);
-        if (cell.empty() || is_digit(cell.front())) continue;
         const OutcomeWord word = outcome_of_remark(cell);
         const bool contradicts = word == (point.captured() ? OutcomeWord::rebound : OutcomeWord::capture);
         if (contradicts)
