@@ -75,12 +75,17 @@ void check_room(const SweepFiles& files, const SweepPlan& plan) {
         .at(FileName{files.table.string()});
 }
 
-/// Whether a file is there and does not begin as a sweep's own do.
+/// Whether a file is there and does not begin as a sweep's own do. Another sweep that ends meanwhile removes its own.
 bool is_foreign(const std::filesystem::path& file, std::string_view mark) {
     constexpr std::size_t enough = 64;
     if (!std::filesystem::exists(file)) return false;
-    const std::string start = read_start(file, enough);
-    return start.find(mark) == std::string::npos && !mark.starts_with(start);
+    try {
+        const std::string start = read_start(file, enough);
+        return start.find(mark) == std::string::npos && !mark.starts_with(start);
+    } catch (const InputError&) {
+        if (!std::filesystem::exists(file)) return false;
+        throw;
+    }
 }
 
 /// Checks that outputs can be written and replace only files of this sweep. @throws InputError naming the
