@@ -71,17 +71,24 @@ class TablePlaces {
             }
         }
     }
-    [[nodiscard]] HWY_INLINE batch::RestitutionTable& table(batch::RestitutionTable& law,
-                                                            std::size_t i) const {
-        if constexpr (layered) return law.at_transition(scaled_.zones.lambda(i));
-        return law;
+    [[nodiscard]] HWY_INLINE batch::RestitutionTable& table(batch::RestitutionTable& law, std::size_t i) {
+        if constexpr (!layered) return law;
+        const double lambda = scaled_.zones.lambda(i);
+        if (of_lambda_ == nullptr || lambda != lambda_) {  // one size has one
+            of_lambda_ = &law.at_transition(lambda);
+            lambda_ = lambda;
+            z_ = of_lambda_->z(lambda);
+        }
+        return *of_lambda_;
     }
-    [[nodiscard]] HWY_INLINE TablePlace at(const batch::RestitutionTable& table, std::size_t i) const {
-        return {x_[i], y_[i], layered ? table.z(scaled_.zones.lambda(i)) : 0.0};
-    }
+    /// In the table that was asked for last.
+    [[nodiscard]] HWY_INLINE TablePlace at(std::size_t i) const { return {x_[i], y_[i], z_}; }
 
   private:
     const ScaledTask& scaled_;
+    batch::RestitutionTable* of_lambda_ = nullptr;
+    double lambda_ = 0.0;
+    double z_ = 0.0;
     HWY_ALIGN double x_[ScaledTask::capacity];
     HWY_ALIGN double y_[ScaledTask::capacity];
 };
@@ -90,12 +97,12 @@ class TablePlaces {
 template <bool with_time, class F>
 HWY_NOINLINE PlaceList look_up(const batch::ImpactTask& task, const ScaledTask& scaled,
                                const PlaceList& all) {
-    const TablePlaces<F> places(scaled, task.count);
+    TablePlaces<F> places(scaled, task.count);
     const batch::RestitutionPiece* pieces[batch::most_impacts];
     TablePlace at[batch::most_impacts];
     for (const std::size_t i : all.places()) {
         batch::RestitutionTable& table = places.table(*task.table, i);
-        at[i] = places.at(table, i);
+        at[i] = places.at(i);
         pieces[i] = table.at(at[i].x, at[i].y);
     }
     PlaceList open;
@@ -109,30 +116,73 @@ HWY_NOINLINE PlaceList look_up(const batch::ImpactTask& task, const ScaledTask& 
     return open;
 }
 
-/// Integrates impacts, given by their numbers, in blocks of similar ones, so that the lanes of a block end
+/// Impacts on their way through a block, group by group.
+template <class F, class Write>
+class Queue {
+  public:
+    /// @param write called with (place of the impact, block, lane) for each impact integrated
+    Queue(const batch::NumberColumns& numbers, std::span<const std::uint16_t> impacts, const Write& write)
+        : numbers_(numbers), order_(numbers, impacts), size_(impacts.size()), write_(write) {}
+
+    [[nodiscard]] bool empty() const { return next_ == size_; }
+
+    /// Loads the next impacts into a group; without any left the last one again, of which nothing is written.
+    HWY_INLINE void load(Block& block, std::size_t group) {
+        first_[group] = next_;
+        used_[group] = std::min(lane_count, size_ - next_);
+        next_ += used_[group];
+        for (std::size_t k = 0; k < lane_count; ++k) {
+            const std::size_t i = order_[std::min(first_[group] + k, size_ - 1)];
+            const std::size_t lane = group * lane_count + k;
+            block.adhesion[lane] = numbers_.adhesion[i];
+            block.damping[lane] = numbers_.damping[i];
+            if constexpr (std::is_same_v<F, ZoneForm>) block.curve[lane] = numbers_.curve[i];
+            if constexpr (F::yields)
+                block.yield_number[lane] = numbers_.yield_number != nullptr
+                                               ? numbers_.yield_number[i]
+                                               : std::numeric_limits<double>::infinity();
+        }
+    }
+    /// Writes the results of a group.
+    HWY_INLINE void write(const Block& block, std::size_t group) const {
+        for (std::size_t k = 0; k < used_[group]; ++k)
+            write_(order_[first_[group] + k], block, group * lane_count + k);
+    }
+    [[nodiscard]] Supply supply() {
+        return {[](void* context, Block& block, std::size_t group) HWY_ATTR {
+                    Queue& queue = *static_cast<Queue*>(context);
+                    if (queue.empty()) return false;
+                    queue.write(block, group);
+                    queue.load(block, group);
+                    return true;
+                },
+                this};
+    }
+
+  private:
+    const batch::NumberColumns& numbers_;
+    batch::Order order_;
+    std::size_t size_;
+    const Write& write_;
+    std::size_t next_ = 0;
+    std::size_t first_[group_count];
+    std::size_t used_[group_count];
+};
+
+/// Integrates impacts, given by their numbers. Neighbours in a block are similar, so that its lanes end
 /// together.
 /// @param write called with (place of the impact, block, lane) for each impact integrated
 template <class F, class Write>
 HWY_INLINE void follow_all(const batch::NumberColumns& numbers, std::span<const std::uint16_t> impacts,
                            Detachment detachment, Goal goal, const Write& write) {
-    const batch::Order order(numbers, impacts);
+    Queue<F, Write> queue(numbers, impacts, write);
     const ZoneDamping law(numbers.damping_law);
-    for (std::size_t first = 0; first < impacts.size(); first += block_size) {
-        const std::size_t used = std::min(impacts.size() - first, block_size);
+    while (!queue.empty()) {
         Block block;
         block.law = &law;
-        for (std::size_t lane = 0; lane < block_size; ++lane) {
-            const std::size_t i = order[first + (lane < used ? lane : used - 1)];
-            block.adhesion[lane] = numbers.adhesion[i];
-            block.damping[lane] = numbers.damping[i];
-            if constexpr (std::is_same_v<F, ZoneForm>) block.curve[lane] = numbers.curve[i];
-            if constexpr (F::yields)
-                block.yield_number[lane] = numbers.yield_number != nullptr
-                                               ? numbers.yield_number[i]
-                                               : std::numeric_limits<double>::infinity();
-        }
-        follow<F>(block, detachment, goal);
-        for (std::size_t lane = 0; lane < used; ++lane) write(order[first + lane], block, lane);
+        for (std::size_t group = 0; group < group_count; ++group) queue.load(block, group);
+        follow<F>(block, detachment, goal, queue.supply());
+        for (std::size_t group = 0; group < group_count; ++group) queue.write(block, group);
     }
 }
 
@@ -308,11 +358,11 @@ HWY_NOINLINE void invert_task(const batch::InversionTask& task) {
     ScaledTask scaled;
     const PlaceList all = to_integrate<F>(task, scaled, scaled_places<F>(task, scaled));
     undamped_restitutions<F>(scaled, task.detachment, task.count, task.undamped);
-    const TablePlaces<F> places(scaled, task.count);
+    TablePlaces<F> places(scaled, task.count);
     const auto found_in_table = [&](std::size_t i, batch::DampingSearch& own) HWY_ATTR {
         if (task.table == nullptr) return false;
         batch::RestitutionTable& table = places.table(*task.table, i);
-        return search<F>(table, places.at(table, i), own);
+        return search<F>(table, places.at(i), own);
     };
     double start[batch::most_impacts];  // first damping number of each search
     PlaceList open;

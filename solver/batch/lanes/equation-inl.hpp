@@ -361,7 +361,8 @@ struct Equation {
     /// What kicked(), impulse_at() and slope_at() need of a state: they are evaluated together. Each is a
     /// monic polynomial, over its unit.
     using At = Powers<powers>;
-    [[nodiscard]] HWY_INLINE At at(Lanes q) const { return At(q); }
+    /// At a distance from q.
+    [[nodiscard]] HWY_INLINE At at(Lanes q, Lanes distance) const { return At(q + distance); }
     /// c - h
     [[nodiscard]] HWY_INLINE Lanes kicked(Lanes c, const At& x) const {
         return stiffness.subtracted_from(c, x);

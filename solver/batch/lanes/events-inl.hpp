@@ -103,10 +103,9 @@ template <class F>
 /// v^2 in the well from which on rounding in the well is seen in the energy of a rebound.
 inline constexpr double deepest_well = 1e5;
 
-/// Lanes that are captured, those of them that double precision leaves in doubt, and those that never turn.
+/// Lanes that are certainly captured, and those that never turn.
 struct LaneVerdict {
     Mask captured;
-    Mask doubtful;
     Mask never_turn;
 };
 
@@ -121,10 +120,10 @@ class LaneCapture {
     [[nodiscard]] HWY_INLINE LaneVerdict verdict(Lanes q, Lanes v, Mask active, Mask approaching,
                                                  bool look_for_creeping) const {
         const Mask leaving = without(without(active, approaching), places_.by_force);
-        const Lanes left = energy_left(q, v);
-        const Mask caught = both(both(leaving, q > places_.end), left < Lanes(0.0));
-        LaneVerdict verdict{either(caught, both(leaving, places_.too_slow)),
-                            both(caught, left > -(places_.speed_squared * places_.energy_doubt)), none()};
+        // Where double precision leaves it in doubt, damping goes on to take energy: a later state decides.
+        const Lanes certain = -(places_.speed_squared * places_.energy_doubt);
+        const Mask caught = both(both(leaving, q > places_.end), energy_left(q, v) <= certain);
+        LaneVerdict verdict{either(caught, both(leaving, places_.too_slow)), none()};
         if (look_for_creeping) {
             verdict.never_turn = both(both(active, approaching), creeping_up(q, v));
             verdict.captured = either(verdict.captured, both(without(active, approaching), creeping(q, v)));
@@ -398,11 +397,10 @@ struct LaneFindings {
     Mask captured = none();
     Mask turned = none();
     Mask ended = none();
-    Mask doubtful = none();     ///< captured or not, for lack of digits in the energy
     Mask never_turns = none();  ///< creeps up to equilibrium
 
     /// Forgets all but the lanes that never turn.
-    HWY_INLINE void forget() { captured = turned = ended = doubtful = none(); }
+    HWY_INLINE void forget() { captured = turned = ended = none(); }
 
     HWY_INLINE void record(Mask turning, Mask ending, const LaneState& state) {
         turn = select(turning, state, turn);
@@ -411,7 +409,6 @@ struct LaneFindings {
         ended = either(ended, ending);
     }
     HWY_INLINE void record(const LaneVerdict& verdict) {
-        doubtful = either(doubtful, verdict.doubtful);
         captured = either(captured, verdict.captured);
         never_turns = either(never_turns, verdict.never_turn);
     }

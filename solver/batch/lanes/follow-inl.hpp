@@ -34,7 +34,7 @@ HWY_INLINE void follow_to_turn(Groups<LaneOrbit<F>>& orbits, Block& block, Goal 
     if (goal == Goal::end) return;
     for (LaneOrbit<F>& orbit : orbits) orbit.return_to_turn();
     advance<F, LaneOrbit<F>::sequences_to_turn>(orbits);
-    integrate<F>(orbits, LaneOrbit<F>::late);
+    integrate<F>(orbits);
     for (std::size_t group = 0; group < group_count; ++group)
         orbits[group].store_turn(block, group * lane_count);
 }
@@ -79,12 +79,12 @@ class YieldedImpacts {
         if (!any_) return;
         for (std::size_t group = 0; group < group_count; ++group)
             load(group, elastic[group], Lanes::load(block.yield_number + group * lane_count));
-        integrate<Loading>(loading_, 0);
+        integrate<Loading>(loading_);
         for (std::size_t group = 0; group < group_count; ++group) turn_[group] = loading_[group].turn();
         if (goal == Goal::turn) return;
         for (std::size_t group = 0; group < group_count; ++group)
             unload(group, elastic[group], Lanes::load(block.yield_number + group * lane_count), detachment);
-        integrate<F>(unloading_, 0);
+        integrate<F>(unloading_);
     }
 
     /// Replaces what was stored of the elastic branch, which the impacts have left.
@@ -193,21 +193,40 @@ class YieldedImpacts {
     Groups<LaneOrbit<F>> unloading_;
 };
 
-/// Integrates the impacts of a block.
+/// Gives a block further impacts in place of those of a group that have ended.
+struct Supply {
+    /// Takes the results of a group and puts other impacts there; false without any left.
+    bool (*next)(void* context, Block& block, std::size_t group) = nullptr;
+    void* context = nullptr;
+};
+
+/// Integrates the impacts of a block, and those that @p supply gives if only the end is wanted.
 template <class F>
-HWY_NOINLINE void follow(Block& block, Detachment detachment, Goal goal) {
+HWY_NOINLINE void follow(Block& block, Detachment detachment, Goal goal, Supply supply = {}) {
     using Orbit = LaneOrbit<F>;
     Groups<Orbit> orbits;
-    for (std::size_t group = 0; group < group_count; ++group) {
+    const auto begin = [&](std::size_t group) HWY_ATTR {
         const std::size_t first = group * lane_count;
         const Equation<F> equation = equation_of<F>(block, first);
         Places places = places_of(equation, detachment);
         if constexpr (F::yields)
             places.yield = yield_place<F>(equation, Lanes::load(block.yield_number + first));
         orbits[group] = Orbit(equation, places, goal);
-    }
+        const std::uint64_t others = ~(bits_of(every()) << first);
+        block.rebound &= others;
+        block.capture &= others;
+        block.turn &= others;
+    };
+    const auto refill = [&](std::size_t group) HWY_ATTR {
+        if (supply.next == nullptr || F::yields || goal != Goal::end) return false;
+        orbits[group].store_end(block, group * lane_count);
+        if (!supply.next(supply.context, block, group)) return false;
+        begin(group);
+        return true;
+    };
     block.rebound = block.capture = block.turn = 0;
-    integrate<F>(orbits, 0);
+    for (std::size_t group = 0; group < group_count; ++group) begin(group);
+    integrate<F>(orbits, refill);
     if (goal != Goal::turn)
         for (std::size_t group = 0; group < group_count; ++group)
             orbits[group].store_end(block, group * lane_count);

@@ -78,19 +78,19 @@ class Order {
     [[nodiscard]] std::size_t operator[](std::size_t position) const { return place_[position]; }
 
   private:
-    static constexpr unsigned damping_bins = 32;
-    static constexpr unsigned adhesion_bins = 8;
+    static constexpr unsigned damping_bins = 64;
+    static constexpr unsigned adhesion_bins = 16;
     static constexpr unsigned yield_bins = 4;
 
-    /// Bin of an impact: of its adhesion number, powers of two from 1/32 to 2, as impacts change little below
-    /// and above, and of its damping number. Rows of bins are numbered in alternating directions, so that
-    /// consecutive bins are neighbours.
+    /// Bin of an impact: of beta/(1 + beta) of its damping number, and of its adhesion number, half powers of
+    /// two from 1/64 to 4, as impacts change little below and above. Rows of bins are numbered in alternating
+    /// directions, so that consecutive bins are neighbours.
     static unsigned bin_of(double adhesion, double damping) {
-        constexpr double width = 1.2 / damping_bins;
-        const auto row = static_cast<unsigned>(std::clamp(damping / width, 0.0, damping_bins - 1.0));
-        const auto exponent = static_cast<int>(std::bit_cast<std::uint64_t>(adhesion) >> 52U) - 1023;
+        const double place = damping_bins * (1.0 - 1.0 / (1.0 + damping));
+        const auto row = static_cast<unsigned>(std::clamp(place, 0.0, damping_bins - 1.0));
+        const auto halves = static_cast<int>(std::bit_cast<std::uint64_t>(adhesion) >> 51U) - 2 * 1023;
         const auto column =
-            static_cast<unsigned>(std::clamp(exponent + 6, 0, static_cast<int>(adhesion_bins) - 1));
+            static_cast<unsigned>(std::clamp(halves + 12, 0, static_cast<int>(adhesion_bins) - 1));
         return row * adhesion_bins + (row % 2 == 0 ? column : adhesion_bins - 1 - column);
     }
 

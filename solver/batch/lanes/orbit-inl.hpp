@@ -57,8 +57,9 @@ class LaneOrbit {
     /// In a cohesive zone the pieces of its curve limit the steps.
     static constexpr int sequences = std::is_same_v<F, ZoneForm> ? 6 : 8;
     static constexpr int sequences_to_turn =
-        sequences - 2;              ///< of the step to the turn, half as long or less
-    static constexpr int late = 5;  ///< creeping is tested only from this step on; it is rare and slow
+        sequences - 2;  ///< of the step to the turn, half as long or less
+    /// Creeping is tested only from this step on; the test is slow.
+    static constexpr int late = std::is_same_v<F, ZoneForm> ? 2 : 5;
 
     LaneOrbit() = default;
     /// An impact from first touch on. @param goal what is to be found; for the turn alone the motion ends
@@ -96,6 +97,7 @@ class LaneOrbit {
         speed_ = abs(next.velocity);
         stiffness_ = 0.0;
         pilot_ = Pilot(next.usual);
+        pass_ = late;
         to_turn_ = returned_ = true;
         found_.forget();
         approaching_ = active_ = without(every(), found_.never_turns);
@@ -109,12 +111,17 @@ class LaneOrbit {
     [[nodiscard]] HWY_INLINE const Places& places() const { return places_; }
     [[nodiscard]] HWY_INLINE const LaneFindings& found() const { return found_; }
 
-    /// Detects events at the present state and chooses the next step.
-    HWY_INLINE void observe(int pass) {
+    /// Detects events at the present state and chooses the next step. After most_passes no lane is active.
+    HWY_INLINE void observe() {
+        const int pass = pass_++;
+        if (pass >= most_passes) active_ = none();
+        if (!any(active_)) return;
         const Lanes q = state_.position;
         equation_.prepare(q, active_, approaching_);
         const Lanes v = equation_.velocity(state_);
         const Rates r = rates_of(equation_, q, v);
+        if constexpr (std::is_same_v<F, ZoneForm>)
+            if (pass == 0) pilot_ = Pilot(first_step(equation_, q, v, r), true);
         const Lanes usual = pilot_.step();
         if (!to_turn_) {
             if (goal_ != Goal::end && any(approaching_))
@@ -191,7 +198,7 @@ class LaneOrbit {
     [[nodiscard]] HWY_INLINE Mask rebounds(const LaneArrival& arrival) const {
         return found_.surely_ended(arrival, places_);
     }
-    [[nodiscard]] HWY_INLINE Mask captures() const { return without(found_.captured, found_.doubtful); }
+    [[nodiscard]] HWY_INLINE Mask captures() const { return found_.captured; }
     [[nodiscard]] HWY_INLINE LaneTurn turn() const {
         return turning_point(equation_, places_, found_.turn, found_.turned);
     }
@@ -220,6 +227,7 @@ class LaneOrbit {
     Lanes speed_;
     Lanes stiffness_;
     Goal goal_ = Goal::end;
+    int pass_ = 0;           ///< steps that each lane has tried at least
     bool to_turn_ = false;   ///< whether it stops at the turning point
     bool returned_ = false;  ///< to beside the turn
     Mask approaching_;
@@ -234,18 +242,25 @@ HWY_INLINE void advance(Groups<LaneOrbit<F>>& orbits) {
     for (std::size_t group = 0; group < group_count; ++group) orbits[group].take(steps[group]);
 }
 
-/// Steps orbits until none is active. @param pass count of the steps that each lane has tried at least
-template <class F>
-HWY_INLINE void integrate(Groups<LaneOrbit<F>>& orbits, int pass) {
-    for (; pass < most_passes; ++pass) {
+/// Steps orbits until none is active.
+/// @param refill called with a group without active lanes; returns whether it has put other impacts there
+template <class F, class Refill>
+HWY_INLINE void integrate(Groups<LaneOrbit<F>>& orbits, const Refill& refill) {
+    while (true) {
         Mask active = none();
-        for (LaneOrbit<F>& orbit : orbits) {
-            orbit.observe(pass);
-            active = either(active, orbit.active());
+        for (std::size_t group = 0; group < group_count;) {
+            orbits[group].observe();
+            if (!any(orbits[group].active()) && refill(group)) continue;
+            active = either(active, orbits[group].active());
+            ++group;
         }
         if (!any(active)) break;
         advance<F>(orbits);
     }
+}
+template <class F>
+HWY_INLINE void integrate(Groups<LaneOrbit<F>>& orbits) {
+    integrate<F>(orbits, [](std::size_t /*group*/) { return false; });
 }
 
 }  // namespace ashimpact::HWY_NAMESPACE

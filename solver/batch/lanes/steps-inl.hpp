@@ -45,16 +45,18 @@ template <class F>
     return Lanes(part) / sqrt(multiply_add(drag, drag, value_of<F::stiffness_slope>(a, q)));
 }
 
-/// Chooses steps. During the approach they stay constant unless the error is far from the tolerance. During
-/// the rebound the ideal step grows by a factor that changes little from step to step, so it is extrapolated
-/// (predictive controller, Gustafsson 1994). Hardly any step has to be repeated.
+/// Chooses steps. During the approach they stay constant unless the error is far from the tolerance, or the
+/// pilot is eager. During the rebound the ideal step grows by a factor that changes little from step to step,
+/// so it is extrapolated (predictive controller, Gustafsson 1994). Hardly any step has to be repeated.
 class Pilot {
   public:
     static constexpr double tolerance = 0.8e-12;  ///< of the estimate, which is far above the error
     static constexpr double acceptable = 2.5;     ///< tolerances up to which a step is kept
 
     Pilot() = default;
-    HWY_INLINE explicit Pilot(Lanes first) : log_step_(rough_log2(first)) {}
+    /// @param eager whether an approach may change its steps from the first one on, up and down
+    HWY_INLINE explicit Pilot(Lanes first, bool eager = false)
+        : log_step_(rough_log2(first)), eager_(eager) {}
 
     [[nodiscard]] HWY_INLINE Lanes step() const { return rough_exp2(log_step_); }
     /// Longest step to an event, as a multiple of step(); 1 after a step that failed.
@@ -75,7 +77,9 @@ class Pilot {
         const Mask left = leaving_ > Lanes(0.0);
         const Lanes outward =
             min(ideal + select(left, trend, first_trend), log_taken + select(left, Lanes(0.45), Lanes(0.25)));
-        const Lanes steady = log_taken + min(max(gain - Lanes(0.35), 0.0), 0.3) * touched_;
+        const Lanes change = eager_ ? min(max(gain - Lanes(0.25), -0.3), 0.4)
+                                    : min(max(gain - Lanes(0.35), 0.0), 0.3) * touched_;
+        const Lanes steady = log_taken + change;
         const Lanes next = select(good, select(inward, steady, outward), ideal - Lanes(0.1));
         // An accurate step that was shortened for an event does not determine the next one.
         const Mask telling = without(active, both(good, log_taken < log_step_ - Lanes(0.2)));
@@ -95,6 +99,7 @@ class Pilot {
     Lanes leaving_{0.0};  ///< 1 if the last ideal step was one of the rebound
     Lanes touched_{0.0};  ///< 0 during the first step, in which too little happens to judge the step
     Lanes reach_{longest_reach};
+    bool eager_ = false;
 };
 
 /// What is to be found of an impact. Both are found by the same steps alone and together, so that asking for
@@ -252,7 +257,7 @@ class ExtrapolatedLeapfrog {
     [[nodiscard]] HWY_INLINE static Start started(const Orbit& orbit) {
         const Equation<F>& equation = orbit.equation();
         const Lanes h = orbit.step();
-        const At at = equation.at(orbit.state().position);
+        const At at = equation.at(orbit.state().position, 0.0);
         const Lanes kick_unit = equation.kick_unit();
         Start s;
         s.momentum = orbit.state().momentum / (kick_unit * h);
@@ -292,7 +297,7 @@ class ExtrapolatedLeapfrog {
 
     HWY_INLINE static void advance(const Orbit& orbit, const Substep& h, Chain& c) {
         const Equation<F>& equation = orbit.equation();
-        const At at = equation.at(orbit.state().position + c.position);
+        const At at = equation.at(orbit.state().position, c.position);
         const Lanes kicked = equation.kicked(c.momentum, at);
         const Lanes braked = subtract_product(c.previous + h.free, h.damping, equation.impulse_at(at));
         c.slopes = c.slopes + equation.slope_at(at);
@@ -306,7 +311,7 @@ class ExtrapolatedLeapfrog {
         const double weight = extrapolation.weight[static_cast<std::size_t>(sequence - 1)];
         const double difference = extrapolation.difference[static_cast<std::size_t>(sequence - 1)];
         const Equation<F>& equation = orbit.equation();
-        const At at = equation.at(orbit.state().position + c.position);
+        const At at = equation.at(orbit.state().position, c.position);
         const Lanes kick = equation.kicked(0.0, at);
         const Lanes slopes = multiply_add(equation.slope_at(at), 0.5, c.slopes);
         const Lanes pushed = multiply_add(kick, 0.5, c.momentum);

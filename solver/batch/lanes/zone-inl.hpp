@@ -85,7 +85,7 @@ HWY_INLINE void transpose(const double* const* rows, std::size_t from, Lanes* to
 /// on.
 template <>
 struct Equation<ZoneForm> {
-    static constexpr double tolerance = 0.05;  ///< of the error of a step; the curve is as exact as that
+    static constexpr double tolerance = 0.01;  ///< weight of the error of a step, of which 1e-9 is allowed
 
     struct At {
         Lanes slope;  ///< d(delta)/dq
@@ -100,6 +100,9 @@ struct Equation<ZoneForm> {
     Lanes overlap_unit;
     Lanes energy_unit;
     Lanes damping_unit;  ///< eta for beta = 1 where u = 1
+    Lanes rest_overlap;
+    Lanes rest_slope;
+    Lanes rest_force_slope;
     const batch::ZoneCurve* curve[lane_count] = {};
     const ZoneDamping* law = nullptr;
 
@@ -112,10 +115,16 @@ struct Equation<ZoneForm> {
         energy_unit = overlap_unit * overlap_unit * radius_unit;
         damping_unit = power_of(sqrt(radius_unit));
         std::copy_n(curves, lane_count, curve);
+        using Curve = batch::ZoneCurve;
+        rest_overlap = overlap_unit * of_curve([](const Curve& c) { return c.rest().place.overlap; });
+        rest_slope = overlap_unit * of_curve([](const Curve& c) { return c.rest().slope; });
+        rest_force_slope =
+            overlap_unit * radius_unit * of_curve([](const Curve& c) { return c.rest().force_slope; });
     }
 
-    [[nodiscard]] HWY_INLINE At at(Lanes q) const {
-        const Lanes t = place_of(q);
+    /// At a distance from q.
+    [[nodiscard]] HWY_INLINE At at(Lanes q, Lanes distance) const {
+        const Lanes t = multiply_add(distance, stretch_, place_of(q));
         constexpr std::size_t last = batch::ZoneBand::terms - 1;
         const ZonePolynomial slopes = function(batch::ZoneBand::slope);
         const ZonePolynomial forces = function(batch::ZoneBand::force);

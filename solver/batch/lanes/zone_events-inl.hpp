@@ -19,12 +19,8 @@ HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
 [[nodiscard]] HWY_INLINE Rest rest_of(const Equation<ZoneForm>& equation, const Places& places) {
-    using Curve = batch::ZoneCurve;
-    const Lanes force_unit = equation.overlap_unit * equation.radius_unit;
-    return {equation.overlap_unit * equation.of_curve([](const Curve& c) { return c.rest().place.overlap; }),
-            equation.damping_at(places.equilibrium),
-            equation.overlap_unit * equation.of_curve([](const Curve& c) { return c.rest().slope; }),
-            force_unit * equation.of_curve([](const Curve& c) { return c.rest().force_slope; })};
+    return {equation.rest_overlap, equation.damping_at(places.equilibrium), equation.rest_slope,
+            equation.rest_force_slope};
 }
 [[nodiscard]] HWY_INLINE Lanes overlap_at_end(const Equation<ZoneForm>& /*equation*/, const Places& places) {
     return places.end_overlap;
@@ -158,31 +154,19 @@ struct LaneGap {
     return r;
 }
 
-/// As inward_step() of other laws, from the turn of a Hertz contact with an attraction of DMT's kind.
-[[nodiscard]] HWY_INLINE Lanes inward_step(const Equation<ZoneForm>& e, const Places& /*places*/) {
-    constexpr double part = 1.3;         // of a radian
-    constexpr double mean_speed = 0.72;  // of v_in
-    const int power = e.law->power;
-    const auto power_of_root = [](Lanes root, int exponent) HWY_ATTR {
-        Lanes product = 1.0;
-        for (int i = 0; i < exponent; ++i) product = product * root;
-        return product;
-    };
-    const Lanes brake = e.damping * Lanes(mean_speed);
-    const Lanes pull = e.radius_unit * e.overlap_unit * Lanes(1.8);
-    Lanes b = multiply_add(e.radius_unit, 1.6, 1.05);  // contact radius
-    for (int i = 0; i < 5; ++i) {
-        const Lanes drag = brake * power_of_root(sqrt(b), power);
-        const Lanes b2 = b * b;
-        const Lanes work =
-            multiply_add(drag, b2 * Lanes(4.0 / (4 + power)), multiply_add(b2 * b2 * b, 0.4, -(pull * b2))) -
-            Lanes(0.5);
-        const Lanes slope = multiply_add(drag, b + b, multiply_add(b2, b2 + b2, -(pull * (b + b))));
-        b = max(b - work / slope, e.radius_unit);
-    }
-    const Lanes drag = e.damping * Lanes(4.0) * sqrt(e.radius_unit) * power_of_root(sqrt(b), power + 3);
-    const Lanes stiff = Lanes(36.0) * e.radius_unit * b * b * b * b;
-    return Lanes(part) / sqrt(multiply_add(drag, drag, stiff));
+/// The first step is chosen where the impact begins, see first_step().
+[[nodiscard]] HWY_INLINE Lanes inward_step(const Equation<ZoneForm>& /*equation*/, const Places& /*places*/) {
+    return 1.0;
+}
+
+/// First step of an impact, from how fast place, speed and force change where it begins. The factors are a
+/// fit to the steps of random impacts, one in ten of which is repeated.
+[[nodiscard]] HWY_INLINE Lanes first_step(const Equation<ZoneForm>& e, Lanes q, Lanes v, const Rates& r) {
+    const Lanes way = v * min(Lanes(1.0) / q, e.stretch()) * Lanes(1.48);  // surfaces join at q = 0
+    const Lanes drag = e.damping_at(q) * e.slope_of(q) * Lanes(1.98);
+    const Lanes gain = r.acceleration / v * Lanes(0.27);
+    const Lanes squares = multiply_add(way, way, multiply_add(drag, drag, gain * gain));
+    return Lanes(1.05) / sqrt(multiply_add(abs(r.jerk / v), 5.15, squares));
 }
 
 /// As LaneSeries of other laws: the polynomials of the piece are shifted to the state.

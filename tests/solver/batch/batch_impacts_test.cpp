@@ -12,6 +12,7 @@
 #include "solver/batch/batch.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/contact/jkr.hpp"
+#include "solver/contact/maugis_dugdale.hpp"
 #include "solver/contact/thornton_ning.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/scale.hpp"
@@ -133,6 +134,24 @@ TEST_CASE("capture is decided exactly, down to a part in 1e9 of the critical vel
             CHECK(conditioned_error(result.restitution[i], solve_impact(near.at(i))) <= bound_of(near.law));
         }
     }
+}
+
+TEST_CASE(
+    "captures whose energy passes through what double precision leaves in doubt are found by the kernels") {
+    constexpr Eigen::Index count = 2000;
+    const auto one = [](double value) { return Eigen::ArrayXd::Constant(1, value); };
+    const Impacts impacts{.law = Law::of<MaugisDugdale>(),
+                          .detachment = Detachment::pull_off,
+                          .mass = one(1.1597e-10),
+                          .effective_radius = one(22e-6),
+                          .contact_modulus = one(90e9),
+                          .work_of_adhesion = one(0.3),
+                          .damping = one(0.005),
+                          .velocity = Eigen::ArrayXd::LinSpaced(count, 3.8, 4.5),
+                          .parameters = {{"cohesion_range", one(4e-10)}}};
+    const ImpactBatchResult result = solve_impacts(impacts.batch(), {.turning_point = false});
+    CHECK((result.outcome == Outcome::capture).all());
+    CHECK(result.scalar == 0);
 }
 
 TEST_CASE("without damping all of the energy comes back, less what the break costs") {
