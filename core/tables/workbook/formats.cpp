@@ -138,12 +138,13 @@ Shift shift_of_position(std::string_view position) {
     return raised ? Shift::raised : Shift::none;
 }
 
-/// Names of the styles of an .ods whose text is struck out or shifted, or whose numbers are shown in
-/// thousands.
+/// Names of the styles of an .ods whose text is struck out or shifted, whose numbers are shown in thousands,
+/// or whose sheet is hidden.
 struct TextStyles {
     std::set<std::string, std::less<>> struck{};
     std::map<std::string, Shift, std::less<>> shifted{};
     std::set<std::string, std::less<>> in_thousands{};  ///< of numbers, and of the cells that have them
+    std::set<std::string, std::less<>> hidden{};        ///< of sheets
 
     explicit TextStyles(const pugi::xml_node& styles) {
         for (const pugi::xml_node& style : styles) {
@@ -152,6 +153,7 @@ struct TextStyles {
                 attribute_of(child_of(style, "number"), "display-factor").value_or("1");
             if (factor != "1" || in_thousands.contains(attribute_of(style, "data-style-name").value_or("")))
                 in_thousands.insert(name);
+            if (attribute_of(child_of(style, "table-properties"), "display") == "false") hidden.insert(name);
             const pugi::xml_node text = child_of(style, "text-properties");
             if (attribute_of(text, "text-line-through-style").value_or("none") != "none") struck.insert(name);
             shifted[name] = shift_of_position(attribute_of(text, "text-position").value_or(""));
@@ -192,8 +194,43 @@ std::string text_of_paragraphs(const pugi::xml_node& cell, const TextStyles& sty
     return text;
 }
 
+/// Whether digits with marks, as a cell shows them, are a number but for rounding: "1.234,5" is 1234.46, and
+/// "12.3" is not 123, as a number format `0"."0` shows it. Exponents and fractions count as right.
+bool shows(std::string digits, double value) {
+    if (digits.find_first_of("eE/") != std::string::npos) return true;
+    for (const std::string_view blank : {" ", "'", "\u00a0", "\u202f", "\u2009", "\u2019"})
+        for (auto at = digits.find(blank); at != std::string::npos; at = digits.find(blank, at))
+            digits.erase(at, blank.size());
+    for (const std::string_view marks : {".,", ",.", "+.,"}) {  // the decimal mark and the other one; or none
+        std::string plain;
+        std::size_t decimals = 0;
+        bool in_decimals = false;
+        for (const char c : digits) {
+            if (c == marks.front()) {
+                plain += '.';
+                in_decimals = true;
+            } else if (is_digit(c)) {
+                plain += c;
+                decimals += in_decimals ? 1 : 0;
+            } else if (marks.find(c) == std::string_view::npos) {
+                return false;
+            }
+        }
+        // Groups have three digits, in India also two.
+        const auto group = digits.find_last_of(marks.substr(1));
+        const std::size_t behind =
+            group == std::string::npos ? 3 : digits.find_first_of(marks.front(), group);
+        const bool grouped = group == std::string::npos || std::min(behind, digits.size()) - group - 1 == 3;
+        const auto number = grouped ? whole_decimal(plain) : std::nullopt;
+        const double last = std::pow(10.0, -static_cast<double>(decimals));
+        if (number && std::abs(*number - std::abs(value)) <= 0.501 * last + 1e-12 * std::abs(value))
+            return true;
+    }
+    return false;
+}
+
 /// The number of a cell with the texts around it in what the cell shows: "<0.10", "3.20 g/kg", "n.d.".
-std::string as_shown(const std::string& shown, const std::string& number) {
+std::string as_shown(const std::string& shown, const std::string& number, double value) {
     constexpr std::string_view digits = "0123456789";
     const auto first = shown.find_first_of(digits);
     const auto last = shown.find_last_of(digits);
@@ -201,9 +238,10 @@ std::string as_shown(const std::string& shown, const std::string& number) {
     const std::string prefix = shown.substr(0, first);
     std::string suffix = shown.substr(last + 1);
     if (number.ends_with('%') && suffix.find('%') != std::string::npos) suffix.clear();
-    const std::string_view core = std::string_view(shown).substr(first, last - first);
+    const std::string_view core = std::string_view(shown).substr(first, last + 1 - first);
     if (core.find_first_of("^(") != std::string::npos || core.find("\u00b1") != std::string::npos)
         return shown;
+    if (!shows(std::string(core), value)) return number + " (shown as " + shown + ")";
     const bool has_sign = number.front() != '-' && prefix.find_first_of("-(") != std::string::npos;
     return beside(has_meaning(prefix) || has_sign ? prefix : "", number, has_meaning(suffix) ? suffix : "");
 }
@@ -227,8 +265,8 @@ std::string ods_cell_text(const pugi::xml_node& cell, const TextStyles& styles) 
         const std::string shown = text_of_paragraphs(cell, styles);
         if (number && shown.empty() && !cell.children().empty())
             return shown_number(*number) + " (hidden by its number format)";
-        if (number)
-            return as_shown(shown, type == "percentage" ? shown_per_cent(*number) : shown_number(*number));
+        if (number && type == "percentage") return as_shown(shown, shown_per_cent(*number), 100 * *number);
+        if (number) return as_shown(shown, shown_number(*number), *number);
     }
     return text_of_paragraphs(cell, styles);
 }
@@ -314,6 +352,7 @@ std::optional<std::vector<Sheet>> read_ods(Archive& archive) {
     for (const pugi::xml_node& table : tables) {
         if (local_name(table.name()) != "table") continue;
         Sheet& sheet = sheets.emplace_back(attribute_of(table, "name").value_or(""));
+        if (styles.hidden.contains(attribute_of(table, "style-name").value_or(""))) sheet.hide();
         OdsRows(sheet, styles).take_rows(table);
         require_bytes(sheets);
     }
@@ -451,6 +490,8 @@ std::string shown_value(const std::string& value, const pugi::xml_node& cell, co
     if (style >= shared.formats.size()) return shown_number(*number);
     const FormatSection& section = section_of(shared.formats[style], *number);
     if (section.format == Format::date) return shown_date(date_of(*number, shared.since_1904));
+    if (section.format == Format::unknown)
+        return shown_number(*number) + " (in a number format that may change it)";
     if (!section.has_number && !section.prefix.empty()) return section.prefix;
     if (!section.has_number && shared.formats[style].size() > 1)
         return shown_number(*number) + " (hidden by its number format)";
@@ -577,9 +618,11 @@ std::optional<std::vector<Sheet>> read_xlsx(Archive& archive) {
         if (found == parts.end() || found->second.type != "worksheet") continue;  // a sheet of a chart
         const std::string called = attribute_of(node, "name").value_or("");
         const auto cells = part(archive, found->second.target);
+        const std::string state = attribute_of(node, "state").value_or("visible");
         if (!cells)
             throw InputError("the sheet " + in_quotes(called) + " is not in the file", "an undamaged file");
         sheets.push_back(read_xlsx_sheet(*cells, found->second.target, called, shared));
+        if (state != "visible") sheets.back().hide();
         const std::string comments = target_of_type(relationships(archive, found->second.target), "comments");
         if (const auto texts = part(archive, comments)) take_comments(*texts, comments, sheets.back());
         require_bytes(sheets);

@@ -2,8 +2,10 @@
 #include "core/tables/workbook/number_format.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <optional>
+#include <string>
 
 #include "core/text/text.hpp"
 
@@ -19,6 +21,14 @@ bool has_meaning(std::string_view text) {
 
 namespace {
 
+/// Whether brackets of a code name a colour or a script of digits, which change no number.
+bool is_harmless(std::string_view inside) {
+    constexpr std::array<std::string_view, 10> words{"black", "blue",   "cyan",  "green", "magenta",
+                                                     "red",   "yellow", "white", "color", "dbnum"};
+    const std::string text = lower_case(inside);
+    return std::ranges::find(words, text.substr(0, text.find_first_of("0123456789 "))) != words.end();
+}
+
 /// A part of a code in square brackets: a condition, a currency, a time; colours and languages are nothing.
 void take_brackets(std::string_view inside, FormatSection& section, std::string& literal) {
     if (inside.empty()) return;
@@ -28,6 +38,15 @@ void take_brackets(std::string_view inside, FormatSection& section, std::string&
         literal += inside.substr(1, inside.find('-') - 1);
     else if (inside.find_first_not_of("hmsHMS") == std::string_view::npos)
         section.format = Format::date;
+    else if (!is_harmless(inside))
+        section.format = Format::unknown;
+}
+
+/// Whether what stands between two digits of a code separates groups, decimals, an exponent or a fraction.
+bool may_be_between_digits(std::string_view text) {
+    constexpr std::array<std::string_view, 13> known{"",   ".",  ",",  " ",      "'",      "/",     "E+",
+                                                     "E-", "e+", "e-", "\u00a0", "\u202f", "\u2019"};
+    return std::ranges::find(known, text) != known.end();
 }
 
 }  // namespace
@@ -35,6 +54,7 @@ void take_brackets(std::string_view inside, FormatSection& section, std::string&
 NumberFormat format_of_code(std::string_view code) {
     NumberFormat format(1);
     std::string literal;
+    std::string between;  // digits of the section
     const auto end_literal = [&] {
         FormatSection& section = format.back();
         // Other sections have them in place of the sign of their numbers.
@@ -44,9 +64,17 @@ NumberFormat format_of_code(std::string_view code) {
             (section.has_number ? section.suffix : section.prefix) += literal;
         literal.clear();
     };
+    const auto end_section = [&] {
+        end_literal();
+        FormatSection& section = format.back();
+        const bool is_date = section.format == Format::date;  // whose letters may be quoted digits
+        if (!is_date && std::ranges::count(between, '%') > 1) section.format = Format::unknown;
+        between.clear();
+    };
     for (std::size_t i = 0; i < code.size(); ++i) {
         const char c = code[i];
         FormatSection& section = format.back();
+        const std::size_t before = literal.size();
         if (c == '"' || c == '[') {
             const auto end = std::min(code.find(c == '"' ? '"' : ']', i + 1), code.size());
             const std::string_view inside = code.substr(i + 1, end - i - 1);
@@ -60,28 +88,44 @@ NumberFormat format_of_code(std::string_view code) {
         } else if (c == '_' || c == '*') {
             ++i;  // the width of the next one, or the next one as filling
         } else if (c == ';') {
-            end_literal();
+            end_section();
             format.emplace_back();
+            continue;
         } else if (std::string_view("0#?@").find(c) != std::string_view::npos) {
+            if (section.has_number && section.format != Format::date && !may_be_between_digits(between))
+                section.format = Format::unknown;
             end_literal();
+            between.clear();
             section.has_number = true;
         } else if (c == ',' && section.has_number) {
+            between += c;
             section.in_thousands =
                 i + 1 == code.size() || std::string_view("0#?,").find(code[i + 1]) == std::string_view::npos;
         } else if (c == '%') {
-            section.format = Format::per_cent;
-        } else if (c == 'G' && code.substr(i).starts_with("General")) {
+            between += c;
+            if (section.format != Format::unknown) section.format = Format::per_cent;
+        } else if (lower_case(code.substr(i, 7)) == "general") {
             end_literal();
             section.has_number = true;
             i += 6;
+        } else if ((c == 'E' || c == 'e') && section.has_number && i + 1 < code.size() &&
+                   (code[i + 1] == '+' || code[i + 1] == '-')) {
+            between += code.substr(i++, 2);
         } else if (std::string_view("dmyhsDMYHS").find(c) != std::string_view::npos) {
             section.format = Format::date;
+        } else if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+            if (section.format != Format::date) section.format = Format::unknown;  // unlike "yyyy AM/PM"
         } else if (std::string_view("<>~/").find(c) != std::string_view::npos ||
                    static_cast<unsigned char>(c) >= 0x80 || (!section.has_number && (c == '-' || c == '('))) {
             literal += c;
+        } else {
+            between += c;
         }
+        const std::string_view text = std::string_view(literal).substr(std::min(before, literal.size()));
+        const bool is_quoted = c == '"' || c == '\\' || c == '[';  // a point in quotes separates no decimals
+        between += is_quoted && text.find_first_of(".,/") != std::string_view::npos ? "\"" : text;
     }
-    end_literal();
+    end_section();
     return format;
 }
 
@@ -120,7 +164,9 @@ NumberFormat built_in_format(std::size_t id) {
     if (id == 9 || id == 10) return {{.format = Format::per_cent, .has_number = true}};
     const bool date =
         (id >= 14 && id <= 22) || (id >= 27 && id <= 36) || (id >= 45 && id <= 47) || (id >= 50 && id <= 58);
-    return {{.format = date ? Format::date : Format::number, .has_number = true}};
+    const bool number =
+        id <= 4 || id == 11 || id == 12 || id == 13 || (id >= 37 && id <= 44) || id == 48 || id == 49;
+    return {{.format = date ? Format::date : number ? Format::number : Format::unknown, .has_number = true}};
 }
 
 }  // namespace ashimpact

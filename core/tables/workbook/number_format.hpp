@@ -8,8 +8,8 @@
 
 namespace ashimpact {
 
-/// How the number of an .xlsx cell is shown.
-enum class Format { number, per_cent, date };
+/// How the number of an .xlsx cell is shown. Where that is unknown, the cell may show another number.
+enum class Format { number, per_cent, date, unknown };
 
 /// One section of a number format: `[<0.1]"<"0.0" g/kg"`.
 struct FormatSection {
@@ -21,10 +21,13 @@ struct FormatSection {
 };
 using NumberFormat = std::vector<FormatSection>;
 
-/// The sections of a code such as `dd.mm.yyyy`, `0.0%` or `0.0" g/kg"`. Source: ECMA-376-1, 18.8.31.
+/// The sections of a code such as `dd.mm.yyyy`, `0.0%` or `0.0" g/kg"`. Source: ECMA-376-1, 18.8.31. A
+/// section with anything that is not known here, such as `0%%`, or with a text between the digits, `0"."0`,
+/// is unknown.
 [[nodiscard]] NumberFormat format_of_code(std::string_view code);
 
-/// The formats with an id but without a code in the file. Source: ECMA-376-1, 18.8.30.
+/// The formats with an id but without a code in the file; unknown for those that the standard does not list.
+/// Source: ECMA-376-1, 18.8.30.
 [[nodiscard]] NumberFormat built_in_format(std::size_t id);
 
 /// The section that shows a number: the first whose condition holds, else by its sign.

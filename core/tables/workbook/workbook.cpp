@@ -23,7 +23,8 @@ constexpr std::string_view old_excel_mark("\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", 8)
 std::string named_sheets(const std::vector<const Sheet*>& sheets) {
     std::vector<std::string> names;
     names.reserve(sheets.size());
-    for (const Sheet* sheet : sheets) names.push_back(in_quotes(sheet->name()));
+    for (const Sheet* sheet : sheets)
+        names.push_back(in_quotes(sheet->name()) + (sheet->hidden() ? " (hidden)" : ""));
     return joined(names);
 }
 
@@ -253,8 +254,12 @@ TableFile::TableFile(std::string_view bytes, const SheetRequest& request) {
     for (const Sheet& other : sheets)
         if (&other != &sheet && !other.empty()) others.push_back(&other);
     if (!others.empty())
-        findings_.push_back({request.code, Severity::background,
-                             "the sheet " + in_quotes(*name_) + " is read, not " + named_sheets(others)});
+        findings_.push_back(
+            {request.code, Severity::remark,
+             "the sheet " + named_sheets({&sheet}) + " is read, not " + named_sheets(others)});
+    else if (sheet.hidden())
+        findings_.push_back(
+            {request.code, Severity::remark, "the sheet " + named_sheets({&sheet}) + " is read"});
     for (const auto& [what, count] :
          {std::pair{"rows", sheet.hidden_rows()}, std::pair{"columns", sheet.hidden_columns()}})
         if (count > 0)

@@ -35,6 +35,8 @@ class Sheet {
     void span_rows(std::size_t row, std::size_t column);
     /// Adds a comment on a cell: a line of its own below the rows, beginning with "#".
     void comment(std::size_t row, std::size_t column, std::string text);
+    /// States that the spreadsheet does not show the sheet.
+    void hide() { hidden_ = true; }
     void count_hidden_row() { ++hidden_rows_; }
     void hide_columns(std::size_t first, std::size_t count) { hidden_columns_.emplace_back(first, count); }
     /// States that a cell holds this formula: SUM, AVERAGE and the like of cells above it sum up rows.
@@ -42,6 +44,7 @@ class Sheet {
 
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] bool empty() const { return rows_.empty(); }
+    [[nodiscard]] bool hidden() const { return hidden_; }
     [[nodiscard]] std::size_t hidden_rows() const { return hidden_rows_; }
     [[nodiscard]] std::size_t hidden_columns() const;
     /// Rows, counted from one, with a formula that sums up rows above.
@@ -70,6 +73,7 @@ class Sheet {
 
   private:
     std::string name_;
+    bool hidden_ = false;
     std::vector<std::vector<std::string>> rows_;
     std::size_t width_ = 0;
     std::size_t cells_ = 0;
