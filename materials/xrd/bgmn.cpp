@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 
@@ -35,7 +36,32 @@ struct Contents {
     std::vector<Block> blocks;
     std::map<std::string, std::size_t, std::less<>> first_lines;  ///< of the blocks, by phase
     std::map<std::string, Value> goals;                           ///< Q-goals, without the Q
+    std::vector<Finding> unused;                                  ///< other goals
 };
+
+/// Refuses a goal that states an amorphous part: the weights of the phases may be of the whole or not.
+/// @throws InputError
+void refuse_amorphous_goal(std::string_view name, std::string_view written, std::size_t line) {
+    static const WordLists words("statements", " ");
+    for (const Mention& mention : mentions_in(words_in(name), words))
+        if (mention.list == "amorphous")
+            refuse_line(
+                line,
+                "the goal " + in_quotes(written) +
+                    " states an amorphous part: the phases may be fractions of the whole sample, or of "
+                    "its crystalline part",
+                "--amorphous-fraction (in a case \"amorphous\"), and a file without this goal");
+}
+
+/// A goal that is no fraction of a phase. The zero-point errors EPS1 to EPS4 are of the instrument.
+void take_other_goal(Contents& contents, std::string_view text, std::string_view name, std::size_t line) {
+    refuse_amorphous_goal(name, text, line);
+    const bool has_value = !says_no_number(text.substr(name.size() + 1));  // unlike "layer=UNDEF"
+    if (has_value && !name.starts_with("EPS"))
+        contents.unused.push_back(
+            {xrd_code, Severity::remark,
+             "the goal " + in_quotes(text) + " (line " + std::to_string(line) + ") is not used"});
+}
 
 Value read_value(std::string_view text, std::size_t line) {
     const auto comma = text.find(',');
@@ -111,6 +137,8 @@ Contents scan(const TextLines& file) {
             else if (in_goals && text.starts_with('Q'))
                 add_goal(contents, std::string(text.substr(1, equals - 1)),
                          read_value(text.substr(equals + 1), number));
+            else if (in_goals)
+                take_other_goal(contents, text, text.substr(0, equals), number);
         }
     }
     return contents;
@@ -184,6 +212,7 @@ void compare_with_goal(const PhaseFraction& phase, const Contents& contents, std
 void report_goals_alone(const Contents& contents, std::vector<Finding>& warnings) {
     for (const auto& [name, goal] : contents.goals) {
         if (contents.first_lines.contains(name) || (goal.number && goal.number->value == 0)) continue;
+        refuse_amorphous_goal(name, "Q" + name, goal.line);
         warnings.push_back({xrd_code, Severity::remark,
                             "the goal Q" + name + " (line " + std::to_string(goal.line) +
                                 (goal.number ? "), " + shortest(goal.number->value) + ", is not used"
@@ -215,6 +244,7 @@ XrdResult read_bgmn(const TextLines& file) {
     for (const PhaseFraction& phase : sample.analysis.phases)
         compare_with_goal(phase, contents, sample.warnings);
     report_goals_alone(contents, sample.warnings);
+    std::ranges::copy(contents.unused, std::back_inserter(sample.warnings));
     require_whole_number(sample, contents, file);
     return {.format = XrdFormat::bgmn_lst, .samples = {std::move(sample)}};
 }

@@ -144,6 +144,10 @@ TEST_CASE("malformed BGMN lists") {
         refuses(with(list, "QMullite=0.5610", goal), "line 13: ");
         refuses(with(list, "QMullite=0.5610", goal), "allowed: a fraction");
     }
+    for (const char* goal : {"amorphous=0.40+-0.01\nEPS2", "Qamorphous=0.40\nEPS2", "Amorph=0.40\nEPS2"})
+        refuses(with(list, "EPS2", goal), "line 18: the goal \"");
+    refuses(with(list, "EPS2", "amorphous=0.40\nEPS2"),
+            "states an amorphous part: the phases may be fractions");
     refuses(with(list, "XrayDensity=2.648", "XrayDensity=heavy"), "line 24: cannot read \"heavy\"");
     refuses("BGMN version 4.2.23, 3001 measured points\nRp=4.71%\n",
             "line 2: there is no block of a phase: the file seems to be cut off");
