@@ -29,9 +29,8 @@ std::vector<TextBeside> texts_beside(const TextLines& file, std::span<const Text
 }
 
 std::optional<Finding> unread_comments(const TextLines& file, std::size_t heading, std::string_view code,
-                                       Severity severity, const std::set<std::string_view>& used) {
+                                       const std::set<std::string_view>& used) {
     constexpr std::size_t shown = 3;
-    constexpr std::size_t longest = 80;  // of a comment that is shown
     std::size_t first = 0;
     std::vector<std::string> comments;
     for (const TextLine& line : file.lines()) {
@@ -42,19 +41,18 @@ std::optional<Finding> unread_comments(const TextLines& file, std::size_t headin
             (file.of_sheet() && bare.starts_with("comment on ")))
             continue;
         if (comments.empty()) first = line.number;
-        comments.push_back(in_quotes(bare.size() > longest ? std::string(bare.substr(0, longest)) + "..."
-                                                           : std::string(bare)));
+        comments.push_back(title_in_quotes(bare));
     }
     if (comments.empty()) return std::nullopt;
     const std::size_t more = comments.size() - std::min(shown, comments.size());
     comments.resize(comments.size() - more);
-    return Finding{code, severity,
+    return Finding{code, Severity::remark,
                    fmt::format("{}, a comment, is no part of the table: {}{}", at_line(first),
                                joined(comments), more == 0 ? "" : fmt::format(", and {} more", more))};
 }
 
 CutTable cut_table(const TextLines& file, std::vector<TextLine> lines, std::size_t place,
-                   std::string_view code, Severity of_titles, const std::set<std::string_view>& used,
+                   std::string_view code, const std::set<std::string_view>& used,
                    const std::function<bool(TableRow&, const TableRow&)>& take_second) {
     CutTable table{.separator = separator_of(lines[place].text)};
     table.heading = cut_row(lines[place], table.separator);
@@ -70,10 +68,10 @@ CutTable cut_table(const TextLines& file, std::vector<TextLine> lines, std::size
     };
     for (std::size_t i = 0; i < place; ++i)
         if (!is_used(lines[i]))
-            table.findings.push_back({code, of_titles,
+            table.findings.push_back({code, Severity::remark,
                                       at_line(lines[i].number) + ", above the heading, is not read: " +
-                                          in_quotes(trimmed(lines[i].text))});
-    if (auto comments = unread_comments(file, lines[place].number, code, of_titles, used))
+                                          title_in_quotes(trimmed(lines[i].text))});
+    if (auto comments = unread_comments(file, lines[place].number, code, used))
         table.findings.push_back(std::move(*comments));
     table.rows.assign(lines.begin() + static_cast<std::ptrdiff_t>(first), lines.end());
     std::vector<Finding> notes = take_notes(lines, first, table.separator, code);
@@ -83,6 +81,7 @@ CutTable cut_table(const TextLines& file, std::vector<TextLine> lines, std::size
     table.notes.assign(table.rows.begin() + static_cast<std::ptrdiff_t>(rows), table.rows.end());
     table.rows.resize(rows);
     table.texts = texts_beside(file, std::span<const TextLine>(lines).subspan(place));
+    refuse_factors(table.texts);
     return table;
 }
 
@@ -407,6 +406,14 @@ bool makes_statement(const TextBeside& text, const std::set<std::string_view>& s
     return std::ranges::any_of(made, [&](const auto& each) { return statements.contains(each.first); });
 }
 
+void refuse_factors(const std::vector<TextBeside>& texts) {
+    for (const TextBeside& each : texts)
+        if (makes_statement(each, {"factor"}) && read_coverage(each.text).stated.empty())
+            refuse_line(each.line,
+                        in_quotes(each.text) + " may state a factor of the numbers, and is not read",
+                        "the numbers without a factor, and a file without this text");
+}
+
 Finding unused_statement(std::string_view code, const TextBeside& text, std::string_view taken_as) {
     return {code, Severity::remark,
             fmt::format("{}: {} is not read: {}", at_line(text.line), in_quotes(text.text), taken_as)};
@@ -417,6 +424,7 @@ NameAndUnit cut_heading(std::string_view heading) {
     const auto in = heading.rfind(" in ");
     if (bracket != std::string_view::npos && bracket > 0) {
         const auto end = std::min(heading.find_first_of("])", bracket), heading.size());
+        if (end + 1 < heading.size()) return {std::string(heading), {}};  // "passing [%] of each sieve"
         return {std::string(trimmed(heading.substr(0, bracket))),
                 std::string(trimmed(heading.substr(bracket + 1, end - bracket - 1)))};
     }

@@ -47,15 +47,14 @@ struct CutTable {
 /// A remark on the comments (#) of a file, which are not read but for what they state of the table.
 /// @param heading line of the heading, which may begin with "#" @param used statements that the reader uses
 [[nodiscard]] std::optional<Finding> unread_comments(const TextLines& file, std::size_t heading,
-                                                     std::string_view code, Severity severity,
+                                                     std::string_view code,
                                                      const std::set<std::string_view>& used = {});
 
 /// @param lines of the file with content @param place of the heading among them
 /// @param used statements that the reader uses, so that their texts need no finding
 /// @param take_second takes a second line into the heading if it is part of it; none: one of units
 [[nodiscard]] CutTable cut_table(const TextLines& file, std::vector<TextLine> lines, std::size_t place,
-                                 std::string_view code, Severity of_titles,
-                                 const std::set<std::string_view>& used = {},
+                                 std::string_view code, const std::set<std::string_view>& used = {},
                                  const std::function<bool(TableRow&, const TableRow&)>& take_second = {});
 
 /// Refuses rows of numbers apart by blanks, as numpy.savetxt() writes them. @throws InputError
@@ -129,6 +128,9 @@ void refuse_sign_of_bound(std::string_view cell, const std::string& column, std:
 /// What texts state of all numbers of a table, as the vocabulary lists it: "crystalline part", "ignited
 /// sample", "means", "tangential". The first text of each.
 [[nodiscard]] std::map<std::string_view, TextBeside> statements_in(const std::vector<TextBeside>& texts);
+
+/// Refuses a text that states a factor of the numbers: "multiplied by 10". @throws InputError at its line
+void refuse_factors(const std::vector<TextBeside>& texts);
 
 /// Whether a text makes one of these statements.
 [[nodiscard]] bool makes_statement(const TextBeside& text, const std::set<std::string_view>& statements);

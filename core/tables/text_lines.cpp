@@ -98,6 +98,14 @@ std::string take_quoted(std::string_view& text, std::size_t line) {
 
 }  // namespace
 
+std::string title_in_quotes(std::string_view title) {
+    constexpr std::size_t longest = 400;
+    std::string shown(whole_start(title, longest));
+    std::ranges::replace_if(
+        shown, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
+    return '"' + shown + (title.size() > longest ? "...\"" : "\"");
+}
+
 std::string at_line(std::size_t number) {
     return "line " + std::to_string(number);
 }
@@ -211,7 +219,7 @@ std::vector<Finding> take_notes(std::vector<TextLine>& lines, std::size_t first,
     for (std::size_t i = kept; i < lines.size(); ++i)
         notes.push_back({code, Severity::remark,
                          at_line(lines[i].number) +
-                             " below the table is not read: " + in_quotes(trimmed(lines[i].text))});
+                             " below the table is not read: " + title_in_quotes(trimmed(lines[i].text))});
     lines.resize(kept);
     return notes;
 }

@@ -53,6 +53,10 @@ class TextLines {
     bool of_sheet_;
 };
 
+/// A title, comment or note for a one-line message, as in_quotes(), but whole up to 400 bytes: a unit may
+/// stand at its end.
+[[nodiscard]] std::string title_in_quotes(std::string_view title);
+
 /// "line N" for the place of an error.
 [[nodiscard]] std::string at_line(std::size_t number);
 

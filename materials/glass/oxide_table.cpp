@@ -2,10 +2,12 @@
 #include "materials/glass/oxide_table.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <regex>
+#include <set>
 #include <tuple>
 
 #include "core/tables/table_texts.hpp"
@@ -98,6 +100,12 @@ std::optional<NamedOxide> oxide_within(std::string text) {
 // NOLINTNEXTLINE(misc-no-recursion): once, with the plain text
 OxideLine read_line(const std::string& text) {
     if (has_sign_of_bound(text)) return {.heading = xrd::read_heading(text)};
+    if (text == "s" ||
+        text == "MU") {  // a standard deviation, and a measurement uncertainty, mostly expanded
+        OxideLine line{.role = OxideRole::uncertainty, .heading = xrd::read_heading(text)};
+        if (text == "MU") line.heading.coverage.problem = "MU may be an expanded uncertainty (write \"k=2\")";
+        return line;
+    }
     const WordLists& words = column_words();
     OxideLine line{.heading = xrd::read_heading(text)};
     const std::string& name = line.heading.text;
@@ -168,8 +176,8 @@ bool is_of_low_temperature(const std::string& text) {
 
 /// Whether a cell is the heading of a column or row of units.
 bool names_units(const std::string& cell) {
-    const std::string key = word_key(cell);
-    return key == "unit" || key == "units" || key == "einheit" || key == "einheiten" || key == "unite";
+    static const WordLists words("unit columns");
+    return words.holds(cell);
 }
 
 bool is_content(OxideRole role) {
@@ -245,8 +253,7 @@ class OxideTable {
         if (samples.empty())
             refuse_line(rows_.back().line, "there are no amounts of oxides", "a number for each oxide");
         add_amount_notes();
-        if (auto comments = unread_comments(file, heading.value_or(0), glass_code, Severity::background,
-                                            {"ignited sample"}))
+        if (auto comments = unread_comments(file, heading.value_or(0), glass_code, {"ignited sample"}))
             warnings.push_back(std::move(*comments));
         require_agreeing_texts(file, lines, heading, label);
     }
@@ -276,6 +283,29 @@ class OxideTable {
         if (text.find('%') != std::string::npos && begins_with_loss(text))
             refuse_line(row.line, in_quotes(text) + " may state the loss on ignition, and is not read",
                         "\"LOI = 3.1 %\", or a row or column LOI");
+    }
+
+    /// Refuses a text that mentions a loss on ignition in per cent, where the table gives none.
+    void refuse_loss_within(const std::vector<TextBeside>& texts) const {
+        static const WordLists words("oxide columns", " ");
+        constexpr std::size_t shortest_word = 3;
+        const auto gives_loss = [](const OxideColumn& sample) {
+            return std::ranges::any_of(
+                sample.cells, [](const OxideCell& cell) { return cell.what.role == OxideRole::loss; });
+        };
+        if (std::ranges::any_of(samples, gives_loss)) return;
+        for (const TextBeside& each : texts) {
+            const std::vector<std::string> all = words_in(each.text);
+            const bool states_number = std::ranges::find(all, "%") != all.end() &&
+                                       each.text.find_first_of("0123456789") != std::string::npos &&
+                                       !makes_statement(each, {"ignited sample"});
+            for (const Mention& mention : mentions_in(all, words))
+                if (states_number && mention.list == "loss" && !mention.negated &&
+                    all[mention.first].size() >= shortest_word)
+                    refuse_line(each.line,
+                                in_quotes(each.text) + " may state the loss on ignition, and is not read",
+                                "\"LOI = 3.1 %\", or a row or column LOI");
+        }
     }
 
     /// Sets aside the lines of text that state an amount.
@@ -326,6 +356,15 @@ class OxideTable {
                     names.push_back({row.line, row.cells[k]});
         }
         std::vector<TextBeside> texts = texts_beside(file, table);
+        refuse_loss_within(texts);
+        refuse_factors(texts);
+        std::set<xrd::Scale> scales;
+        for (const OxideLine& each : headings_) scales.insert(each.heading.scale);
+        for (const OxideColumn& sample : samples)
+            for (const OxideCell& cell : sample.cells) scales.insert(cell.what.heading.scale);
+        scales.erase(xrd::Scale::not_stated);
+        if (scales.empty()) scales = {xrd::Scale::per_cent, xrd::Scale::fraction};
+        xrd::require_scale(texts, scales);
         names.insert(names.end(), texts.begin(), texts.end());
         require_basis(names, "weight");
         UncertainColumns columns(headings_.size());
@@ -349,8 +388,7 @@ class OxideTable {
             const std::string title = joined(rows_[i].cells);
             if (makes_statement({rows_[i].line, title}, {"ignited sample"}))
                 continue;  // the balance states it
-            note(at_line(rows_[i].line) + ", above the heading, is not read: " + in_quotes(title),
-                 Severity::background);
+            note(at_line(rows_[i].line) + ", above the heading, is not read: " + title_in_quotes(title));
         }
     }
 
@@ -384,12 +422,6 @@ class OxideTable {
             .at(at_cell(row.line, column));
     }
 
-    /// Severity of the remark that a column or row is not used: a known measure matters less.
-    static Severity severity_of_unused(const OxideLine& line) {
-        return line.role == OxideRole::other && line.heading.role == xrd::Role::other ? Severity::remark
-                                                                                      : Severity::background;
-    }
-
     /// A column for each oxide, a row for each sample. @return the column of their names
     std::size_t read_across(std::size_t first) {
         take_titles(first);
@@ -408,7 +440,6 @@ class OxideTable {
         for (const std::string& cell : names.cells) headings_.push_back(read_line(cell));
         const std::size_t label = label_column(names);
         std::vector<std::string> unused;
-        Severity severity = Severity::background;
         for (std::size_t i = 0; i < headings_.size(); ++i) {
             if (i != label) refuse_unknown(names, i, headings_[i], headings_);
             if (i > 0 && is_uncertainty_column(names.cells[i], headings_[i]) &&
@@ -422,9 +453,8 @@ class OxideTable {
                               is_uncertainty_column(names.cells[i], headings_[i]);
             if (used) continue;
             unused.push_back(in_quotes(names.cells[i]));
-            severity = std::max(severity, severity_of_unused(headings_[i]));
         }
-        if (!unused.empty()) note("columns not used: " + joined(unused), severity);
+        if (!unused.empty()) note("columns not used: " + joined(unused));
         mark_thousands();
         xrd::take_rows_of_uncertainties(rows_, next, label, glass_code, warnings);
         for (std::size_t r = next; r < rows_.size(); ++r) add_row(rows_[r], names, label);
@@ -470,7 +500,12 @@ class OxideTable {
                 continue;
             }
             after_oxide = is_content(what.role) || what.role == OxideRole::trace;
-            if (!after_oxide) continue;
+            if (!after_oxide) {
+                const auto amounts = std::ranges::find(headings_, OxideRole::oxide, &OxideLine::role);
+                xrd::refuse_other_unit(row.cells[i], "column " + in_quotes(names.cells[i]),
+                                       scale_or_per_cent(amounts->heading), row.line, i);
+                continue;
+            }
             sample.cells.push_back(
                 {.line = row.line, .column = i, .what = what, .text = row.cells[i], .unit = &what.heading});
             marks_.see(row.cells[i], i);
@@ -575,7 +610,7 @@ class OxideTable {
             refuse_line(rows_[first].line,
                         "there are " + std::to_string(by_name.size()) + " columns of amounts",
                         "the name of a sample above each, or one column");
-        if (!unused.empty()) note("columns not used: " + joined(unused), Severity::background);
+        if (!unused.empty()) note("columns not used: " + joined(unused));
         return by_name.empty() ? by_number : by_name;
     }
 
@@ -597,9 +632,13 @@ class OxideTable {
         return errors;
     }
 
-    /// Refuses a row that a cell beside its amounts calls invalid, or a bound.
-    void refuse_marked(const TableRow& row, std::size_t names,
-                       const std::vector<std::size_t>& amounts) const {
+    static xrd::Scale scale_or_per_cent(const xrd::Heading& heading) {
+        return heading.scale == xrd::Scale::not_stated ? xrd::Scale::per_cent : heading.scale;
+    }
+
+    /// Refuses a row that a cell beside its amounts calls invalid, or a bound, or gives another unit.
+    void refuse_marked(const TableRow& row, std::size_t names, const std::vector<std::size_t>& amounts,
+                       const OxideLine& what) const {
         for (std::size_t i = 0; i < row.cells.size(); ++i) {
             const bool read = i == names || i == units_ || std::ranges::find(amounts, i) != amounts.end() ||
                               std::ranges::find(errors_, std::optional(i)) != errors_.end();
@@ -608,6 +647,11 @@ class OxideTable {
                 i < headings_.size() ? "column " + in_quotes(headings_[i].heading.written) : "a column";
             if (calls_invalid(row.cells[i])) refuse_invalid_row(row.cells[i], column, row.line, i);
             refuse_sign_of_bound(row.cells[i], column, row.line, i);
+            for (const std::size_t amount : amounts) {
+                const xrd::Heading& heading =
+                    what.heading.unit.empty() ? headings_[amount].heading : what.heading;
+                xrd::refuse_other_unit(row.cells[i], column, scale_or_per_cent(heading), row.line, i);
+            }
         }
     }
 
@@ -624,10 +668,10 @@ class OxideTable {
         const OxideLine what = line_of(row, names);
         refuse_unknown(row, names, what, all);
         if (!is_content(what.role) && what.role != OxideRole::trace) {
-            note("row " + in_quotes(row.cells[names]) + " is not used", severity_of_unused(what));
+            note(at_line(row.line) + " is not used: " + in_quotes(row.cells[names]));
             return;
         }
-        refuse_marked(row, names, amounts);
+        refuse_marked(row, names, amounts, what);
         for (std::size_t k = 0; k < amounts.size(); ++k) {
             const std::size_t column = amounts[k];
             if (column >= row.cells.size()) continue;
@@ -734,6 +778,9 @@ std::optional<OxideNumber> number_of(const OxideCell& cell, const NumberMarks& m
             if (!error || error->value < 0)
                 throw InputError("cannot read the uncertainty " + in_quotes(cell.uncertainty),
                                  "a number, zero or more");
+            if (read->per_cent && !error->per_cent && cell.error_heading->scale == xrd::Scale::not_stated)
+                xrd::refuse_bare_uncertainty(text, cell.uncertainty, *read, error->value, cell.line,
+                                             cell.error_column);
             const auto scale = stated_scale(*cell.error_heading, error->per_cent, cell.line);
             if (scale && !number.scale)
                 throw InputError(

@@ -55,6 +55,14 @@ double scale_of(const Table& table, const std::vector<Entry>& entries, std::vect
     return seems_per_cent ? 0.01 : 1;
 }
 
+/// The scale of a factor from scale_of().
+Scale named_scale(double factor) {
+    return factor == 1      ? Scale::fraction
+           : factor == 0.01 ? Scale::per_cent
+           : factor == 1e-3 ? Scale::per_mille
+                            : Scale::ppm;
+}
+
 /// Refuses a chemical analysis, whose oxides are no phases. @throws InputError
 void refuse_oxides(const std::vector<Entry>& entries, std::size_t heading_line) {
     static const WordLists words("oxides");
@@ -339,6 +347,7 @@ XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) 
     if (std::ranges::any_of(entries, &Entry::uncertainty_in_per_cent))
         result.warnings.push_back(uncertainties_in_per_cent(xrd_code));
     const double scale = layout == Layout::peaks ? 1 : scale_of(table, entries, result.warnings);
+    if (layout != Layout::peaks) require_scale(table.texts, {named_scale(scale)});
     warn_of_ignored(table, layout, result.warnings);
     note_readings(table, layout, result.warnings);
     refuse_oxides(entries, table.heading_line);

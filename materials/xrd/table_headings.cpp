@@ -2,10 +2,13 @@
 #include "materials/xrd/table_headings.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <optional>
 #include <regex>
 #include <utility>
 
-#include "core/tables/table_texts.hpp"
+#include "core/tables/text_lines.hpp"
+#include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "core/units/units.hpp"
 
@@ -338,6 +341,62 @@ MarkedPhase read_phase_name(std::string_view text) {
             return found;
     }
     return {.name = std::string(text)};
+}
+
+namespace {
+
+/// The scale that a text of one unit states: of "g/kg", "wt%", "Promille", but not of "Al2O3" and "12 %".
+Scale scale_in_unit(std::string_view text) {
+    const bool is_unit = std::ranges::any_of(text, [](char c) {
+        return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '%' || c == '\xe2';
+    });
+    if (!is_unit || text.size() > longest_heading || is_digit(text.front())) return Scale::not_stated;
+    static const WordLists per_mille("per mille");
+    if (per_mille.holds(text)) return Scale::per_mille;
+    const Heading unit = read_heading("x [" + std::string(text) + "]");
+    const bool by_weight = unit.states == HeadingUnit::weight || unit.states == HeadingUnit::fraction;
+    return by_weight ? unit.scale : Scale::not_stated;  // require_basis() refuses volumes
+}
+
+}  // namespace
+
+void refuse_other_unit(std::string_view cell, const std::string& column, Scale amounts, std::size_t line,
+                       std::size_t place) {
+    static const WordLists relative("relative quantities");
+    const auto is_relative = [](const std::string& word) { return relative.holds(word); };
+    const Scale stated = cell.empty() ? Scale::not_stated : scale_in_unit(cell);
+    const bool of_value = holds_per_cent(cell) && read_number(cell, true) == std::nullopt &&
+                          std::ranges::any_of(words_in(cell), is_relative);
+    if (!of_value && (stated == Scale::not_stated || stated == amounts)) return;
+    throw InputError(in_quotes(cell) + " in " + column +
+                         " is not the unit of the amounts: it may be theirs, or that of uncertainties",
+                     "the unit in the heading of each column")
+        .at(at_cell(line, place));
+}
+
+void require_scale(const std::vector<TextBeside>& texts, const std::set<Scale>& amounts) {
+    constexpr std::string_view ends = " \t,;:()[]\"";
+    for (const TextBeside& each : texts) {
+        const std::string_view text = each.text;
+        std::string other;
+        bool agrees = false;
+        bool behind_number = false;
+        for (auto from = text.find_first_not_of(ends); from != std::string_view::npos;) {
+            const auto end = std::min(text.find_first_of(ends, from), text.size());
+            const std::string_view word = text.substr(from, end - from);
+            from = text.find_first_not_of(ends, end);
+            const Scale scale = scale_in_unit(word);
+            const bool of_number = std::exchange(behind_number, is_digit(word.back()));
+            if (scale == Scale::not_stated || of_number) continue;
+            agrees = agrees || amounts.contains(scale);
+            if (!amounts.contains(scale)) other = word;
+        }
+        if (!other.empty() && !agrees)
+            refuse_line(
+                each.line,
+                in_quotes(each.text) + " states " + other + ", and the amounts are read in another unit",
+                "the unit in the headings of the amounts, or a file without this text");
+    }
 }
 
 bool stands_beside(const Heading& heading) {

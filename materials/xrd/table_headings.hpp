@@ -2,10 +2,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/quantities/names.hpp"
+#include "core/tables/table_texts.hpp"
 #include "core/tables/vocabulary.hpp"
 
 namespace ashimpact::xrd {
@@ -94,6 +98,15 @@ struct MarkedPhase {
 
 /// Whether a text holds "%" or a word for it.
 [[nodiscard]] bool holds_per_cent(std::string_view text);
+
+/// Refuses a cell that states another unit than that of the amounts beside it: "ppm", "% rel.".
+/// @param column that holds it, for the message @throws InputError
+void refuse_other_unit(std::string_view cell, const std::string& column, Scale amounts, std::size_t line,
+                       std::size_t place);
+
+/// Refuses a text beside a table that states a unit of fractions behind no number, "values in g/kg", and none
+/// of those of the amounts. @throws InputError at its line
+void require_scale(const std::vector<TextBeside>& texts, const std::set<Scale>& amounts);
 
 /// A heading that names an uncertainty and whose it is: "Quartz esd", "u(FA1)", "Unsicherheit FA1", "esd".
 struct UncertaintyName {

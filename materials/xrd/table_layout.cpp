@@ -9,7 +9,10 @@
 #include <span>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/quantities/checks.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/tables/table_texts.hpp"
 #include "core/tables/vocabulary.hpp"
 #include "core/text/error.hpp"
@@ -28,7 +31,7 @@ bool may_name_sample(const Heading& heading) {
     static const WordLists qualifiers("XRD qualifiers");
     if (heading.role == Role::measure) return false;
     if (heading.role != Role::other) return true;
-    if (heading.states != HeadingUnit::none && qualifiers.holds(heading.text)) return false;
+    if (qualifiers.holds(heading.text)) return false;
     constexpr std::array<std::string_view, 15> signs{"%",  "\u2030", "\u221a", "\u00b2", "\u00b3",
                                                      "^",  "\u0394", "\u2206", "\u03c3", "\u00bd",
                                                      "1/", "\u00b0", "\u00c5", "\u03b8", "ppm"};
@@ -214,6 +217,23 @@ void refuse_mixed_per_cent(const std::optional<PrintedNumber>& amount, const Pri
         .at(at_cell(row.line, column));
 }
 
+}  // namespace
+
+void refuse_bare_uncertainty(std::string_view amount_text, std::string_view text, const PrintedNumber& amount,
+                             double uncertainty, std::size_t line, std::size_t column) {
+    const bool has_unit = std::ranges::any_of(
+        amount_text, [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; });  // "wt%"
+    const bool may_be_fraction = !has_unit && uncertainty > 0 && uncertainty <= amount.value / 100;
+    if (!amount.per_cent || !may_be_fraction) return;
+    throw InputError(
+        fmt::format("{} has no sign, and the amount beside it is {}: it may be {} % or {} %", in_quotes(text),
+                    in_quotes(amount_text), shortest(uncertainty), readable_number(100 * uncertainty)),
+        "% in both cells (in a spreadsheet one number format for both), or in neither")
+        .at(at_cell(line, column));
+}
+
+namespace {
+
 /// Refuses a bracket in the name of a phase that may change its amount, "Quartz (g/kg)" and "Quartz (x10)",
 /// or calls it none, "Quartz (excluded)". @throws InputError
 void require_plain_name(const std::string& name, const Table& table, std::size_t line, std::size_t column) {
@@ -286,6 +306,10 @@ std::vector<Entry> long_entries(const Table& table, Layout layout) {
             if (entry.amount && entry.amount->standard_uncertainty)
                 refuse_line(row.line, "the cell and a column state an uncertainty of the fraction",
                             "one of them");
+            const std::size_t column = *table.column(Role::uncertainty);
+            if (entry.amount && !uncertainty->per_cent && table.headings[column].scale == Scale::not_stated)
+                refuse_bare_uncertainty(cell(amount), row.cells[column], *entry.amount, uncertainty->value,
+                                        row.line, column);
             entry.uncertainty = uncertainty->value;
             entry.uncertainty_in_per_cent = uncertainty->per_cent;
         }
@@ -339,6 +363,10 @@ std::vector<Entry> wide_entries(const Table& table, Role row_role) {
                                 "the column of the fractions before it");
                 if (!number) continue;
                 refuse_mixed_per_cent(entries.back().amount, *number, row, i);
+                if (entries.back().amount && !number->per_cent &&
+                    table.headings[i].scale == Scale::not_stated)
+                    refuse_bare_uncertainty(row.cells[i - 1], row.cells[i], *entries.back().amount,
+                                            number->value, row.line, i);
                 entries.back().uncertainty = number->value;
                 entries.back().uncertainty_in_per_cent = number->per_cent;
                 continue;
@@ -554,11 +582,13 @@ void find_uncertainties(Table& table) {
         };
         const bool is_letter =
             heading.written.size() == 1 && std::islower(static_cast<unsigned char>(heading.written[0])) != 0;
-        if (is_letter && before != nullptr && is_summary(heading.written))
-            refuse_line(
-                table.heading_line,
-                "the column " + in_quotes(heading.written) + " may be a sample, or hold standard deviations",
-                in_quotes("esd") + " for standard uncertainties, else a longer name");
+        const bool is_deviation = is_letter && is_summary(heading.written);
+        if ((is_deviation || heading.written == "MU") && before != nullptr)
+            refuse_line(table.heading_line,
+                        "the column " + in_quotes(heading.written) +
+                            " may be a sample, or hold standard deviations or other "
+                            "uncertainties",
+                        in_quotes("esd") + " for standard uncertainties, else a longer name");
         if (!is_amount || name.of.empty() ||
             !(name.is_uncertainty || std::ranges::any_of(table.headings, is_named))) {
             if (is_amount && !stands_beside(heading)) before = &heading;
@@ -736,6 +766,10 @@ bool rejects(std::string_view heading, std::string_view cell) {
 /// @param rows the lines below the heading @throws InputError
 void require_agreeing_texts(Table& table, std::vector<TextBeside> texts, std::span<const TextLine> rows) {
     const bool is_long = names_amounts(table.headings);
+    const auto amounts = std::ranges::find_if(table.headings, [](const Heading& heading) {
+        return heading.role == Role::weight || heading.role == Role::volume;
+    });
+    const Scale scale = amounts == table.headings.end() ? Scale::not_stated : amounts->scale;
     const auto is_unused = [&](const Heading& heading) {
         return heading.role == Role::measure ||
                (heading.role == Role::other && (is_long || heading.written.empty()));
@@ -756,6 +790,9 @@ void require_agreeing_texts(Table& table, std::vector<TextBeside> texts, std::sp
                 refuse_invalid_row(cell, "column " + in_quotes(table.headings[k].written), row.number, k);
             if (is_unused(table.headings[k]))
                 refuse_sign_of_bound(cell, "column " + in_quotes(table.headings[k].written), row.number, k);
+            if (is_unused(table.headings[k]) && is_long)
+                refuse_other_unit(cell, "column " + in_quotes(table.headings[k].written), scale, row.number,
+                                  k);
             if (is_beside(cell, k)) texts.push_back({row.number, std::string(cell)});
         });
     UncertainColumns columns(table.headings.size());
@@ -791,8 +828,8 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
                                  read_unit(ascii_unit(text)));
     };
     const CutTable cut = cut_table(
-        file, std::move(lines), *heading, xrd_code, Severity::background,
-        {"crystalline part", "ignited sample"}, [&](TableRow& names, const TableRow& second) {
+        file, std::move(lines), *heading, xrd_code, {"crystalline part", "ignited sample"},
+        [&](TableRow& names, const TableRow& second) {
             return take_second_heading(names, second, is_unit) || take_units(names, second, is_unit);
         });
     Table table{.heading_line = cut.heading.line,
@@ -821,6 +858,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
                             ", for all numbers of its column",
                         "a column of the uncertainties, with the heading " + in_quotes("esd"));
     table.warnings = cut.findings;
+    table.texts = cut.texts;
     for (std::size_t k = 0; k < table.headings.size(); ++k)
         if (is_uncertainty(table.headings[k]))
             table.marks.holds_uncertainties(k);

@@ -39,6 +39,7 @@ struct Table {
     NumberMarks marks{};        ///< of the numbers in the rows
     std::string crystalline{};  ///< what states that the amounts are of the crystalline part; empty: nothing
     std::vector<Finding> warnings{};
+    std::vector<TextBeside> texts{};  ///< titles, comments and notes
 
     /// Index of the first column of a role.
     [[nodiscard]] std::optional<std::size_t> column(Role role) const {
@@ -64,6 +65,12 @@ enum class Layout {
 /// cells above them. @param label column of the names of the samples
 void take_rows_of_uncertainties(std::vector<TableRow>& rows, std::size_t first, std::size_t label,
                                 std::string_view code, std::vector<Finding>& warnings);
+
+/// Refuses an uncertainty without a sign beside an amount with one, "0.012" beside "21.3 %", that may be a
+/// fraction or per cent: a spreadsheet shows cells in the format of per cent a hundred times larger.
+/// @throws InputError at its cell
+void refuse_bare_uncertainty(std::string_view amount_text, std::string_view text, const PrintedNumber& amount,
+                             double uncertainty, std::size_t line, std::size_t column);
 
 /// Cuts a file into heading and rows. Errors: InputError at the line.
 [[nodiscard]] Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal);

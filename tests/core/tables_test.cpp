@@ -253,6 +253,37 @@ TEST_CASE("cells of .xlsx hold what the spreadsheet shows") {
     CHECK(cell("<c r='A1' s='11'><v>5</v></c>") == "5 10^-1");
     CHECK(cell("<c r='A1' s='12'><v>5</v></c>") == "5 (hidden by its number format)");
     CHECK(cell("<c r='A1' s='13'><v>5</v></c>") == "5 *");
+    for (const auto& [code, shown] : {std::pair{"0%%", "123 (in a number format that may change it)"},
+                                      {"0\\.0", "123 (in a number format that may change it)"},
+                                      {"0\".\"00", "123 (in a number format that may change it)"},
+                                      {"00-00", "123 (in a number format that may change it)"},
+                                      {"0:00", "123 (in a number format that may change it)"},
+                                      {"0.0 x", "123 (in a number format that may change it)"},
+                                      {"[Unknown]0", "123 (in a number format that may change it)"},
+                                      {"[$-407]#\\ ##0.00", "123"},
+                                      {"[Blue]#,##0.0_);[Red](#,##0.0)", "123"},
+                                      {"0.00E+00", "123"},
+                                      {"# ?/?", "123"},
+                                      {"#'##0.0", "123"},
+                                      {"GENERAL", "123"},
+                                      {"[DBNum1][$-804]General", "123"}}) {
+        CAPTURE(code);
+        const std::string own = "<styleSheet><numFmts><numFmt numFmtId='164' formatCode='" +
+                                std::string(code) +
+                                "'/></numFmts><cellXfs><xf numFmtId='164'/></cellXfs>"
+                                "</styleSheet>";
+        std::string quoted = own;
+        for (auto at = quoted.find("#'##"); at != std::string::npos; at = quoted.find("#'##"))
+            quoted.replace(at + 1, 1, "&apos;");
+        CHECK(text_of(xlsx("<row><c><v>123</v></c></row>", quoted)) == std::string(shown) + "\n");
+    }
+    for (const auto& [id, shown] : {std::pair{"2", "123"},
+                                    {"49", "123"},
+                                    {"67", "123 (in a number format that may change it)"},
+                                    {"171", "123 (in a number format that may change it)"}})
+        CHECK(text_of(xlsx("<row><c><v>123</v></c></row>",
+                           "<styleSheet><cellXfs><xf numFmtId='" + std::string(id) +
+                               "'/></cellXfs></styleSheet>")) == std::string(shown) + "\n");
     CHECK(cell("<c r='A1' t='str'><f>B1*2</f></c>") == "=B1*2 (a formula, saved without its result)");
     CHECK(cell("<c r='A1' t='s'><v>0</v></c>") == "plain");
     CHECK(cell("<c r='A1' t='s'><v>1</v></c>") == "rich");
@@ -327,6 +358,14 @@ TEST_CASE("cells of .ods hold what the spreadsheet shows") {
                                       {"3,2E+00", "3.2"}})
         CHECK(row(std::string("<table:table-cell office:value-type='float' office:value='3.2'><text:p>") +
                   shown + "</text:p></table:table-cell>") == std::string(text) + "\n");
+    for (const auto& [value, shown, text] : {std::tuple{"123", "12.3", "123 (shown as 12.3)"},
+                                             {"1234.46", "1.234,5", "1234.46"},
+                                             {"1234.46", "1 234.5", "1234.46"},
+                                             {"1234567", "12,34,567", "1234567"},
+                                             {"1234", "1,234", "1234"},
+                                             {"1234", "1,23", "1234 (shown as 1,23)"}})
+        CHECK(row(std::string("<table:table-cell office:value-type='float' office:value='") + value +
+                  "'><text:p>" + shown + "</text:p></table:table-cell>") == std::string(text) + "\n");
     CHECK(row("<table:table-cell office:value-type='percentage' office:value='0.213'><text:p>21,3 %</text:p>"
               "</table:table-cell>") == "21.3 %\n");
     CHECK(row("<table:table-cell office:value-type='date' office:date-value='2026-03-01T00:00:00'/>") ==
@@ -702,6 +741,19 @@ TEST_CASE("of several sheets the one with a table is read, or the one that is na
     const std::string table =
         "<table:table-row><table:table-cell><text:p>phase</text:p></table:table-cell>"
         "<table:table-cell><text:p>weight</text:p></table:table-cell></table:table-row>";
+    const std::string quartz = table +
+                               "<table:table-row><table:table-cell><text:p>Quartz</text:p></table:table-cell>"
+                               "<table:table-cell><text:p>100</text:p></table:table-cell></table:table-row>";
+    const std::string other =
+        "<table:table-row><table:table-cell><text:p>old</text:p></table:table-cell>"
+        "</table:table-row>";
+    const XrdResult beside =
+        read_xrd(ods(quartz + "</table:table><table:table table:name='T' table:style-name='H'>" + other,
+                     "<style:style xmlns:style='s' style:name='H'><style:table-properties "
+                     "table:display='false'/></style:style>"),
+                 "a.ods");
+    CHECK(beside.warnings.front().text == "the sheet \"S\" is read, not \"T\" (hidden)");
+    CHECK(beside.warnings.front().severity == Severity::remark);
     CHECK(contains(
         input_error_of([&] {
             return read_xrd(ods(table + "</table:table><table:table table:name='T'>" + table), "a.ods");

@@ -136,7 +136,7 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
         findings.push_back({code, Severity::remark, std::move(text)});
     };
     const std::size_t place = size_heading_place(lines);
-    CutTable table = cut_table(file, std::move(lines), place, code, Severity::remark);
+    CutTable table = cut_table(file, std::move(lines), place, code);
     const TableRow& names = table.heading;
     const char separator = table.separator;
     LabelColumns labels{.columns = names.cells.size()};
@@ -239,7 +239,7 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
         found.push_back(sized);
     }
     for (Finding& each : marks.findings(code)) findings.push_back(std::move(each));
-    if (!row_labels.number_rows()) refuse_summaries(measured);
+    if (!row_labels.number_rows()) refuse_summaries(measured, findings);
     if (found.empty()) refuse_line(file.last_line(), "there are no rows below the heading", size_headings);
     return found;
 }

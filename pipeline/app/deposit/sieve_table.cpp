@@ -97,7 +97,7 @@ class SieveTable {
                 "\"share [%]\"");
         const auto place = static_cast<std::size_t>(heading - lines.begin());
         CutTable table = cut_table(
-            file, std::move(lines), place, "deposition", Severity::remark, {},
+            file, std::move(lines), place, "deposition", {},
             [](TableRow& names, const TableRow& second) { return take_units(names, second, is_sieve_unit); });
         const std::size_t heading_line = table.heading.line;
         take_columns(table.heading);
@@ -313,6 +313,7 @@ class SieveTable {
                     in_quotes(row.cells.front()) +
                         " is below every sieve: " + (is_finer ? "nothing passes it" : "all is coarser"),
                     is_finer ? "0 %, or a table without this row" : "100 %, or a table without this row");
+            has_floor_ = true;
             return notes_.push_back(left_out("deposition", row.line, "size", row.cells.front()));
         }
         if (row.cells.size() < columns_.size())
@@ -430,11 +431,14 @@ class SieveTable {
         const double scale = bare_scale(greatest, notes);
         double sum = 0;
         for (const ShareRow& row : rows) sum += row.share * scale;
-        if (kind_ == SieveColumn::residue && std::abs(sum - 1) <= sum_tolerance)
-            refuse_line(rows.front().line,
-                        "the residues may be all that is coarser, or what lies on each sieve: they add up to "
-                        "100 %",
-                        "\"cumulative residue\"; or \"from\", \"to\" and \"share\" for what lies on each");
+        // What lies on each sieve adds up to 100 %, or less where the pan below is not listed.
+        if (kind_ == SieveColumn::residue && sum <= 1 + sum_tolerance && !has_floor_)
+            refuse_line(
+                rows.front().line,
+                fmt::format("the residues may be all that is coarser, or what lies on each sieve: they "
+                            "add up to {:.4g} %{}",
+                            100 * sum, sum < 1 - sum_tolerance ? ", without a pan" : ""),
+                "\"cumulative residue\"; or \"from\", \"to\" and \"share\" for what lies on each");
         std::vector<double> diameters;
         std::vector<double> finer;
         for (const ShareRow& row : rows) {
@@ -479,6 +483,7 @@ class SieveTable {
     bool unit_given_ = false;            ///< of shares, in the heading
     bool per_cent_in_cells_ = false;     ///< of shares
     bool units_in_cells_ = false;        ///< of sizes
+    bool has_floor_ = false;             ///< a row of size 0, or of the pan, on which all lies
     std::vector<std::size_t> beside_{};  ///< other columns of shares
     std::vector<ShareRow> rows_{};
     std::vector<Finding> notes_{};

@@ -12,6 +12,7 @@
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
+#include "solver/inference/impacts/measurement.hpp"
 #include "solver/statistics/moments.hpp"
 
 namespace ashimpact {
@@ -221,20 +222,67 @@ void refuse_summary_row(std::size_t line, const std::string& holds) {
                 "a column that numbers the rows, or a file without this row");
 }
 
-void refuse_summaries(std::span<const MeasuredRow> rows) {
-    constexpr std::size_t fewest = 3;      // rows above
-    constexpr double least_spread = 0.05;  // so that equal rows are no mean
-    std::array<std::vector<double>, 2> above;
-    for (const MeasuredRow& row : rows) {
-        if (above[0].size() >= fewest && above[0].size() + 2 >= rows.size() && row.values[1] > 0.0) {
-            const std::array moments{Moments::of(above[0]), Moments::of(above[1])};
+namespace {
+
+/// Rows that another one may sum up.
+struct Block {
+    std::array<std::vector<double>, 2> values;    ///< of all rows
+    std::array<std::vector<double>, 2> rebounds;  ///< of those without the captures
+
+    void take(const MeasuredRow& row) {
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            values[k].push_back(row.values[k]);
+            if (row.values[1] > 0.0) rebounds[k].push_back(row.values[k]);
+        }
+    }
+    /// What a row holds of these: "means"; nothing if it sums up none.
+    [[nodiscard]] std::optional<std::string_view> summed_up_in(const MeasuredRow& row) const {
+        constexpr std::size_t fewest = 3;
+        constexpr double least_spread = 0.05;  // so that equal rows are no mean
+        if (values[0].size() < fewest || !(row.values[1] > 0.0)) return std::nullopt;
+        for (const auto* rows : {&values, &rebounds}) {
+            if ((*rows)[0].size() < fewest) continue;
+            const std::array moments{Moments::of((*rows)[0]), Moments::of((*rows)[1])};
             for (const auto& [name, of] : summaries)
                 if (moments[0].maximum > (1.0 + least_spread) * moments[0].minimum &&
                     is_rounded(row.values[0], of(moments[0])) && is_rounded(row.values[1], of(moments[1])))
-                    refuse_summary_row(row.line, "the " + std::string(name));
+                    return name;
         }
-        for (std::size_t k = 0; k < above.size(); ++k) above[k].push_back(row.values[k]);
+        return std::nullopt;
     }
+};
+
+}  // namespace
+
+void refuse_summaries(std::span<const MeasuredRow> rows, std::vector<Finding>& findings) {
+    constexpr std::size_t most_rows = 60;  // in longer files some rows equal such means by chance
+    const bool is_short = rows.size() <= most_rows;
+    Block all;
+    Block block;  // since the last blank line or row that sums up
+    std::vector<std::pair<std::size_t, std::string_view>> doubtful;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const MeasuredRow& row = rows[i];
+        const auto is_apart = [&](std::size_t k) { return rows[k].line > rows[k - 1].line + 1; };
+        const bool at_end = i + 2 >= rows.size();
+        const bool begins = i > 0 && is_apart(i);
+        const bool stands_out = at_end || begins || is_apart(i + 1);
+        const auto of_all = at_end ? all.summed_up_in(row) : std::nullopt;
+        const auto of_block = stands_out || is_short ? block.summed_up_in(row) : std::nullopt;
+        if (of_all || (of_block && stands_out))
+            refuse_summary_row(row.line, "the " + std::string(of_all ? *of_all : *of_block));
+        all.take(row);
+        if (of_block || begins) block = {};
+        if (of_block)
+            doubtful.emplace_back(row.line, *of_block);
+        else
+            block.take(row);
+    }
+    if (doubtful.empty()) return;
+    const auto& [line, holds] = doubtful.front();
+    if (doubtful.size() > 1) refuse_summary_row(line, "the " + std::string(holds));
+    findings.push_back({impacts_code, Severity::doubt,
+                        "line " + std::to_string(line) + " holds the " + std::string(holds) +
+                            " of the rows above: if it sums them up, it is no impact"});
 }
 
 std::string RowLabels::summary_in(const TableRow& row) const {

@@ -72,9 +72,10 @@ struct MeasuredRow {
 /// Refuses a row that holds what sums up others. @throws InputError at its line
 [[noreturn]] void refuse_summary_row(std::size_t line, const std::string& holds);
 
-/// Refuses a last row, or last but one, that holds the means, sums or standard deviations of the rows above.
-/// @throws InputError at its line
-void refuse_summaries(std::span<const MeasuredRow> rows);
+/// Refuses a row that holds the means, sums or standard deviations of the rows above, of all of them or of
+/// those since a blank line or another such row: at the end, beside a blank line, or one of several. Doubts
+/// one elsewhere. @throws InputError at its line
+void refuse_summaries(std::span<const MeasuredRow> rows, std::vector<Finding>& findings);
 
 /// What a remark of several words states: nothing where a word is negated in a way that is not known ("not
 /// really stuck"), or where it names both outcomes.

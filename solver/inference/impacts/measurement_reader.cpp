@@ -117,6 +117,7 @@ class TableCells {
         if (const auto& uncertainty = heading_.uncertainty_of(quantity);
             uncertainty && !says_no_number(row.cells[uncertainty->position])) {
             if (entry.standard_uncertainty) fail(*uncertainty, row, "is given twice", "one uncertainty");
+            require_same_sign(row, column, *uncertainty);
             const double stated = read(row, *uncertainty).value / uncertainty->coverage;
             if (!uncertainty->is_relative)
                 entry.standard_uncertainty = stated;
@@ -199,6 +200,18 @@ class TableCells {
             throw error.at(at_cell(row.line, column));
         }
     }
+    /// Refuses "0.02" beside "45 %", which may be a fraction, or per cent. @throws InputError
+    void require_same_sign(const TableRow& row, const MeasuredColumn& column,
+                           const MeasuredColumn& uncertainty) const {
+        if (!column.is_fraction || column.to_si != uncertainty.to_si) return;
+        const auto value = number_in(row, column.position);
+        const auto stated = number_in(row, uncertainty.position);
+        if (!value || !stated || value->per_cent == stated->per_cent || stated->value == 0.0) return;
+        fail(uncertainty, row,
+             "may be a fraction or per cent, beside " + in_quotes(row.cells[column.position]),
+             "% in both cells (in a spreadsheet one number format for both), or in neither");
+    }
+
     [[nodiscard]] Entry read(const TableRow& row, const MeasuredColumn& column) const {
         auto number = number_in(row, column.position);
         if (number && column.unit_in_cells && number->value != 0.0)
@@ -540,6 +553,9 @@ class Unread {
     void take_unknown(const TableRow& row) {
         unknown_.push_back(row.line);
         for (const TextColumn& column : heading_.unused)
+            if (auto& values = values_[column.position]; !column.name.empty() && values.size() <= most_groups)
+                ++values[row.cells[column.position]];
+        for (const TextColumn& column : heading_.unused)
             if (outcome_of_remark(row.cells[column.position]) == OutcomeWord::capture) {
                 elsewhere_.push_back(row.line);
                 column_elsewhere_ = column.name;
@@ -590,10 +606,25 @@ class Unread {
         return joined(names);
     }
 
+    /// Refuses a column of flags, such as 1 and 0, or yes and no, where no column states the outcomes.
+    /// @throws InputError
+    void refuse_flags(const TextColumn& column, const std::map<std::string, std::size_t>& values) const {
+        static const WordLists flags("flags");
+        const auto is_flag = [](const auto& value) { return flags.holds(value.first); };
+        if (heading_.outcome || !std::ranges::all_of(values, is_flag)) return;
+        throw InputError(
+            "column " + in_quotes(column.name) + " has " + in_quotes(values.begin()->first) + " and " +
+                in_quotes(values.rbegin()->first) +
+                ": it may state which impacts were captured, or which count",
+            "\"outcome\", or \"captured\" with yes and no, as the heading of outcomes; or a file "
+            "without this column");
+    }
+
     /// A remark on a column that is not read and cuts the impacts into some groups, as samples or walls do.
     void tell_groups(const TextColumn& column, std::vector<Finding>& warnings) const {
         const auto found = values_.find(column.position);
         if (found == values_.end() || found->second.size() < 2 || found->second.size() > most_groups) return;
+        refuse_flags(column, found->second);
         std::vector<std::string> names;
         for (const auto& [value, count] : found->second) {
             if (value.empty() || count < 2) return;
@@ -684,8 +715,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
     if (lines.empty()) throw InputError("the file holds no table", "a heading and one line an impact");
     refuse_blanks(lines);
     const std::size_t place = heading_place(lines);
-    const CutTable table =
-        cut_table(file, std::move(lines), place, impacts_code, Severity::background, {"means", "tangential"});
+    const CutTable table = cut_table(file, std::move(lines), place, impacts_code, {"means", "tangential"});
     const std::string heading_line = at_line(table.heading.line);
     MeasurementHeading heading =
         at_place(heading_line, [&] { return read_measurement_heading(table.heading.cells); });
@@ -754,7 +784,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
             measured.push_back(
                 {point.line,
                  {point.velocity, heading.reading().is_fraction ? point.restitution() : point.rebound}});
-        refuse_summaries(measured);
+        refuse_summaries(measured, set.warnings);
     }
     if (heading.correlation && !set.has_noise())
         throw InputError(

@@ -122,6 +122,12 @@ TEST_CASE("uncertainties beside the oxides of a row, and in the cells") {
     const OxideSample within = only("Sample;SiO2;Al2O3\nFA1;60(1);40 \u00b1 0.4\n");
     CHECK(near(*within.analysis.oxides[0].standard_uncertainty, 0.01));
     CHECK(near(*within.analysis.oxides[1].standard_uncertainty, 0.004));
+    for (const char* heading : {"s", "sigma"})
+        CHECK(near(*only("Oxide;wt%;" + std::string(heading) + "\nSiO2;60;0.6\nAl2O3;40;0.4\n")
+                        .analysis.oxides[0]
+                        .standard_uncertainty,
+                   0.006));
+    CHECK_FALSE(only("Oxide;wt%;MU\nSiO2;60;0.6\nAl2O3;40;0.4\n").analysis.oxides[0].standard_uncertainty);
     // Each by its own unit, and by the coverage that the heading states.
     const OxideSample units = only("Oxide;wt%;\u00b1 [mg/kg]\nSiO2;60;6000\nAl2O3;40;4000\n");
     CHECK(near(*units.analysis.oxides[0].standard_uncertainty, 0.006));
@@ -345,6 +351,15 @@ TEST_CASE("tables that are no chemical analysis are refused in one line with the
     CHECK(says(refusal("Oxide;kcps\nSiO2;60\nAl2O3;40\n"), "no column holds amounts of oxides"));
     CHECK(says(refusal("Sample,SiO2,Al2O3\n"), "there are no amounts of oxides"));
     CHECK(says(refusal("Oxide;wt%;% error\nSiO2;60;1\nAl2O3;40;1\n"), "of the sample or of the amount"));
+    CHECK(says(refusal("Oxid;Gehalt;Einheit;u;Einheit\nSiO2;60;%;2;% rel.\nAl2O3;40;%;2;% rel.\n"),
+               "line 2, cell 5: \"% rel.\" in column \"Einheit\" is not the unit of the amounts"));
+    CHECK(says(refusal("SiO2;60;%\nAl2O3;39;%\nCr2O3;0.9;ppm\n"), "\"ppm\" in column"));
+    CHECK(says(refusal("Sample;Unit;SiO2;Al2O3\nA;g/kg;60;40\n"), "\"g/kg\" in column \"Unit\""));
+    CHECK(says(refusal("Oxid;Gehalt;u\nSiO2;60 %;0.02\nAl2O3;40 %;0.02\n"), "it may be 0.02 % or 2 %"));
+    const std::string long_title = "Analysis of the fly ash from the electrostatic precipitator of unit 3, ";
+    CHECK(says(refusal(long_title + "LOI = 3.1 %\nOxide;wt%\nSiO2;60\nAl2O3;35\n"),
+               "may state the loss on ignition, and is not read"));
+    CHECK(says(refusal(long_title + "in mg/kg\nOxide;Gehalt\nSiO2;60\nAl2O3;40\n"), "states mg/kg, and the"));
     CHECK(says(refusal("Sample;SiO2;Al2O3;esd;esd\nx;60;40;1;1\n"), "they may be of any oxide"));
     for (const char* loss : {"LOI, 2h", "Gl\u00fchverlust roh"})
         CHECK(says(refusal("Sample;SiO2;Al2O3;" + std::string(loss) + "\nx;60;35;5\n"),

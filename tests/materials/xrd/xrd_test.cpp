@@ -799,6 +799,24 @@ TEST_CASE("what a name, a heading or a text beside a table may mean otherwise is
            "line 3: \"Glass (crystalline)\" may be glass-dong2013 or a crystalline phase"},
           {std::string("Phase;FA1;s\nQuartz;20;1\nGlass;80;99\n"),
            "the column \"s\" may be a sample, or hold standard deviations"},
+          {std::string("Phase;FA1;MU\nQuartz;20;1\nGlass;80;2\n"),
+           "the column \"MU\" may be a sample, or hold"},
+          {std::string("Phase;FA1;FA2;Diff\nQuartz;20;22;2\nGlass;80;78;2\n"), "is not the name of a sample"},
+          {std::string("Phase;Gehalt;esd\nQuartz;20 %;0.012\nGlass;80 %;0.02\n"),
+           "line 2, cell 3: \"0.012\" has no sign, and the amount beside it is \"20 %\": it may be 0.012 % "
+           "or 1.2 %"},
+          {std::string("Sample;Quartz;esd;Glass\nA;20 %;0.012;80 %\n"), "it may be 0.012 % or 1.2 %"},
+          {std::string("Phase;Gehalt [%];Einheit\nQuartz;20;g/kg\nGlass;80;g/kg\n"),
+           "line 2, cell 3: \"g/kg\" in column \"Einheit\" is not the unit of the amounts"},
+          {std::string("Values in g/kg\nPhase;Gehalt\nQuartz;20\nGlass;80\n"),
+           "line 1: \"Values in g/kg\" states g/kg, and the amounts are read in another unit"},
+          {std::string("Angaben in Promille\nPhase;Gehalt [%]\nQuartz;20\nGlass;80\n"), "states Promille"},
+          {std::string("Angaben in %\nPhase;Gehalt\nQuartz;0.20\nGlass;0.80\n"), "states %"},
+          {std::string("Quantities of phases in the ash of the electrostatic precipitator of unit 3 in ppm\n"
+                       "Phase;Gehalt\nQuartz;20\nGlass;80\n"),
+           "states ppm"},
+          {std::string("Results multiplied by 10\nPhase;Gehalt [%]\nQuartz;20\nGlass;80\n"),
+           "line 1: \"Results multiplied by 10\" may state a factor of the numbers"},
           {std::string("Phase;wt% (crystalline);wt% (whole sample)\nQuartz;100;20\nGlass;;80\n"),
            "the columns \"wt% (crystalline)\" and \"wt% (whole sample)\" hold the same quantity"}})
         CHECK_MESSAGE(contains(refusal(table), says), refusal(table));
@@ -818,6 +836,11 @@ TEST_CASE("what a name, a heading or a text beside a table may mean otherwise is
     for (const char* text : {"# loss-free basis", "on an ignited basis", "gl\u00fchverlustfrei"})
         CHECK(contains(joined(texts_of(read_xrd(text + ("\n" + with_quartz("Quartz")), "t.csv").warnings)),
                        "is not read: the fractions are taken as those of the sample"));
+    const std::string title =
+        "Quantities of phases in the ash of the electrostatic precipitator of unit 3, in %";
+    const std::string titled = title + "\nPhase;Gehalt\nQuartz;20\nGlass;80\n";
+    CHECK(contains(joined(texts_of(read_xrd(titled, "t.csv").warnings)),
+                   "line 1, above the heading, is not read: \"" + title + "\""));
     CHECK_FALSE(
         read_xrd("external standard: corundum\nPhase;wt%\nQuartz;20\nCorundum;30\nGlass;50\n", "t.csv")
             .samples[0]

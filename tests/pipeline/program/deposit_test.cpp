@@ -288,6 +288,8 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
     sandbox.write("two-sizes.csv", "size [um];size [mm];passing [%]\n10;1;20\n20;2;100\n");
     sandbox.write("units.csv", "size [um];passing [%]\n10 um;20\n0.02 mm;100\n");
     sandbox.write("residue.csv", "size [um];residue [%]\n5;60\n20;30\n40;10\n100;0\n");
+    sandbox.write("no-pan.csv", "size [um];residue [%]\n63;25\n90;20\n125;15\n200;5\n");
+    sandbox.write("behind.csv", "size [um];passing [%] on each\n10;20\n20;80\n");
     sandbox.write("density.csv", "size [um];q3\n5;0.1\n20;0.5\n40;1\n");
     sandbox.write("grams.csv", "size [um];passing [g]\n10;0.2\n20;1\n");
     sandbox.write("number.csv", "size [um];passing [number fraction]\n10;0.2\n20;1\n");
@@ -335,6 +337,8 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
           Refused{"two-sizes.csv", "state one thing twice"},
           Refused{"residue.csv",
                   "line 2: the residues may be all that is coarser, or what lies on each sieve"},
+          Refused{"no-pan.csv", "they add up to 65 %, without a pan; allowed: \"cumulative residue\""},
+          Refused{"behind.csv", "\"passing [%] on each\" is not known"},
           Refused{"density.csv", "no line names the columns of a sieve table: \"q3\" is not known"},
           Refused{"no-share.csv", "no line names the columns of a sieve table: no column holds shares"},
           Refused{"units.csv", "line 3, cell 1: cannot read \"0.02 mm\"; allowed: a number in um"},

@@ -182,6 +182,15 @@ TEST_CASE("marks of outcomes and groups of impacts in columns that are not read 
     CHECK(contains(refused("v_in [m/s],v_r < [m/s]\n1,0.1\n2,0.2\n"), "holds a bound, not the quantity"));
     CHECK(contains(refused("v_in [m/s],e (E)\n1,0.1\n2,0.2\n"), "restitution of energy, not the quantity"));
     CHECK(refused("v_in [m/s],v_r [m/s],fate\n1,0,stuck\n2,1,rebound\n").empty());
+    for (const char* flags :
+         {"contact\n1,,1\n2,1,0\n", "rebounded\n1,0,0\n2,1,1\n", "spin\n1,.1,yes\n2,1,no\n"})
+        CHECK(contains(refused(std::string("v_in [m/s],v_r [m/s],") + flags),
+                       "it may state which impacts were captured, or which count"));
+    const auto sticking = read_measurements("v_in [m/s],v_r [m/s],sticking\n1,,1\n2,1,0\n", "t.csv");
+    CHECK(sticking.captures() == 1);
+    CHECK(sticking.points.size() == 2);
+    CHECK(contains(refused("v_in [m/s],e_n,u(e_n)\n1,45 %,0.02\n2,50 %,0.02\n"),
+                   "\"0.02\" in column \"u(e_n)\" may be a fraction or per cent, beside \"45 %\""));
     const auto said = [](std::string_view text) { return warnings_of(read_measurements(text, "t.csv")); };
     const std::string table = "v_in [m/s],v_r [m/s],wall\n1,0.2,steel\n2,1,steel\n3,1.8,alumina\n4,2.5,";
     CHECK(contains(said(table + "alumina\n"),
@@ -589,6 +598,14 @@ TEST_CASE("a last row without a label that holds the means of the others is refu
         CHECK_MESSAGE(contains(input_error_of([&] { return read_measurements(dense + row + "\n", "t.csv"); }),
                                std::string("the row holds the ") + holds + " of the rows above"),
                       row);
+    const std::string second = "1,1;0,3\n2,2;0,8\n3,3;1,4\n2,9;0,9\n";
+    for (const std::string& series : {rows + "\n2,74;1,08\n\n" + second, rows + "2,74;1,08\n\n" + second,
+                                      rows + "2,74;1,08\n" + second + "2,375;0,85\n3,1;1,0\n2,2;0,9\n"})
+        CHECK(contains(input_error_of([&] { return read_measurements(series, "t.csv"); }),
+                       "the row holds the means of the rows above"));
+    CHECK(contains(warnings_of(read_measurements(rows + "2,74;1,08\n" + second, "t.csv")),
+                   "line 6 holds the means of the rows above: if it sums them up, it is no impact"));
+    CHECK(read_measurements(rows + "\n" + second, "t.csv").points.size() == 8);
     CHECK(read_measurements(dense + "1.7;0.7\n", "t.csv").points.size() == 8);
     CHECK(read_measurements(rows + "2,74;1,02\n", "t.csv").points.size() == 5);
     CHECK(read_measurements("v_in [mm/s];v_r [mm/s]\n6273;2838\n2265;1285\n6945;2189\n5192;2086\n", "t.csv")
