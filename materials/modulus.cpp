@@ -16,38 +16,42 @@ namespace ashimpact {
 namespace {
 
 constexpr std::string_view modulus_code = "modulus";  // of findings on the modulus
+constexpr const char* unknown_moduli = "Young's moduli of unknown uncertainty";
 
-/// Inputs of one evaluation. All are plain numbers, so that results can be differentiated with respect to
-/// each.
-struct Mixture {
-    FractionBasis basis;
-    FractionModel model;
-    std::vector<double> densities;
-    std::vector<double> young_moduli;
-    std::vector<double> poisson_ratios;  ///< empty unless every phase has one
-    ModulusOptions options;
+std::vector<double> volumes_of(const Mixture& mixture) {
+    const auto fractions = mixture.model.fractions();
+    return mixture.basis == FractionBasis::weight ? volume_fractions(fractions, mixture.densities)
+                                                  : fractions;
+}
 
-    [[nodiscard]] std::vector<double> volumes() const {
-        const auto fractions = model.fractions();
-        return basis == FractionBasis::weight ? volume_fractions(fractions, densities) : fractions;
+bool has_poisson_ratios(const Mixture& mixture) {
+    return !mixture.poisson_ratios.empty();
+}
+
+/// The porosity of a mixture [1], and its apparent density [kg/m3].
+struct Pores {
+    double porosity = 0;
+    double density = 0;
+};
+
+constexpr double most_pores = 0.99;
+
+Pores pores_of(const ModulusOptions& options, double dense_density) {
+    if (options.apparent_density) {
+        const double apparent = options.apparent_density->value;
+        return {std::clamp(1 - apparent / dense_density, 0.0, most_pores), apparent};
     }
-    [[nodiscard]] bool has_poisson_ratios() const { return !poisson_ratios.empty(); }
-};
+    const double porosity = options.porosity ? options.porosity->value : 0;
+    return {porosity, dense_density * (1 - porosity)};
+}
 
-struct Results {
-    std::vector<double> rules;  ///< Young's moduli, dense, in the order of MixtureRule
-    PorousModuli chosen;        ///< by the chosen rule, porosity applied
-    double density;             ///< dense
-};
-
-Results evaluate(const Mixture& mixture) {
-    const std::vector<double> v = mixture.volumes();
+ParticleProperties evaluate(const Mixture& mixture) {
+    const std::vector<double> v = volumes_of(mixture);
     const auto& e = mixture.young_moduli;
-    Results results{
-        .rules = {parallel_young_modulus(v, e), series_young_modulus(v, e), hill_young_modulus(v, e)},
-        .chosen = {},
-        .density = mixture_density(v, mixture.densities)};
-    if (mixture.has_poisson_ratios()) {
+    ParticleProperties result{
+        .dense_density = mixture_density(v, mixture.densities),
+        .by_rule = {parallel_young_modulus(v, e), series_young_modulus(v, e), hill_young_modulus(v, e)}};
+    if (has_poisson_ratios(mixture)) {
         std::vector<IsotropicModuli> phases;
         for (std::size_t i = 0; i < e.size(); ++i)
             phases.push_back(isotropic_moduli(e[i], mixture.poisson_ratios[i]));
@@ -55,12 +59,17 @@ Results evaluate(const Mixture& mixture) {
         for (const IsotropicModuli& moduli :
              {voigt_moduli(v, phases), reuss_moduli(v, phases), mean, hashin_shtrikman_lower(v, phases),
               hashin_shtrikman_upper(v, phases)})
-            results.rules.push_back(young_modulus(moduli));
-        results.chosen.poisson_ratio = poisson_ratio(mean);
+            result.by_rule.push_back(young_modulus(moduli));
+        result.moduli.poisson_ratio = poisson_ratio(mean);
     }
-    results.chosen.young_modulus = results.rules.at(static_cast<std::size_t>(mixture.options.rule));
-    if (mixture.options.porosity) results.chosen = porous_moduli(results.chosen, *mixture.options.porosity);
-    return results;
+    result.moduli.young_modulus = result.by_rule.at(static_cast<std::size_t>(mixture.options.rule));
+    const Pores pores = pores_of(mixture.options, result.dense_density);
+    result.density = pores.density;
+    if (auto porosity = mixture.options.porosity) {
+        porosity->value = pores.porosity;
+        result.moduli = porous_moduli(result.moduli, *porosity);
+    }
+    return result;
 }
 
 Mixture mixture_of(const Composition& composition, const ModulusOptions& options) {
@@ -79,69 +88,22 @@ Mixture mixture_of(const Composition& composition, const ModulusOptions& options
     return mixture;
 }
 
-/// @throws InputError for an invalid porosity, or a rule that needs a Poisson ratio that is not known
-Mixture checked_mixture(const Composition& composition, const ModulusOptions& options) {
-    if (options.porosity) require_valid(*options.porosity);
-    Mixture mixture = mixture_of(composition, options);
-    if (options.rule > MixtureRule::hill && !mixture.has_poisson_ratios())
-        throw InputError(
-            "the rule " + std::string(name_of(options.rule)) + " needs a Poisson ratio for every phase",
-            "parallel, series, hill, or Poisson's ratios in the case file");
-    return mixture;
+/// Results as a list: the chosen modulus, the density of the phases, Poisson's ratio (0: not known), then the
+/// rules.
+std::vector<double> listed(const ParticleProperties& results) {
+    std::vector<double> list{results.moduli.young_modulus, results.dense_density,
+                             results.moduli.poisson_ratio.value_or(0)};
+    list.insert(list.end(), results.by_rule.begin(), results.by_rule.end());
+    return list;
 }
 
-/// The inputs of a mixture as one list with uncertainties; mixture() is the inverse, from the values.
-class MixtureInputs {
-  public:
-    MixtureInputs(const Composition& composition, const Mixture& mixture) : mixture_(mixture) {
-        const auto& components = composition.components;
-        const std::string basis = composition.basis == FractionBasis::weight ? "weight" : "volume";
-        const FractionModel& model = mixture.model;
-        for (std::size_t i = 0; i < model.amounts.size(); ++i)
-            add(basis + " fraction of " + components[i].name, model.amounts[i], model.uncertainties[i]);
-        add(model.kind == FractionModel::Kind::remainder ? "scale of the internal standard"
-                                                         : "amorphous " + basis + " fraction",
-            model.parameter, model.parameter_uncertainty);
-        for (const Component& c : components)
-            add("density of " + c.phase.name, c.phase.density.value, c.phase.density.uncertainty());
-        for (const Component& c : components)
-            add("Young's modulus of " + c.phase.name, c.phase.young_modulus.value,
-                modulus_uncertainty(c.phase));
-        if (mixture.has_poisson_ratios())
-            for (const Component& c : components)
-                add("Poisson's ratio of " + c.phase.name, c.phase.poisson_ratio->value,
-                    c.phase.poisson_ratio->uncertainty());
-        if (mixture.options.porosity)
-            add("porosity", mixture.options.porosity->value, mixture.options.porosity->standard_uncertainty);
-    }
-
-    [[nodiscard]] const std::vector<UncertainInput>& list() const { return list_; }
-
-    [[nodiscard]] Mixture mixture(const std::vector<double>& values) const {
-        Mixture m = mixture_;
-        auto next = values.begin();
-        for (double& amount : m.model.amounts) amount = *next++;
-        m.model.parameter = *next++;
-        for (auto* list : {&m.densities, &m.young_moduli, &m.poisson_ratios})
-            for (double& value : *list) value = *next++;
-        if (m.options.porosity) m.options.porosity->value = *next++;
-        return m;
-    }
-
-  private:
-    void add(const std::string& what, double value, std::optional<double> uncertainty) {
-        list_.push_back({.what = what, .value = value, .standard_uncertainty = uncertainty.value_or(0)});
-    }
-
-    Mixture mixture_;
-    std::vector<UncertainInput> list_;
-};
-
-/// Results as a list: the chosen modulus, the density, then the rules.
-std::vector<double> listed(const Results& results) {
-    std::vector<double> list{results.chosen.young_modulus, results.density};
-    list.insert(list.end(), results.rules.begin(), results.rules.end());
-    return list;
+/// Standard uncertainty of a phase's Young's modulus at its density [Pa].
+double modulus_uncertainty_at_density(const Phase& phase) {
+    const double u = modulus_uncertainty(phase);
+    if (!phase.follows_density) return u;
+    const double of_density =
+        phase.young_modulus.value / phase.density.value * phase.density.uncertainty().value_or(0);
+    return std::sqrt(std::max(0.0, u * u - of_density * of_density));
 }
 
 bool has_assumed_poisson_ratio(const Component& component) {
@@ -227,26 +189,101 @@ double modulus_uncertainty(const Phase& phase) {
                                                       phase.young_modulus.value);
 }
 
-double young_modulus_of(const Composition& composition, const ModulusOptions& options) {
-    return evaluate(checked_mixture(composition, options)).chosen.young_modulus;
+ParticleInputs::ParticleInputs(const Composition& composition, const ModulusOptions& options)
+    : nominal_(mixture_of(composition, options)) {
+    if (options.porosity) require_valid(*options.porosity);
+    if (options.rule > MixtureRule::hill && !has_poisson_ratios(nominal_))
+        throw InputError(
+            "the rule " + std::string(name_of(options.rule)) + " needs a Poisson ratio for every phase",
+            "parallel, series, hill, or Poisson's ratios in the case file");
+    const auto& components = composition.components;
+    const std::string basis = composition.basis == FractionBasis::weight ? "weight" : "volume";
+    const FractionModel& model = nominal_.model;
+    for (std::size_t i = 0; i < model.amounts.size(); ++i)
+        list_.push_back({.what = basis + " fraction of " + components[i].name,
+                         .value = model.amounts[i],
+                         .standard_uncertainty = model.uncertainties[i].value_or(0),
+                         .lowest = 0});
+    list_.push_back({.what = model.kind == FractionModel::Kind::remainder
+                                 ? "scale of the internal standard"
+                                 : "amorphous " + basis + " fraction",
+                     .value = model.parameter,
+                     .standard_uncertainty = model.parameter_uncertainty.value_or(0),
+                     .lowest = 0});
+    for (const Component& c : components) {
+        follows_density_.push_back(c.phase.follows_density);
+        list_.push_back({.what = "density of " + c.phase.name,
+                         .value = c.phase.density.value,
+                         .standard_uncertainty = c.phase.density.uncertainty().value_or(0),
+                         .positive = true,
+                         .group = c.phase.follows_density ? "" : "densities of the phases"});
+    }
+    for (const Component& c : components)
+        list_.push_back({.what = "Young's modulus of " + c.phase.name,
+                         .value = c.phase.young_modulus.value,
+                         .standard_uncertainty = modulus_uncertainty_at_density(c.phase),
+                         .positive = true,
+                         .group = c.phase.young_modulus.uncertainty() ? "" : unknown_moduli});
+    if (has_poisson_ratios(nominal_))
+        for (const Component& c : components)
+            list_.push_back({.what = "Poisson's ratio of " + c.phase.name,
+                             .value = c.phase.poisson_ratio->value,
+                             .standard_uncertainty = c.phase.poisson_ratio->uncertainty().value_or(0),
+                             .lowest = -0.99,
+                             .highest = 0.499,
+                             .group = "Poisson's ratios of the phases"});
+    if (const auto& apparent = options.apparent_density)
+        list_.push_back({.what = "density",
+                         .value = apparent->value,
+                         .standard_uncertainty = apparent->standard_uncertainty.value_or(0),
+                         .positive = true});
+    else if (options.porosity)
+        list_.push_back({.what = "porosity",
+                         .value = options.porosity->value,
+                         .standard_uncertainty = options.porosity->standard_uncertainty.value_or(0),
+                         .lowest = 0,
+                         .highest = most_pores});
+}
+
+ParticleProperties ParticleInputs::at(std::span<const double> values) const {
+    Mixture mixture = nominal_;
+    auto next = values.begin();
+    for (double& amount : mixture.model.amounts) amount = *next++;
+    mixture.model.parameter = *next++;
+    for (auto* list : {&mixture.densities, &mixture.young_moduli, &mixture.poisson_ratios})
+        for (double& value : *list) value = *next++;
+    for (std::size_t i = 0; i < follows_density_.size(); ++i) {
+        if (!follows_density_[i]) continue;
+        const double packing = mixture.densities[i] / nominal_.densities[i];
+        mixture.young_moduli[i] *= packing;
+        if (has_poisson_ratios(mixture))
+            mixture.poisson_ratios[i] = 0.5 - (0.5 - mixture.poisson_ratios[i]) / packing;
+    }
+    if (mixture.options.apparent_density)
+        mixture.options.apparent_density->value = *next++;
+    else if (mixture.options.porosity)
+        mixture.options.porosity->value = *next++;
+    return evaluate(mixture);
 }
 
 ModulusEstimate estimate_modulus(const Composition& composition, const ModulusOptions& options) {
-    const Mixture mixture = checked_mixture(composition, options);
-    const MixtureInputs inputs(composition, mixture);
-    const auto function = [&](const std::vector<double>& x) { return listed(evaluate(inputs.mixture(x))); };
+    const ParticleInputs inputs(composition, options);
+    const auto function = [&](const std::vector<double>& x) { return listed(inputs.at(x)); };
     const auto uncertainties = propagate_linearly(function, inputs.list());
-    const Results results = evaluate(mixture);
+    std::vector<double> values;
+    for (const UncertainInput& input : inputs.list()) values.push_back(input.value);
+    const ParticleProperties results = inputs.at(values);
 
-    ModulusEstimate estimate{.young_modulus = results.chosen.young_modulus,
+    ModulusEstimate estimate{.young_modulus = results.moduli.young_modulus,
                              .standard_uncertainty = uncertainties[0].standard_uncertainty};
-    for (std::size_t i = 0; i < results.rules.size(); ++i)
+    for (std::size_t i = 0; i < results.by_rule.size(); ++i)
         estimate.rules.push_back({.rule = static_cast<MixtureRule>(i),
-                                  .young_modulus = results.rules[i],
-                                  .standard_uncertainty = uncertainties[i + 2].standard_uncertainty});
-    estimate.poisson_ratio = results.chosen.poisson_ratio;
+                                  .young_modulus = results.by_rule[i],
+                                  .standard_uncertainty = uncertainties[i + 3].standard_uncertainty});
+    estimate.poisson_ratio = results.moduli.poisson_ratio;
+    estimate.poisson_ratio_uncertainty = uncertainties[2].standard_uncertainty;
     estimate.poisson_ratio_assumed = std::ranges::any_of(composition.components, has_assumed_poisson_ratio);
-    estimate.density = results.density;
+    estimate.density = results.dense_density;
     estimate.density_uncertainty = uncertainties[1].standard_uncertainty;
     estimate.contributions = uncertainties[0].contributions;
     note_missing(composition, estimate.notes);

@@ -3,12 +3,15 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/quantities/names.hpp"
+#include "core/quantities/quantity.hpp"
 #include "materials/composition.hpp"
 #include "materials/mixture_rules.hpp"
 
@@ -16,9 +19,13 @@ namespace ashimpact {
 
 /// An independent input of a computation.
 struct UncertainInput {
-    std::string what;                 ///< "Young's modulus of mullite"
-    double value = 0;                 ///< [SI]
-    double standard_uncertainty = 0;  ///< [SI]; 0 if unknown
+    std::string what;                                          ///< "Young's modulus of mullite"
+    double value = 0;                                          ///< [SI]
+    double standard_uncertainty = 0;                           ///< [SI]; 0 if unknown
+    bool positive = false;                                     ///< only positive values exist
+    double lowest = -std::numeric_limits<double>::infinity();  ///< limits of values that are drawn [SI]
+    double highest = std::numeric_limits<double>::infinity();
+    std::string group{};  ///< inputs of a group are ranked together; empty: by itself
 };
 
 /// What one input adds to the variance of a result.
@@ -77,6 +84,46 @@ inline constexpr double assumed_modulus_uncertainty = 0.04;
 struct ModulusOptions {
     MixtureRule rule = MixtureRule::parallel;
     std::optional<Porosity> porosity{};  ///< nothing: dense
+    /// Of the particle [kg/m3]: the porosity then is 1 - apparent/dense, whatever value it has.
+    std::optional<Quantity> apparent_density{};
+};
+
+/// What follows from the phases and pores of a particle.
+struct ParticleProperties {
+    PorousModuli moduli{};          ///< by the chosen rule, porosity applied
+    double dense_density = 0;       ///< of the phases [kg/m3]
+    double density = 0;             ///< apparent: as stated, or dense_density (1 - P) [kg/m3]
+    std::vector<double> by_rule{};  ///< Young's moduli, dense, in the order of MixtureRule [Pa]
+};
+
+/// The inputs of a mixture of its components' properties.
+struct Mixture {
+    FractionBasis basis;
+    FractionModel model;
+    std::vector<double> densities;       ///< [kg/m3]
+    std::vector<double> young_moduli;    ///< [Pa]
+    std::vector<double> poisson_ratios;  ///< empty unless every phase has one [1]
+    ModulusOptions options;
+};
+
+/// A particle by the independent inputs from which its properties follow: fractions, densities, moduli and
+/// Poisson's ratios of the phases, and its porosity or apparent density. Each is one input, however many
+/// properties it enters.
+class ParticleInputs {
+  public:
+    /// @throws InputError for an invalid porosity, or a rule that needs a Poisson ratio that is not known
+    ParticleInputs(const Composition& composition, const ModulusOptions& options);
+
+    [[nodiscard]] const std::vector<UncertainInput>& list() const { return list_; }
+
+    /// The properties at some values of the inputs. A porosity that follows from densities is limited to 0 to
+    /// 0.99.
+    [[nodiscard]] ParticleProperties at(std::span<const double> values) const;
+
+  private:
+    Mixture nominal_;
+    std::vector<bool> follows_density_;  ///< of phases, see Phase::follows_density
+    std::vector<UncertainInput> list_;
 };
 
 /// Young's modulus by one rule, of the dense mixture.
@@ -92,6 +139,7 @@ struct ModulusEstimate {
     double standard_uncertainty = 0;            ///< [Pa]
     std::vector<RuleResult> rules{};            ///< every rule that can be computed, dense [Pa]
     std::optional<double> poisson_ratio{};      ///< of the Voigt-Reuss-Hill mean, porosity applied [1]
+    double poisson_ratio_uncertainty = 0;       ///< [1]
     bool poisson_ratio_assumed = false;         ///< one of the phases has an assumed one
     double density = 0;                         ///< of the dense mixture [kg/m3]
     double density_uncertainty = 0;             ///< [kg/m3]
@@ -107,9 +155,6 @@ struct ModulusEstimate {
 /// Poisson ratio that no source gives.
 [[nodiscard]] ModulusEstimate estimate_modulus(const Composition& composition,
                                                const ModulusOptions& options = {});
-
-/// Returns the Young's modulus of estimate_modulus alone [Pa], without its uncertainty: for Monte Carlo.
-[[nodiscard]] double young_modulus_of(const Composition& composition, const ModulusOptions& options = {});
 
 /// Density of a particle: that of its phases and the apparent one.
 struct ParticleDensity {

@@ -35,6 +35,9 @@ struct Phase {
     PhaseProperty density{};                       ///< [kg/m3]
     PhaseProperty young_modulus{};                 ///< [Pa]
     std::optional<PhaseProperty> poisson_ratio{};  ///< [1]
+    /// A glass whose moduli were computed from its density (Makishima & Mackenzie): E is proportional to it,
+    /// 1/2 - nu inversely. The uncertainty of E has that of the density in it.
+    bool follows_density = false;
     std::vector<std::string> synonyms{};
     std::vector<std::string> bgmn{};  ///< identifiers in BGMN structure files
     std::string remark{};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "core/quantities/checks.hpp"
 #include "core/text/error.hpp"
@@ -285,11 +286,24 @@ const Component& glass_of(const Composition& composition) {
     return *std::ranges::find_if(composition.components, is_glass);
 }
 
-/// The density of the glass in the XRD file.
-std::optional<double> density_of_file(const Analysis& analysis, const Composition& composition) {
+/// The glass in the XRD file; null if the file does not list it.
+PhaseFraction* glass_in(Analysis& analysis, const Composition& composition) {
     const auto glass = std::ranges::find_if(composition.components, is_glass);
     const bool listed = glass != composition.components.end() && glass->place < analysis.phases.size();
-    return listed ? analysis.phases[glass->place].density : std::nullopt;
+    return listed ? &analysis.phases[glass->place] : nullptr;
+}
+
+/// Takes the density of the glass out of an analysis, as that of its chemistry counts for modulus and volume.
+/// @param stated of the glass [kg/m3] @throws InputError if both are given and differ
+std::optional<double> take_density(PhaseFraction& glass, const std::optional<Quantity>& stated) {
+    const auto of_file = std::exchange(glass.density, std::nullopt);
+    constexpr double rounding = 1e-9;
+    if (of_file && stated && std::abs(*of_file / stated->value - 1) > rounding)
+        throw InputError("the density of the glass is stated as " + shortest(stated->value) +
+                             " kg/m3, and the XRD result has " + shortest(*of_file) + " kg/m3",
+                         "one of the two")
+            .at(glass.place);
+    return of_file;
 }
 
 /// The phase of this glass, under every name of that of the catalogue.
@@ -303,6 +317,7 @@ Phase chemical_phase(const ChemicalGlass& glass, const Composition& composition)
                            .standard_uncertainty = glass.young_modulus.standard_uncertainty,
                            .citations = {"makishima1973"}};
     phase.poisson_ratio = PhaseProperty{.value = glass.poisson_ratio, .citations = {"makishima1975"}};
+    phase.follows_density = true;
     phase.synonyms = {catalogue.name, catalogue.phase.name};
     phase.synonyms.insert(phase.synonyms.end(), catalogue.phase.synonyms.begin(),
                           catalogue.phase.synonyms.end());
@@ -430,11 +445,13 @@ GlassInSample compose_with_glass(const Analysis& analysis, const PhaseCatalogue&
         return sample;
     }
     std::optional<Quantity> density = inputs.density;
-    const auto of_file = density_of_file(analysis, sample.composition);
-    if (!density && of_file) density = make_quantity(*of_file, Dimension::density);
+    Analysis by_chemistry = analysis;
+    if (PhaseFraction* glass = glass_in(by_chemistry, sample.composition))
+        if (const auto of_file = take_density(*glass, density); of_file && !density)
+            density = make_quantity(*of_file, Dimension::density);
     sample.glass = glass_from_chemistry(*inputs.oxides, sample.composition, density);
     PhaseSet set{.name = "chemistry", .phases = {chemical_phase(*sample.glass, sample.composition)}};
-    sample.other = compose(analysis, catalogue.overridden_by(std::move(set)), how_to_state);
+    sample.other = compose(by_chemistry, catalogue.overridden_by(std::move(set)), how_to_state);
     if (from_chemistry) std::swap(sample.composition, *sample.other);
     return sample;
 }

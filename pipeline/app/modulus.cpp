@@ -332,11 +332,12 @@ SampleEstimate estimated(const XrdSample& sample, const PhaseCatalogue& catalogu
     result.composition = composed.composition;
     std::vector<Finding> inferred;
     result.porosity = porosity_of(options, result.composition.density, inferred);
-    result.estimate = estimate_modulus(result.composition, {.rule = rule, .porosity = result.porosity});
+    ModulusOptions modulus{.rule = rule, .porosity = result.porosity};
+    if (result.porosity && !options.has("--porosity"))
+        modulus.apparent_density = make_quantity(*measured_density(options), Dimension::density);
+    result.estimate = estimate_modulus(result.composition, modulus);
     if (composed.other)
-        result.glass = sample_glass(
-            composed, estimate_modulus(*composed.other, {.rule = rule, .porosity = result.porosity}),
-            inputs.source);
+        result.glass = sample_glass(composed, estimate_modulus(*composed.other, modulus), inputs.source);
     const auto stated =
         !options.has("--porosity") ? std::nullopt : std::optional(result.porosity.value().value);
     result.density = at_place("--particle-density", [&] {

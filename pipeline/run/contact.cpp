@@ -10,6 +10,7 @@
 #include "materials/contact_properties.hpp"
 #include "materials/phase_catalogue.hpp"
 #include "pipeline/run/stage.hpp"
+#include "pipeline/run/uncertainty/velocity_uncertainty.hpp"
 #include "solver/contact/mechanics.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/motion/impact.hpp"
@@ -27,7 +28,9 @@ Stated computed(double value, Dimension dimension, std::string source) {
 Stated poisson_ratio_of(const Sample& sample, const SampleModulus& modulus) {
     if (sample.poisson_ratio) return *sample.poisson_ratio;
     if (modulus.poisson_ratio)
-        return computed(*modulus.poisson_ratio, Dimension::fraction, "mixed from the phases");
+        return {.quantity = *modulus.poisson_ratio,
+                .origin = Origin::computed,
+                .source = "mixed from the phases"};
     throw InputError("Poisson's ratio of the sample " + sample.name + " is not known",
                      "poisson_ratio of the sample, or of each of its phases");
 }
@@ -41,8 +44,9 @@ double compliance_uncertainty(const Quantity& young_modulus, const Quantity& poi
     return std::hypot(of_modulus, of_ratio) / young_modulus.value;
 }
 
+/// @param joint standard uncertainty from the phases and the wall, where the case has them [Pa]
 Stated contact_modulus_of(const Sample& sample, const std::optional<Wall>& wall, const SampleModulus& modulus,
-                          const std::optional<Stated>& poisson_ratio) {
+                          const std::optional<Stated>& poisson_ratio, std::optional<double> joint) {
     if (sample.contact_modulus) return *sample.contact_modulus;
     if (const auto* given = std::get_if<Stated>(&*wall)) return *given;
     const ElasticBody particle{modulus.young_modulus.value, poisson_ratio->value()};
@@ -55,9 +59,10 @@ Stated contact_modulus_of(const Sample& sample, const std::optional<Wall>& wall,
     const double of_wall = elastic != nullptr ? compliance_uncertainty(elastic->young_modulus.quantity,
                                                                        elastic->poisson_ratio.quantity)
                                               : 0;
-    const double u =
+    // From the phases if they are known: they give both E and Poisson's ratio, whose errors are correlated.
+    const double u = joint.value_or(
         value * value *
-        std::hypot(compliance_uncertainty(modulus.young_modulus, poisson_ratio->quantity), of_wall);
+        std::hypot(compliance_uncertainty(modulus.young_modulus, poisson_ratio->quantity), of_wall));
     if (u > 0) stated.quantity.standard_uncertainty = u;
     return stated;
 }
@@ -182,7 +187,8 @@ SampleContact contact_of(const Sample& sample, const Case& data, const SampleMod
                          StageRecord& record) {
     SampleContact contact{.name = sample.name, .radius = radius_of(sample.diameter)};
     if (needs_poisson_ratio(sample, data.wall)) contact.poisson_ratio = poisson_ratio_of(sample, modulus);
-    contact.contact_modulus = contact_modulus_of(sample, data.wall, modulus, contact.poisson_ratio);
+    contact.contact_modulus = contact_modulus_of(sample, data.wall, modulus, contact.poisson_ratio,
+                                                 contact_modulus_uncertainty(data, sample, modulus));
     contact.density = density_of(sample, modulus, record);
     contact.density_from_phases = density_from_phases(sample, modulus).value;
     contact.mass = make_quantity(sphere_mass(contact.radius.value, contact.density.value()), Dimension::mass);
@@ -278,7 +284,23 @@ std::optional<Porosity> porosity_of(const Sample& sample, const Composition& com
     return found.porosity;
 }
 
+ModulusOptions modulus_options(const Case& data, const Sample& sample,
+                               const std::optional<Porosity>& porosity) {
+    ModulusOptions options{.rule = data.mixture_rule, .porosity = porosity};
+    if (sample.porosity_from_density) options.apparent_density = sample.density->quantity;
+    return options;
+}
+
+Composition composition_of(const Case& data, const Sample& sample) {
+    const PhaseCatalogue catalogue({PhaseSet{.name = "case", .phases = data.phases}});
+    return compose_with_glass(sample.analysis, catalogue, sample.glass).composition;
+}
+
 }  // namespace
+
+ParticleInputs particle_inputs(const Case& data, const Sample& sample) {
+    return {composition_of(data, sample), modulus_options(data, sample, sample.porosity)};
+}
 
 ContactResult contact_stage(const Case& data, const ModulusResult& moduli, StageRecord& record) {
     record.citations = {"dong2013, Eqs. 6, 7, 11"};
@@ -299,8 +321,6 @@ AnalyticResult analytic_stage(const ContactResult& contacts, StageRecord& record
 
 PorosityFromDensity porosity_from_density(Porosity porosity, const Quantity& apparent, double true_density) {
     porosity.value = porosity_from_densities(apparent.value, true_density);
-    if (apparent.standard_uncertainty)
-        porosity.standard_uncertainty = *apparent.standard_uncertainty / true_density;
     return {porosity,
             {"porosity", Severity::remark,
              "a porosity of " + readable_number(porosity.value) + " follows from the density"}};
@@ -315,9 +335,14 @@ SampleModulus sample_modulus(const Composition& composition, const ModulusEstima
         .bounds = bounds_of(estimate, rule),
         .rules = estimate.rules,
         .density = make_quantity(estimate.density, Dimension::density, estimate.density_uncertainty),
-        .poisson_ratio = estimate.poisson_ratio,
+        .poisson_ratio = {},
         .poisson_ratio_assumed = estimate.poisson_ratio_assumed,
         .contributions = estimate.contributions};
+    if (estimate.poisson_ratio) {
+        sample.poisson_ratio = make_quantity(*estimate.poisson_ratio, Dimension::fraction);
+        if (estimate.poisson_ratio_uncertainty > 0)
+            sample.poisson_ratio->standard_uncertainty = estimate.poisson_ratio_uncertainty;
+    }
     for (const Component& component : composition.listed())
         sample.phases.push_back({.name = component.name,
                                  .phase = component.phase.name,
@@ -355,16 +380,14 @@ ModulusResult modulus_stage(const Case& data, StageRecord& record) {
         const GlassInSample composed = compose_with_glass(sample.analysis, catalogue, sample.glass);
         const Composition& composition = composed.composition;
         const auto porosity = porosity_of(sample, composition, record);
-        const ModulusEstimate estimate =
-            estimate_modulus(composition, {.rule = data.mixture_rule, .porosity = porosity});
+        const ModulusOptions options = modulus_options(data, sample, porosity);
+        const ModulusEstimate estimate = estimate_modulus(composition, options);
         SampleModulus modulus = sample_modulus(composition, estimate, data.mixture_rule);
         modulus.name = sample.name;
         modulus.diameter = sample.diameter.quantity;
         if (composed.other)
-            modulus.glass = sample_glass(
-                composed,
-                estimate_modulus(*composed.other, {.rule = data.mixture_rule, .porosity = porosity}),
-                sample.glass.source);
+            modulus.glass =
+                sample_glass(composed, estimate_modulus(*composed.other, options), sample.glass.source);
         result.samples.push_back(std::move(modulus));
         record.note(composition.notes, sample.name);
         if (composed.glass) record.note(composed.glass->notes, sample.name);

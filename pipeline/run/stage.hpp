@@ -58,10 +58,13 @@ struct PorosityFromDensity {
     Finding finding;  ///< the porosity
 };
 
-/// Completes a porosity law with P = 1 - apparent/true [kg/m3]; the uncertainty is that of the apparent
-/// density. Errors: InputError for an apparent density above the true one.
+/// Completes a porosity law with P = 1 - apparent/true [kg/m3]. Errors: InputError for an apparent density
+/// above the true one.
 [[nodiscard]] PorosityFromDensity porosity_from_density(Porosity porosity, const Quantity& apparent,
                                                         double true_density);
+
+/// The independent inputs of the particle of a sample: its phases, and its porosity or density.
+[[nodiscard]] ParticleInputs particle_inputs(const Case& data, const Sample& sample);
 
 /// Composition and modulus of one sample; name and diameter are left empty.
 [[nodiscard]] SampleModulus sample_modulus(const Composition& composition, const ModulusEstimate& estimate,

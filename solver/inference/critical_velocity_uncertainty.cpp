@@ -23,56 +23,36 @@ double next(std::span<const double>& values) {
     return value;
 }
 
-void add_mixture(std::vector<RandomInput>& inputs, const PhaseMixture& mixture) {
-    const Composition& composition = mixture.composition;
-    const std::string basis = composition.basis == FractionBasis::weight ? "weight" : "volume";
-    const FractionModel& model = composition.model;
-    for (std::size_t i = 0; i < model.amounts.size(); ++i)
-        inputs.push_back({.name = basis + " fraction of " + composition.components[i].name,
-                          .value = model.amounts[i],
-                          .standard_uncertainty = model.uncertainties[i].value_or(0.0)});
-    inputs.push_back({.name = "amorphous part",
-                      .value = model.parameter,
-                      .standard_uncertainty = model.parameter_uncertainty.value_or(0.0)});
-    for (const Component& component : composition.components) {
-        const bool known = component.phase.young_modulus.uncertainty().has_value();
-        inputs.push_back({.name = "Young's modulus of " + component.phase.name,
-                          .value = component.phase.young_modulus.value,
-                          .standard_uncertainty = modulus_uncertainty(component.phase),
-                          .distribution = lognormal_around,
-                          .factor = known ? "" : "Young's moduli of unknown uncertainty"});
-    }
-    if (const auto& porosity = mixture.options.porosity)
-        inputs.push_back({.name = "porosity",
-                          .value = porosity->value,
-                          .standard_uncertainty = porosity->standard_uncertainty.value_or(0.0)});
-}
-
-/// @param at is left at the values: copying a mixture would cost more than its modulus
-double mixed_modulus(PhaseMixture& at, std::span<const double>& values) {
-    for (double& amount : at.composition.model.amounts) amount = std::max(0.0, next(values));
-    at.composition.model.parameter = std::max(0.0, next(values));
-    for (Component& component : at.composition.components) component.phase.young_modulus.value = next(values);
-    constexpr double most_pores = 0.99;
-    if (at.options.porosity) at.options.porosity->value = std::clamp(next(values), 0.0, most_pores);
-    return young_modulus_of(at.composition, at.options);
+RandomInput random_input(const UncertainInput& input) {
+    return {.name = input.what,
+            .value = input.value,
+            .standard_uncertainty = input.standard_uncertainty,
+            .distribution = input.positive ? lognormal_around : normal_around,
+            .factor = input.group};
 }
 
 double stable_poisson_ratio(double value) {
     return std::clamp(value, -0.99, 0.5);
 }
 
-/// The contact modulus that the next values give.
-void set_modulus(ContactPair& pair, SphereInContact& sphere, std::span<const double>& values) {
-    if (sphere.contact_modulus) {
-        pair.contact_modulus = next(values);
-        return;
-    }
-    ElasticBody particle{.young_modulus = 0.0, .poisson_ratio = stable_poisson_ratio(next(values))};
+/// The properties of a particle at the next values.
+ParticleProperties properties_at(const ParticleInputs& inputs, std::span<const double>& values) {
+    std::vector<double> limited;
+    limited.reserve(inputs.list().size());
+    for (const UncertainInput& input : inputs.list())
+        limited.push_back(std::clamp(next(values), input.lowest, input.highest));
+    return inputs.at(limited);
+}
+
+/// The contact modulus of a particle whose Poisson ratio, unless mixed, and wall have the next values.
+double contact_modulus_at(const RandomParticle& particle, const PorousModuli& moduli,
+                          std::span<const double>& values) {
+    const double ratio = particle.poisson_ratio ? next(values) : moduli.poisson_ratio.value();
+    const ElasticBody body{moduli.young_modulus, stable_poisson_ratio(ratio)};
+    if (!particle.wall) return contact_modulus(body, RigidWall{});
     ElasticBody wall{.young_modulus = next(values), .poisson_ratio = 0.0};
     wall.poisson_ratio = stable_poisson_ratio(next(values));
-    particle.young_modulus = sphere.mixture ? mixed_modulus(*sphere.mixture, values) : next(values);
-    pair.contact_modulus = contact_modulus(particle, wall);
+    return contact_modulus(body, wall);
 }
 
 /// Draws coefficients of the damping curve from standard normal numbers: the first one with the asymmetry of
@@ -215,31 +195,48 @@ ContactPair RandomContact::nominal() const {
 }
 
 RandomContact random_contact(const SphereInContact& sphere) {
-    const int ways =
-        (sphere.mixture ? 1 : 0) + (sphere.young_modulus ? 1 : 0) + (sphere.contact_modulus ? 1 : 0);
+    const int ways = (sphere.particle ? 1 : 0) + (sphere.contact_modulus ? 1 : 0);
     if (ways != 1) throw InputError("the modulus is given in " + std::to_string(ways) + " ways", "one");
+    if (!sphere.density && !sphere.particle)
+        throw InputError("the density is not given", "it, or the phases of the particle");
     RandomContact result;
-    result.inputs = {sphere.diameter, sphere.density, sphere.work_of_adhesion};
-    if (sphere.contact_modulus) {
-        result.inputs.push_back(*sphere.contact_modulus);
-    } else {
-        result.inputs.insert(result.inputs.end(),
-                             {sphere.poisson_ratio, sphere.wall_young_modulus, sphere.wall_poisson_ratio});
-        if (sphere.young_modulus) result.inputs.push_back(*sphere.young_modulus);
-        if (sphere.mixture) add_mixture(result.inputs, *sphere.mixture);
+    const auto add = [&](const std::optional<RandomInput>& input) {
+        if (input) result.inputs.push_back(*input);
+    };
+    add(sphere.diameter);
+    add(sphere.density);
+    add(sphere.work_of_adhesion);
+    add(sphere.contact_modulus);
+    if (const auto& particle = sphere.particle) {
+        for (const UncertainInput& input : particle->inputs.list()) add(random_input(input));
+        add(particle->poisson_ratio);
+        if (particle->wall) {
+            add(particle->wall->young_modulus);
+            add(particle->wall->poisson_ratio);
+        }
     }
-    if (sphere.partner)
-        result.inputs.insert(result.inputs.end(), {sphere.partner->diameter, sphere.partner->mass});
-    for (const auto& [parameter, input] : sphere.parameters) result.inputs.push_back(input);
-    result.contact = [sphere = SphereInContact(sphere)](std::span<const double> values) mutable {
+    if (sphere.partner) {
+        add(sphere.partner->diameter);
+        add(sphere.partner->mass);
+    }
+    for (const auto& [parameter, input] : sphere.parameters) add(input);
+    result.contact = [sphere = SphereInContact(sphere)](std::span<const double> values) {
         const double radius = 0.5 * next(values);
-        ContactPair pair{.mass = sphere_mass(radius, next(values)),
+        double density = sphere.density ? next(values) : 0.0;
+        ContactPair pair{.mass = 0.0,
                          .effective_radius = radius,
                          .contact_modulus = 0.0,
                          .work_of_adhesion = next(values),
                          .yield_pressure = sphere.yield_pressure,
                          .parameters = sphere.other_parameters};
-        set_modulus(pair, sphere, values);
+        if (sphere.particle) {
+            const ParticleProperties properties = properties_at(sphere.particle->inputs, values);
+            if (!sphere.density) density = properties.density;
+            pair.contact_modulus = contact_modulus_at(*sphere.particle, properties.moduli, values);
+        } else {
+            pair.contact_modulus = next(values);
+        }
+        pair.mass = sphere_mass(radius, density);
         if (sphere.partner) {
             const double partner = 0.5 * next(values);
             const double given = next(values);

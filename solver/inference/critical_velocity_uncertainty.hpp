@@ -31,10 +31,17 @@ struct RandomContact {
     [[nodiscard]] ContactPair nominal() const;
 };
 
-/// The phases that a particle's Young's modulus follows from.
-struct PhaseMixture {
-    Composition composition;
-    ModulusOptions options{};
+/// Elasticity of a wall, or of a second sphere.
+struct RandomWall {
+    RandomInput young_modulus;  ///< [Pa]
+    RandomInput poisson_ratio;  ///< [1]
+};
+
+/// A particle whose modulus follows from its phases and pores.
+struct RandomParticle {
+    ParticleInputs inputs;
+    std::optional<RandomInput> poisson_ratio{};  ///< of the particle; none: mixed from the phases [1]
+    std::optional<RandomWall> wall{};            ///< none: rigid
 };
 
 /// A second sphere in place of the wall.
@@ -44,28 +51,23 @@ struct RandomPartner {
     bool by_density = false;
 };
 
-/// A sphere of one sieve size on a flat wall, or on a second sphere. Exactly one of mixture, young_modulus
-/// and contact_modulus is given.
+/// A sphere of one sieve size on a flat wall, or on a second sphere. Exactly one of particle and
+/// contact_modulus is given.
 struct SphereInContact {
-    RandomInput diameter;                                             ///< [m]
-    RandomInput density;                                              ///< of the particle [kg/m3]
-    RandomInput work_of_adhesion;                                     ///< [J/m2]
-    RandomInput poisson_ratio{};                                      ///< of the particle [1]
-    RandomInput wall_young_modulus{};                                 ///< [Pa]
-    RandomInput wall_poisson_ratio{};                                 ///< [1]
-    std::optional<PhaseMixture> mixture{};                            ///< XRD fractions and phase moduli, or
-    std::optional<RandomInput> young_modulus{};                       ///< of the particle [Pa], or
-    std::optional<RandomInput> contact_modulus{};                     ///< E* itself [Pa]
-    std::optional<RandomPartner> partner{};                           ///< none: a flat wall
+    RandomInput diameter;                          ///< [m]
+    std::optional<RandomInput> density{};          ///< none: that of the particle's inputs [kg/m3]
+    RandomInput work_of_adhesion;                  ///< [J/m2]
+    std::optional<RandomParticle> particle{};      ///< XRD fractions and properties of the phases, or
+    std::optional<RandomInput> contact_modulus{};  ///< E* itself [Pa]
+    std::optional<RandomPartner> partner{};        ///< none: a flat wall
     double yield_pressure = std::numeric_limits<double>::infinity();  ///< [Pa]
     std::vector<std::pair<LawParameter, RandomInput>> parameters{};   ///< of laws that declare their own [SI]
     ParameterValues<double> other_parameters{};                       ///< that are no inputs [SI]
 };
 
 /// The inputs of a sphere in contact: first its diameter, density, w, and what its contact modulus comes
-/// from, then its partner's; of a mixture, every fraction and every phase modulus whose uncertainty is known.
-/// Fractions below zero count as zero.
-/// @throws InputError unless exactly one way to a modulus is given
+/// from, then its partner's. Draws of a particle's inputs beyond their limits count as the limits.
+/// @throws InputError unless exactly one way to a modulus is given, or without a way to a density
 [[nodiscard]] RandomContact random_contact(const SphereInContact& sphere);
 
 /// Name of the factor under which the scatter of a fit is ranked.

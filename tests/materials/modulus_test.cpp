@@ -227,6 +227,59 @@ TEST_CASE("porosity acts on the chosen rule, and its own uncertainty is propagat
     CHECK(contains(outside.notes.back().text, "outside the validity"));
 }
 
+/// The properties of a particle with one of its inputs moved.
+ParticleProperties with_input(const ParticleInputs& inputs, const std::string& what, double value) {
+    std::vector<double> values;
+    bool found = false;
+    for (const UncertainInput& input : inputs.list()) {
+        values.push_back(input.what == what ? value : input.value);
+        found = found || input.what == what;
+    }
+    REQUIRE(found);
+    return inputs.at(values);
+}
+
+TEST_CASE("pores and densities are one input of the modulus and of the density") {
+    const Composition half =
+        compose({.phases = {{.name = "hard", .fraction = 0.5}, {.name = "soft", .fraction = 0.5}},
+                 .amorphous = AmorphousNone{}},
+                round_numbers());
+    const double dense = 2 / (1 / 3000.0 + 1 / 2500.0);
+    const Porosity stated{.law = PorosityLaw::gibson_ashby, .value = 0.2, .standard_uncertainty = 0.05};
+    const ParticleInputs by_porosity(half, {.porosity = stated});
+    const ParticleProperties porous = with_input(by_porosity, "porosity", 0.3);
+    CHECK(relative_difference(porous.dense_density, dense) < 1e-14);
+    CHECK(relative_difference(porous.density, 0.7 * dense) < 1e-14);
+    const double solid = with_input(by_porosity, "porosity", 0).moduli.young_modulus;
+    CHECK(relative_difference(porous.moduli.young_modulus, 0.49 * solid) < 1e-13);
+
+    // A porosity that follows from the density: (rho/rho_dense)^2, of the densities that are drawn.
+    const Quantity measured = make_quantity(2000, Dimension::density, 60.0);
+    const ParticleInputs by_density(half, {.porosity = stated, .apparent_density = measured});
+    const ParticleProperties lighter = with_input(by_density, "density", 1800);
+    CHECK(lighter.density == 1800);
+    CHECK(relative_difference(lighter.moduli.young_modulus, square(1800 / dense) * solid) < 1e-13);
+    CHECK(with_input(by_density, "density", 2 * dense).moduli.young_modulus ==
+          doctest::Approx(solid).epsilon(1e-13));
+
+    // A denser phase takes less volume and leaves less pores.
+    const ParticleProperties moved = with_input(by_density, "density of soft", 2800);
+    const double denser = 2 / (1 / 3000.0 + 1 / 2800.0);
+    CHECK(relative_difference(moved.dense_density, denser) < 1e-14);
+    const double volume = denser / 3000 / 2;  // of the hard phase
+    CHECK(relative_difference(moved.moduli.young_modulus,
+                              square(2000 / denser) * (volume * 200e9 + (1 - volume) * 80e9)) < 1e-13);
+}
+
+TEST_CASE("the uncertainty of Poisson's ratios of phases reaches that of the particle") {
+    const PhaseCatalogue catalogue({read_user_phases(View(parse_json(R"([
+        {"name": "hard", "density": "3 g/cm3", "young_modulus": "200 GPa",
+         "poisson_ratio": {"value": 0.25, "unit": "1", "standard_uncertainty": 0.03}}])")))});
+    const ModulusEstimate estimate = estimate_modulus(
+        compose({.phases = {{.name = "hard", .fraction = 1}}, .amorphous = AmorphousNone{}}, catalogue));
+    CHECK(relative_difference(estimate.poisson_ratio_uncertainty, 0.03) < 1e-8);
+}
+
 TEST_CASE("density of a particle beside a measured one") {
     const ParticleDensity dense = particle_density(2645.365, {}, {});
     CHECK(dense.apparent_density == 2645.365);

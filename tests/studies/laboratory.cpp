@@ -82,7 +82,7 @@ namespace {
 ContactPair stated_contact(const Row& row) {
     const double w = 0.2959 * (row.flaw == Flaw::wrong_adhesion ? 2.0 : 1.0);
     return random_contact({.diameter = {"diameter", 96e-6},
-                           .density = {"density", 2158.5},
+                           .density = RandomInput{"density", 2158.5},
                            .work_of_adhesion = {"work of adhesion", w},
                            .contact_modulus = RandomInput{"contact modulus", 90e9}})
         .nominal();

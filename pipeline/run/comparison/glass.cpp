@@ -15,7 +15,9 @@ ModulusResult with_other_glass(ModulusResult moduli) {
         if (!sample.glass) continue;
         sample.young_modulus = sample.glass->other.young_modulus;
         sample.density = sample.glass->other.density;
-        sample.poisson_ratio = sample.glass->other.poisson_ratio;
+        sample.poisson_ratio.reset();
+        if (const auto& other = sample.glass->other.poisson_ratio)
+            sample.poisson_ratio = make_quantity(*other, Dimension::fraction);
     }
     return moduli;
 }

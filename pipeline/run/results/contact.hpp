@@ -59,7 +59,7 @@ struct SampleModulus {
     std::optional<ModulusBounds> bounds{};
     std::vector<RuleResult> rules{};            ///< of the dense mixture
     Quantity density{};                         ///< of the dense mixture [kg/m3]
-    std::optional<double> poisson_ratio{};      ///< mixed from the phases [1]
+    std::optional<Quantity> poisson_ratio{};    ///< mixed from the phases [1]
     bool poisson_ratio_assumed = false;         ///< of one of the phases at least
     std::vector<Contribution> contributions{};  ///< to the variance of young_modulus, largest first
     std::optional<SampleGlass> glass{};         ///< where the case has oxides

@@ -24,7 +24,7 @@ CalibrationSample start_of(const Case& data, const Sample& sample, const SampleM
     if (sample.poisson_ratio)
         start.particle.poisson_ratio = sample.poisson_ratio->value();
     else
-        start.particle.poisson_ratio = modulus.poisson_ratio.value_or(0);
+        start.particle.poisson_ratio = modulus.poisson_ratio ? modulus.poisson_ratio->value : 0;
     const auto* elastic = data.wall ? std::get_if<ElasticWall>(&*data.wall) : nullptr;
     if (elastic != nullptr) start.wall = {elastic->young_modulus.value(), elastic->poisson_ratio.value()};
     // The contact modulus is free to follow from both bodies if it does, and was not edited in an artifact.

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "materials/composition.hpp"
-#include "materials/phase_catalogue.hpp"
+#include "materials/modulus.hpp"
+#include "pipeline/run/stage.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/critical_velocity_uncertainty.hpp"
 
@@ -182,26 +182,71 @@ SphereInContact sphere_of(const Case& data, const SampleContact& contact, Law la
     return sphere;
 }
 
+/// A value with the uncertainty to which all inputs lead, linearly.
+struct LinearResult {
+    double value = 0;
+    double standard_uncertainty = 0;
+
+    /// Whether an artifact has this result: values edited there count instead.
+    [[nodiscard]] bool is(const Quantity& quantity) const {
+        constexpr double rounding = 1e-6;
+        const auto near = [&](double one, double other) {
+            return std::abs(one - other) <= rounding * std::abs(other);
+        };
+        return near(value, quantity.value) &&
+               near(standard_uncertainty, quantity.standard_uncertainty.value_or(0));
+    }
+};
+
+/// E* and the mass of a contact.
+std::pair<LinearResult, LinearResult> linear_results(const RandomContact& random) {
+    std::vector<UncertainInput> inputs;
+    for (const RandomInput& input : random.inputs)
+        inputs.push_back({input.name, input.value, input.standard_uncertainty});
+    const auto function = [&](const std::vector<double>& values) {
+        const ContactPair pair = random.contact(values);
+        return std::vector{pair.contact_modulus, pair.mass};
+    };
+    const ContactPair nominal = random.nominal();
+    const auto u = propagate_linearly(function, inputs);
+    return {{nominal.contact_modulus, u[0].standard_uncertainty}, {nominal.mass, u[1].standard_uncertainty}};
+}
+
+/// The particle of a sample by its phases and pores, with its wall, where the case describes it that way.
+std::optional<RandomParticle> particle_of(const Case& data, const Sample& sample) {
+    if (!data.wall || std::holds_alternative<Stated>(*data.wall) || sample.contact_modulus)
+        return std::nullopt;
+    RandomParticle particle{.inputs = particle_inputs(data, sample)};
+    if (sample.poisson_ratio)
+        particle.poisson_ratio = ratio("Poisson's ratio", sample.poisson_ratio->quantity);
+    if (const auto* elastic = std::get_if<ElasticWall>(&*data.wall))
+        particle.wall = {positive("Young's modulus of the wall", elastic->young_modulus.quantity),
+                         ratio("Poisson's ratio of the wall", elastic->poisson_ratio.quantity)};
+    return particle;
+}
+
+/// Whether the density of a sample follows from its phases, or its porosity from the density.
+bool shares_density(const Sample& sample) {
+    return !sample.density || sample.porosity_from_density;
+}
+
 /// The same contact from its phases and wall, where the case describes it that way.
 std::optional<RandomContact> from_phases(const Case& data, const Sample& sample, const SampleContact& contact,
                                          Law law) {
-    const auto* wall = data.wall ? std::get_if<ElasticWall>(&*data.wall) : nullptr;
-    if (wall == nullptr || sample.contact_modulus || !contact.poisson_ratio) return std::nullopt;
-    const PhaseCatalogue catalogue({PhaseSet{.name = "case", .phases = data.phases}});
     SphereInContact sphere = sphere_of(data, contact, law);
-    sphere.poisson_ratio = ratio("Poisson's ratio", contact.poisson_ratio->quantity);
-    sphere.wall_young_modulus = positive("Young's modulus of the wall", wall->young_modulus.quantity);
-    sphere.wall_poisson_ratio = ratio("Poisson's ratio of the wall", wall->poisson_ratio.quantity);
-    sphere.mixture = PhaseMixture{compose_with_glass(sample.analysis, catalogue, sample.glass).composition,
-                                  {.rule = data.mixture_rule, .porosity = sample.porosity}};
+    sphere.particle = particle_of(data, sample);
+    if (!sphere.particle) return std::nullopt;
+    SphereInContact sharing = sphere;
+    sharing.density.reset();
     RandomContact random = random_contact(sphere);
-    constexpr std::ptrdiff_t own = 3;  // size, density and w are not of the modulus
-    const bool uncertain = std::any_of(random.inputs.begin() + own, random.inputs.end(),
-                                       [](const RandomInput& in) { return in.standard_uncertainty > 0; });
-    const double modulus = random.nominal().contact_modulus;
-    const bool same = std::abs(modulus / contact.pair.contact_modulus - 1) < 1e-9;
-    if (!uncertain || !same) return std::nullopt;
-    return random;
+    const auto [modulus, mass] = linear_results(random);
+    if (!(modulus.standard_uncertainty > 0) || !modulus.is(contact.contact_modulus.quantity))
+        return std::nullopt;
+    if (!shares_density(sample)) return random;
+    RandomContact joint = random_contact(sharing);
+    const auto shared_mass = linear_results(joint).second;
+    const bool same = shared_mass.is(make_quantity(mass.value, Dimension::mass, mass.standard_uncertainty));
+    return same ? joint : random;
 }
 
 RandomContact independent_contact(const Case& data, const Sample& sample, const SampleContact& contact,
@@ -245,6 +290,28 @@ void set_uncertainty(const VelocityTask& task, LawCriticalVelocity& velocity,
     estimate.value = exact;  // the propagation gives its uncertainty only
     estimate.method =
         velocity.from_impacts && task.fit.estimate ? VelocityMethod::estimate : VelocityMethod::extrapolation;
+}
+
+std::optional<double> contact_modulus_uncertainty(const Case& data, const Sample& sample,
+                                                  const SampleModulus& modulus) {
+    const auto particle = particle_of(data, sample);
+    if (!particle) return std::nullopt;
+    std::vector<double> values;
+    for (const UncertainInput& input : particle->inputs.list()) values.push_back(input.value);
+    const auto function = [&](const std::vector<double>& at) {
+        const PorousModuli moduli = particle->inputs.at(at).moduli;
+        return std::vector{moduli.young_modulus, moduli.poisson_ratio.value_or(0)};
+    };
+    const std::vector<double> nominal = function(values);
+    const auto u = propagate_linearly(function, particle->inputs.list());
+    const auto is = [&](std::size_t i, const Quantity& quantity) {
+        return LinearResult{nominal[i], u[i].standard_uncertainty}.is(quantity);
+    };
+    if (!is(0, modulus.young_modulus) || (modulus.poisson_ratio && !is(1, *modulus.poisson_ratio)))
+        return std::nullopt;
+    const RandomContact random = random_contact(
+        {.diameter = {"diameter", 1}, .work_of_adhesion = {"work of adhesion", 0}, .particle = particle});
+    return linear_results(random).first.standard_uncertainty;
 }
 
 RandomContact uncertain_contact(const Case& data, const Sample& sample, const SampleContact& contact, Law law,

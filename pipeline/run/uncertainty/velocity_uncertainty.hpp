@@ -44,10 +44,17 @@ struct VelocityTask {
 /// @param velocity by exact solution, with v_c at the critical damping
 void set_uncertainty(const VelocityTask& task, LawCriticalVelocity& velocity, std::vector<Finding>& findings);
 
-/// The contact of a sample as random quantities. Size, density and w have the uncertainties of
-/// 2-contact.json. The contact modulus is propagated from the XRD fractions, phase moduli and wall of the
-/// case if one of them is uncertain and together they give that modulus; otherwise it is that of
-/// 2-contact.json. Parameters are those of @p law.
+/// Standard uncertainty of E* from the phases, pores and wall of a sample [Pa], linearly: E and Poisson's
+/// ratio follow from the same inputs. None where the case does not describe the contact that way, or where
+/// @p modulus is not theirs, as it was edited.
+[[nodiscard]] std::optional<double> contact_modulus_uncertainty(const Case& data, const Sample& sample,
+                                                                const SampleModulus& modulus);
+
+/// The contact of a sample as random quantities. Size and w have the uncertainties of 2-contact.json. Contact
+/// modulus and density are propagated from the phases, pores and wall of the case, each of which is drawn
+/// once, if they give the values of 2-contact.json; otherwise they are those of 2-contact.json, independent
+/// of each other. A stated density that does not give the porosity is an input of its own. Parameters are
+/// those of @p law.
 /// @param response of the density and w to the contact modulus, for constants that were calibrated at it
 [[nodiscard]] RandomContact uncertain_contact(const Case& data, const Sample& sample,
                                               const SampleContact& contact, Law law,

@@ -471,7 +471,38 @@ TEST_CASE("a sample with its glass: which one counts, and the other beside it") 
     // A density of the glass in the XRD file is a statement too.
     xrd.amorphous = AmorphousNotStated{};
     xrd.phases.push_back({.name = "amorphous", .fraction = 0.70, .density = 2450});
-    CHECK(compose_with_glass(xrd, catalogue, {.oxides = oxides_of_ash}).glass->density.value == 2450);
+    const GlassInputs chemistry{.oxides = oxides_of_ash, .source = GlassSource::from_chemistry};
+    const GlassInSample listed = compose_with_glass(xrd, catalogue, chemistry);
+    CHECK(listed.glass->density.value == 2450);
+    GlassInputs both = chemistry;
+    both.density = make_quantity(2600, Dimension::density);
+    const std::string twice = "is stated as 2600 kg/m3, and the XRD result has 2450 kg/m3";
+    CHECK(contains(input_error_of([&] { return compose_with_glass(xrd, catalogue, both).composition; }),
+                   twice));
+
+    // The density is one input: the glass of 2700 kg/m3 by the inputs of one of 2600 +- 50 kg/m3.
+    xrd.phases.back().density.reset();
+    const auto inputs_at = [&](double density) {
+        GlassInputs of = chemistry;
+        of.density = make_quantity(density, Dimension::density, 50.0);
+        return ParticleInputs(compose_with_glass(xrd, catalogue, of).composition,
+                              {.rule = MixtureRule::voigt_reuss_hill});
+    };
+    const auto values_of = [](const ParticleInputs& inputs) {
+        std::vector<double> values;
+        for (const UncertainInput& input : inputs.list()) values.push_back(input.value);
+        return values;
+    };
+    const ParticleInputs light = inputs_at(2600);
+    std::vector<double> moved = values_of(light);
+    for (std::size_t i = 0; i < moved.size(); ++i)
+        if (light.list()[i].what == "density of glass-from-chemistry") moved[i] = 2700;
+    const ParticleInputs heavy = inputs_at(2700);
+    const ParticleProperties one = light.at(moved);
+    const ParticleProperties other = heavy.at(values_of(heavy));
+    CHECK(relative_difference(one.moduli.young_modulus, other.moduli.young_modulus) < 1e-12);
+    CHECK(relative_difference(*one.moduli.poisson_ratio, *other.moduli.poisson_ratio) < 1e-12);
+    CHECK(relative_difference(one.density, other.density) < 1e-12);
 }
 
 }  // namespace ashimpact::test

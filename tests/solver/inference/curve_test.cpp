@@ -8,6 +8,7 @@
 
 #include <doctest/doctest.h>
 
+#include "materials/contact_properties.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/critical_velocity_uncertainty.hpp"
@@ -468,7 +469,7 @@ TEST_CASE("samples without a result are counted, and refused where they are near
 TEST_CASE("Hertz: v_c goes with eta^5/(m^3 k^2), so relative uncertainties are known") {
     const RandomContact contact =
         random_contact({.diameter = {"diameter", 96e-6},
-                        .density = {"density", 2158.5, 0.01 * 2158.5},
+                        .density = RandomInput{"density", 2158.5, 0.01 * 2158.5},
                         .work_of_adhesion = {"work of adhesion", 0.2959},
                         .contact_modulus = RandomInput{"contact modulus", 90e9, 1.8e9}});
     const RandomInput damping{.name = "critical damping", .value = 0.0155, .standard_uncertainty = 0.000155};
@@ -485,7 +486,7 @@ TEST_CASE("Hertz: v_c goes with eta^5/(m^3 k^2), so relative uncertainties are k
 TEST_CASE("maugis-dugdale: draws are read from a map, that gives each as the solver does") {
     const RandomContact contact = random_contact(
         {.diameter = {"diameter", 8e-6},
-         .density = {"density", 2158.5, 20.0},
+         .density = RandomInput{"density", 2158.5, 20.0},
          .work_of_adhesion = {"work of adhesion", 0.3, 0.02, lognormal_around},
          .contact_modulus = RandomInput{"contact modulus", 90e9, 5e9, lognormal_around},
          .parameters = {{cohesion_range, {"cohesion_range", 0.4e-9, 0.04e-9, lognormal_around}}}});
@@ -540,6 +541,47 @@ TEST_CASE("a map of critical velocities: within its accuracy, beyond it solved, 
         }
 }
 
+TEST_CASE(
+    "what follows from the phases is drawn with them: modulus, Poisson's ratio and mass are not "
+    "independent") {
+    const PhaseCatalogue catalogue({PhaseSet{
+        .name = "case",
+        .phases = {{.name = "glass",
+                    .amorphous = true,
+                    .density = {.value = 2500, .standard_uncertainty = 50},
+                    .young_modulus = {.value = 80e9, .standard_uncertainty = 2e9},
+                    .poisson_ratio = PhaseProperty{.value = 0.25, .standard_uncertainty = 0.02}}}}});
+    const Composition composition = compose({.phases = {{.name = "glass", .fraction = 1}}}, catalogue);
+    const Porosity pores{.law = PorosityLaw::gibson_ashby, .value = 0.2, .standard_uncertainty = 0.05};
+    const SphereInContact sphere{.diameter = {"diameter", 88e-6},
+                                 .work_of_adhesion = {"work of adhesion", 0.3},
+                                 .particle = RandomParticle{.inputs = {composition, {.porosity = pores}}}};
+    const RandomContact contact = random_contact(sphere);
+    const ContactPair nominal = contact.nominal();
+    CHECK(relative_difference(nominal.mass, sphere_mass(44e-6, 2000)) < 1e-14);
+    CHECK(relative_difference(nominal.contact_modulus, 0.64 * 80e9 / (1 - 0.0625)) < 1e-13);
+    std::vector<double> values;
+    for (const RandomInput& input : contact.inputs)
+        values.push_back(input.name == "porosity"                   ? 0.4
+                         : input.name == "Poisson's ratio of glass" ? 0.3
+                                                                    : input.value);
+    const ContactPair moved = contact.contact(values);
+    CHECK(relative_difference(moved.mass, sphere_mass(44e-6, 1500)) < 1e-14);
+    CHECK(relative_difference(moved.contact_modulus, 0.36 * 80e9 / (1 - 0.09)) < 1e-13);
+
+    // Hertz: v_c ~ eta^5/(m^3 E*^2), here (1 - P)^-7, the density to -3, E to -2, nu as (1 - nu^2)^2.
+    const RandomInput damping{.name = "critical damping", .value = 0.0155};
+    const Propagation result =
+        propagate_critical_velocity(Law::of<Hertz>(), Detachment::zero_overlap, damping, contact);
+    const auto power = [&](double porosity) { return std::pow((1 - porosity) / 0.8, -7); };
+    const double relative =
+        std::hypot(std::hypot(3 * 0.02, 2 * 0.025), std::hypot(7 * 0.05 / 0.8, 4 * 0.25 * 0.02 / 0.9375));
+    CHECK(relative_difference(*result.interval.upper / result.interval.value, std::exp(1.96 * relative)) <
+          0.25);
+    CHECK(*result.interval.upper > 0.95 * power(0.2 + 1.96 * 0.05) * result.interval.value);
+    CHECK(influence_of(result, "porosity").total.value > 0.9);
+}
+
 TEST_CASE("with the damping read again, errors of the contact cancel in v_c; held, they do not") {
     const ContactModel model = ash_model(Law::of<BrachDunn>());
     SyntheticLaboratory laboratory = ash_laboratory(model, TrueDamping::quadratic);
@@ -548,7 +590,7 @@ TEST_CASE("with the damping read again, errors of the contact cancel in v_c; hel
     const DampingCurveFit fit = fit_damping_curve(model, laboratory.measure(random));
     const RandomContact contact =
         random_contact({.diameter = {"diameter", 96e-6},
-                        .density = {"density", 2158.5},
+                        .density = RandomInput{"density", 2158.5},
                         .work_of_adhesion = {"work of adhesion", 0.2959},
                         .contact_modulus = RandomInput{"contact modulus", 90e9, 9e9}});
     const PropagationOptions few{.samples = 64, .replicates = 4};
