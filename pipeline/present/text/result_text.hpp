@@ -43,6 +43,10 @@ namespace ashimpact {
     return reported.velocity && reported.velocity->method == VelocityMethod::estimate;
 }
 
+/// Heading of the velocities of the samples in a table by size: "measured", or "of samples" where they rest
+/// on a damping that was held, reconstructed or extrapolated, so that no impacts alone give them.
+[[nodiscard]] std::string_view samples_words(const ComparisonResult& result);
+
 /// What is reported of a sample: its critical velocity, or the bound that the impacts give instead.
 struct Answer {
     enum class Kind { none, velocity, above, below };

@@ -188,9 +188,17 @@ std::string sizes_sentence(const ComparisonResult& result) {
     return "F" + agree + "; beyond, v_c rests on which of them holds.";
 }
 
+std::string_view samples_words(const ComparisonResult& result) {
+    const bool of_impacts = std::ranges::all_of(result.samples, [](const SampleComparison& sample) {
+        return !sample.reported || !sample.reported->velocity || is_of_impacts(*sample.reported);
+    });
+    return of_impacts ? "measured" : "of samples";
+}
+
 std::string sizes_text(const ComparisonResult& result, std::size_t width) {
     if (!result.sizes) return {};
-    TextTable table({"size", "measured", "least", "by", "greatest", "by", "adhesion"}, 1);
+    TextTable table({"size", std::string(samples_words(result)), "least", "by", "greatest", "by", "adhesion"},
+                    1);
     for (const RowsOfSize& size : shown_sizes(result)) {
         const bool any = !size.assumed.empty();
         const SizeVelocity* least = any ? size.assumed.front() : nullptr;

@@ -288,8 +288,11 @@ void set_uncertainty(const VelocityTask& task, LawCriticalVelocity& velocity,
         velocity.check = found->check;
     }
     estimate.value = exact;  // the propagation gives its uncertainty only
-    estimate.method =
-        velocity.from_impacts && task.fit.estimate ? VelocityMethod::estimate : VelocityMethod::extrapolation;
+    if (!velocity.from_impacts || !task.fit.estimate)
+        estimate.method = VelocityMethod::extrapolation;
+    else  // a damping that is held is known by itself, and v_c depends on the contact
+        estimate.method =
+            task.data.uncertainty.reread ? VelocityMethod::estimate : VelocityMethod::critical_damping;
 }
 
 std::optional<double> contact_modulus_uncertainty(const Case& data, const Sample& sample,

@@ -126,7 +126,7 @@ struct FigureMaker {
 [[nodiscard]] Look look_of(const LawData& law, bool hollow = false);
 
 /// The velocities by size of one assumption, with the band of their intervals.
-[[nodiscard]] Series size_series_of(const std::vector<SizeVelocity>& rows, SizeBasis basis);
+[[nodiscard]] Series size_series_of(const ComparisonResult& comparison, SizeBasis basis);
 
 /// Published critical velocities and lines of laws against diameter; a run adds its own samples.
 [[nodiscard]] Figure literature_figure(const std::vector<LawBySize>& laws);

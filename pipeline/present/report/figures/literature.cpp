@@ -167,7 +167,7 @@ Figure critical_velocity_by_size_figure(const RunData& run) {
     auto& panel = std::get<XyPanel>(figure.panels.front());
     for (const SizeBasis basis : all_values<SizeBasis>) {
         if (basis == SizeBasis::adhesion || basis == SizeBasis::measured) continue;
-        Series series = size_series_of(comparison.by_size, basis);
+        Series series = size_series_of(comparison, basis);
         series.band.clear();
         if (!series.line.empty()) panel.series.push_back(std::move(series));
     }

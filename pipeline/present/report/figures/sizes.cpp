@@ -58,16 +58,18 @@ void add_numbers(const DampingComparison& comparison, const std::string& sample,
     table.rows.insert(table.rows.end(), rows.begin(), rows.end());
 }
 
-std::string size_words(SizeBasis basis) {
+std::string size_words(const ComparisonResult& comparison, SizeBasis basis) {
+    if (basis == SizeBasis::measured) return std::string(samples_words(comparison));
     return basis == SizeBasis::adhesion ? "adhesion alone, a lower bound" : std::string(name_of(basis));
 }
 
 }  // namespace
 
-Series size_series_of(const std::vector<SizeVelocity>& rows, SizeBasis basis) {
+Series size_series_of(const ComparisonResult& comparison, SizeBasis basis) {
+    const std::vector<SizeVelocity>& rows = comparison.by_size;
     const auto place = static_cast<std::size_t>(basis);
-    Series series{.name = size_words(basis),
-                  .legend = size_words(basis),
+    Series series{.name = size_words(comparison, basis),
+                  .legend = size_words(comparison, basis),
                   .look = basis == SizeBasis::measured ? Look::plain(0) : Look::of(place - 1)};
     if (basis == SizeBasis::adhesion) {
         series.look = Look::plain(0);
@@ -90,7 +92,8 @@ Series size_series_of(const std::vector<SizeVelocity>& rows, SizeBasis basis) {
 namespace {
 
 /// A row for each diameter, a column for each assumption.
-void add_numbers(const std::vector<SizeVelocity>& rows, NumberTable& table) {
+void add_numbers(const ComparisonResult& comparison, NumberTable& table) {
+    const std::vector<SizeVelocity>& rows = comparison.by_size;
     std::vector<double> diameters;
     for (const SizeVelocity& row : rows) diameters.push_back(row.diameter);
     std::ranges::sort(diameters);
@@ -100,7 +103,8 @@ void add_numbers(const std::vector<SizeVelocity>& rows, NumberTable& table) {
     for (const SizeBasis basis : all_values<SizeBasis>) {
         if (std::ranges::find(rows, basis, &SizeVelocity::basis) == rows.end()) continue;
         const bool measured = basis == SizeBasis::measured;
-        table.columns.push_back("v_c, " + std::string(name_of(basis)) + " [m/s]");
+        const std::string_view name = measured ? samples_words(comparison) : name_of(basis);
+        table.columns.push_back("v_c, " + std::string(name) + " [m/s]");
         if (measured)
             table.columns.insert(table.columns.end(), {"lower end of 95 % [m/s]", "upper end of 95 % [m/s]"});
         for (std::size_t i = 0; i < diameters.size(); ++i) {
@@ -179,7 +183,7 @@ Figure which_sizes_figure(const RunData& run) {
                   .x = {.label = "diameter", .unit = "µm", .scale = 1e-6, .spacing = Spacing::logarithmic},
                   .y = {.label = "v_c", .unit = "m/s", .spacing = Spacing::logarithmic}};
     for (const SizeBasis basis : all_values<SizeBasis>) {
-        Series series = size_series_of(comparison.by_size, basis);
+        Series series = size_series_of(comparison, basis);
         if (!series.line.empty()) panel.series.push_back(std::move(series));
     }
     for (const SampleData& sample : run.samples()) {
@@ -189,7 +193,7 @@ Figure which_sizes_figure(const RunData& run) {
         mark.marks.push_back({2 * sample.contact->radius.value, law->velocity->value});
         panel.series.push_back(std::move(mark));
     }
-    add_numbers(comparison.by_size, figure.numbers);
+    add_numbers(comparison, figure.numbers);
     figure.panels.emplace_back(std::move(panel));
     return figure;
 }
