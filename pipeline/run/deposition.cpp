@@ -282,6 +282,7 @@ DepositingAsh ash_of_run(const Run& run, std::vector<SizeClass> classes,
         ash.densities.push_back(contact_of_size(run.contact, size.diameter()).density.value());
     }
     ash.restitutions = restitutions_of_run(run, ash.assumptions.front().basis, rebounding);
+    ash.fastest_impact = fastest_impact(run);
     ash.classes = std::move(classes);
     return ash;
 }
@@ -362,6 +363,12 @@ DepositionResult deposition_on(const TubeConditions& tube, const DepositingAsh& 
              fmt::format("{:.3g} % of the mass that arrives is of sizes that were not measured: for it v_c "
                          "rests on the assumption {}",
                          100 * (1 - total.supported_fraction), name_of(answer.basis))});
+    if (ash.fastest_impact && tube.velocity > *ash.fastest_impact)
+        record.note(
+            {"deposition", Severity::remark,
+             fmt::format("particles meet the tube with up to {}, and the fastest impact of the run has "
+                         "{}: that faster ones rebound with its restitution is an assumption",
+                         readable(tube.velocity, "m/s"), readable(*ash.fastest_impact, "m/s"))});
     note_limits(tube, classes, record);
     record.citations = {"Serafini 1954, NACA Report 1159 (drag beyond Stokes)",
                         "Israel & Rosner 1982, doi 10.1080/02786828308958612 (effective Stokes number)",

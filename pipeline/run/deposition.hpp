@@ -27,8 +27,9 @@ struct DepositingAsh {
     std::vector<double> densities{};             ///< [kg/m3]
     std::vector<ClassVelocities> assumptions{};  ///< the first is that of the answer
     std::vector<RestitutionOfVelocity>
-        restitutions{};                   ///< of the classes, under the assumption of the answer
-    std::optional<SizeRange> measured{};  ///< sizes with a measured v_c
+        restitutions{};                      ///< of the classes, under the assumption of the answer
+    std::optional<SizeRange> measured{};     ///< sizes with a measured v_c
+    std::optional<double> fastest_impact{};  ///< that gives the rebounds [m/s]; none: they are solved
 };
 
 /// Whether a v_c of ClassVelocities is above fastest_in_model.

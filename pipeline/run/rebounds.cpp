@@ -179,6 +179,15 @@ std::vector<RestitutionOfVelocity> restitutions_by_law(
     return all;
 }
 
+std::optional<double> fastest_impact(const Run& run) {
+    std::optional<double> fastest;
+    for (const SampleRestitution& sample : run.restitution.samples)
+        if (const RestitutionSeries* series = sample.of(run.comparison.sizes->law))
+            for (const Measurement& impact : series->impacts.points)
+                fastest = std::max(fastest.value_or(0), impact.velocity);
+    return fastest;
+}
+
 std::vector<RestitutionOfVelocity> restitutions_of_run(const Run& run, SizeBasis basis,
                                                        const ReboundingSizes& sizes) {
     const auto measured = std::make_shared<const std::vector<SizeRebounds>>(sample_rebounds(run));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "pipeline/run/results/run.hpp"
@@ -23,6 +24,9 @@ struct ReboundingSizes {
 /// @param impact_of a sphere of a diameter, at any velocity
 [[nodiscard]] std::vector<RestitutionOfVelocity> restitutions_by_law(
     const ReboundingSizes& sizes, const std::function<Impact(double diameter)>& impact_of);
+
+/// The fastest impact that restitutions_of_run() rests on [m/s]; none if they follow from a damping.
+[[nodiscard]] std::optional<double> fastest_impact(const Run& run);
 
 /// Restitution of each size of a run: the means of neighbouring rebounds of the samples around it, of the
 /// nearest one beyond them, at equal v/v_c. Of a run without impacts by the damping of an assumption; unknown
