@@ -201,10 +201,38 @@ std::vector<Finding> implausible_constants(const Case& data, const CalibrationSu
     return doubts;
 }
 
-/// Calibrates and prints. @param conclusion the sentence below the table
+/// The doubt about intervals that leave out the stated uncertainties of what is not free; none if there are
+/// none. They hold at the values of these inputs.
+std::optional<Finding> held_uncertainties(const Case& data, const ContactResult& contacts) {
+    const auto is_free = [&](CalibrationQuantity quantity) {
+        return std::ranges::find(data.calibration, quantity, &FreeConstant::quantity) !=
+               data.calibration.end();
+    };
+    std::vector<std::string> held;
+    const auto add = [&](const char* name, const Quantity& quantity, const std::string& sample) {
+        if (!(quantity.standard_uncertainty.value_or(0) > 0)) return;
+        held.push_back(fmt::format("{} of {} ({:.2g} %)", name, sample,
+                                   100 * *quantity.standard_uncertainty / std::abs(quantity.value)));
+    };
+    for (const SampleContact& contact : contacts.samples) {
+        add("diameter", contact.radius, contact.name);
+        if (!is_free(CalibrationQuantity::density)) add("density", contact.density.quantity, contact.name);
+        if (!is_free(CalibrationQuantity::work_of_adhesion))
+            add("work of adhesion", contact.work_of_adhesion.quantity, contact.name);
+        if (!is_free(CalibrationQuantity::contact_modulus))
+            add("contact modulus", contact.contact_modulus.quantity, contact.name);
+    }
+    if (held.empty()) return std::nullopt;
+    return Finding{
+        "held", Severity::doubt,
+        "the intervals leave out the standard uncertainties of what is held fixed: " + joined(held)};
+}
+
+/// Calibrates and prints. @param conclusion the sentence below the table @param doubts that are known before
 CalibrationSummary print_calibration(const Case& data, CalibrationProblem problem,
                                      std::string (*conclusion)(const CalibrationSummary&), bool json,
-                                     std::ostream& out) {
+                                     std::ostream& out, std::vector<Finding> doubts = {}) {
+    warn_of(doubts);
     CalibrationSummary summary;
     const auto profiles = [&] {
         Progress progress(0, 0, on_terminal(), "trials");
@@ -213,8 +241,9 @@ CalibrationSummary print_calibration(const Case& data, CalibrationProblem proble
         summary = calibrate(problem);
         return profile_constants(problem, summary);
     }();
-    const auto doubts = implausible_constants(data, summary);
-    warn_of(doubts);
+    const auto implausible = implausible_constants(data, summary);
+    warn_of(implausible);
+    doubts.insert(doubts.end(), implausible.begin(), implausible.end());
     const auto velocities =
         rows_of(data, problem.critical_velocities, summary.critical_velocities, Dimension::velocity);
     const auto times = rows_of(data, problem.contact_times, summary.contact_times, Dimension::time);
@@ -290,7 +319,9 @@ void run_calibrate_command(const CommandOptions& options, std::ostream& out) {
         if (data.calibration.empty())
             throw InputError("nothing is free", "calibration.free in the case, or --free").at("/calibration");
         const CalibrationProblem problem = whole_problem();
-        print_calibration(data, problem, conditions_text, options.has("--json"), out);
+        std::vector<Finding> doubts;
+        if (auto held = held_uncertainties(data, run.contact)) doubts.push_back(*std::move(held));
+        print_calibration(data, problem, conditions_text, options.has("--json"), out, std::move(doubts));
     });
 }
 
