@@ -112,8 +112,22 @@ std::string place_of(const Measurement& point, std::size_t index) {
 
 }  // namespace
 
+/// Refuses "80.000", which is 80 or 80000. @throws InputError with both readings
+static void refuse_two_readings(std::string_view number) {
+    const std::size_t mark = number.find_first_not_of("0123456789");
+    const bool may_group = mark > 0 && mark <= 3 && number.size() == mark + 4 && number[mark] == '.' &&
+                           number.front() != '0' &&
+                           number.find_first_not_of("0123456789", mark + 1) == std::string_view::npos;
+    if (!may_group) return;
+    const std::string whole(number.substr(0, mark));
+    const std::string grouped = whole + std::string(number.substr(mark + 1));
+    throw InputError(in_quotes(number) + " is " + std::string(number) + " or " + grouped,
+                     grouped + ", or " + std::string(number) + "0");
+}
+
 double read_frame_rate(std::string_view text) {
     std::string_view rest = trimmed(text);
+    const std::string_view whole = rest;
     double number = 0;
     const bool is_number = take_decimal(rest, number) == std::errc{};
     rest = trimmed(rest);
@@ -123,6 +137,8 @@ double read_frame_rate(std::string_view text) {
         rest.empty() || (known && unit != "rpm" && known->powers == read_unit("Hz")->powers);
     if (!is_number || !is_frequency)
         throw InputError("is " + in_quotes(text), "frames per second, e.g. 80000, \"80 kHz\"");
+    if (!known || known->factor == 1)
+        refuse_two_readings(trimmed(whole.substr(0, whole.find_first_not_of("0123456789."))));
     return number * known->factor;
 }
 
