@@ -101,6 +101,13 @@ std::optional<std::string> meant_with_unit(const PlausibleRange& range, double n
     return std::nullopt;
 }
 
+/// Whether a number lies in its range with the unit that people write mostly: "2.3" for a density. A fraction
+/// needs none.
+bool usual_unit_fits(const PlausibleRange& range, double number) {
+    return range.dimension != Dimension::fraction &&
+           range.holds(to_si(number, range.units.front(), range.dimension));
+}
+
 /// How a value of JSON is written; none if it is no positive quantity of this dimension.
 std::optional<Writing> writing_of(const Json& node, Dimension dimension) {
     try {
@@ -201,7 +208,7 @@ std::optional<Finding> implausible(const PlausibleRange& range, const Writing& w
     const double size = range.either_sign ? std::abs(written.value) : written.value;
     if (!(size > 0) || range.holds(size)) return std::nullopt;
     const std::string unit(si_unit(range.dimension));
-    if (written.number && factor_outside(range, size) >= slip) {
+    if (written.number && (factor_outside(range, size) >= slip || usual_unit_fits(range, *written.number))) {
         const auto meant = meant_with_unit(range, *written.number);
         throw InputError(
             fmt::format("{} has no unit and is {} {}{}", shortest(*written.number), shortest(written.value),

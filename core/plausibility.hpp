@@ -39,7 +39,8 @@ struct Writing {
 };
 
 /// The doubt about a value outside of its range; none if it is inside, or 0.
-/// @throws InputError for a number without a unit a thousand times outside, with the unit that was meant
+/// @throws InputError for a number without a unit that is outside, if it is inside with the usual unit or is
+/// a thousand times outside; with the unit that was meant
 [[nodiscard]] std::optional<Finding> implausible(const PlausibleRange& range, const Writing& written);
 
 /// The same with its place, an option, a key or words, before the text.

@@ -406,7 +406,7 @@ TEST_CASE("the remedy for commas is a number that means what was meant") {
               .starts_with("/value: not a number; allowed"));
 }
 
-TEST_CASE("a value far from what ash has is doubted; a thousand times beyond, its unit must be written") {
+TEST_CASE("a value far from what ash has is doubted; where another unit is likely, it must be written") {
     struct Written {
         const char* option;
         const char* text;
@@ -418,7 +418,8 @@ TEST_CASE("a value far from what ash has is doubted; a thousand times beyond, it
           {"--diameter", "5 mm", ""},
           {"--diameter", "10 nm", ""},
           {"--radius", "3 mm", "--radius: 3 mm is outside of what is plausible, 5 nm to 2.5 mm: is the unit"},
-          {"--diameter", "0.9", "--diameter: 900 mm is outside"},
+          {"--diameter", "0.9", "0.9 has no unit and is 0.9 m, did you mean 0.9 um?", true},
+          {"--diameter", "0.9 m", "--diameter: 900 mm is outside"},
           {"--diameter", "90 m", "--diameter: 90 m is outside of what is plausible, 10 nm to 5 mm"},
           {"--diameter", "90", "--diameter: 90 has no unit and is 90 m, did you mean 90 um?; allowed: 10 nm",
            true},
@@ -428,9 +429,14 @@ TEST_CASE("a value far from what ash has is doubted; a thousand times beyond, it
           {"--wall-young-modulus", "193000 MPa", ""},
           {"--contact-modulus", "5000", "did you mean 5000 MPa?", true},
           {"--roughness", "1", "--roughness: 1 has no unit and is 1 m, did you mean 1 nm?", true},
-          {"--density", "2.3", "--density: 2.3 kg/m3 is outside of what is plausible, 50 to 25,000 kg/m3"},
+          {"--density", "2.3", "--density: 2.3 has no unit and is 2.3 kg/m3, did you mean 2.3 g/cm3?", true},
+          {"--density", "2.3 kg/m3",
+           "--density: 2.3 kg/m3 is outside of what is plausible, 50 to 25,000 kg/m3"},
+          {"--density", "30", "--density: 30 kg/m3 is outside"},
           {"--density", "2.3 g/cm3", ""},
-          {"--work-of-adhesion", "300", "--work-of-adhesion: 300 J/m2 is outside"},
+          {"--work-of-adhesion", "300", "did you mean 300 mJ/m2?", true},
+          {"--work-of-adhesion", "300 J/m2", "--work-of-adhesion: 300 J/m2 is outside"},
+          {"--friction", "20", "--friction: 20 is outside of what is plausible, 0.001 to 2"},
           {"--work-of-adhesion", "30000", "did you mean 30000 uJ/m2?", true},
           {"--work-of-adhesion", "0", ""},
           {"--velocity", "3000 m/s",

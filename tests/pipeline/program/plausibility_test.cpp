@@ -41,6 +41,8 @@ TEST_CASE("a bare number far from what ash has is refused at every door, with th
                      "/samples/0/diameter: 90 has no unit and is 90 m, did you "
                      "mean 90 um?; allowed: 10 nm to 5 mm; beyond that a number"},
           {"/samples/0/diameter", Json(90), "did you mean 90 um?"},
+          {"/samples/0/density", Json(2.3),
+           "/samples/0/density: 2.3 has no unit and is 2.3 kg/m3, did you mean 2.3 g/cm3?"},
           {"/wall/young_modulus", Json(193),
            "/wall/young_modulus: 193 has no unit and is 193 Pa, did you mean 193 GPa"},
           {"/particle", Json{{"contact_modulus", "90"}}, "/particle/contact_modulus: 90 has no unit"},
