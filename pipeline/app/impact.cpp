@@ -295,8 +295,6 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
              fmt::format("Tabor parameter {:.3g} < 0.1: a hard contact, for which W_s and v_s, of a JKR "
                          "contact, are far too great; maugis-dugdale holds",
                          tabor)});
-    warn_of(computed);
-    doubts.insert(doubts.end(), computed.begin(), computed.end());
     TextList list;
     list.add("E*, contact modulus", readable(pair.contact_modulus, "Pa"));
     list.add("R*, effective radius", readable(pair.effective_radius, "m"));
@@ -310,7 +308,9 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
     if (damped) add_damping_lines(list, choice.damping, pair);
     if (soft) add_softened(list, *soft);
     Json at_rest = Json::object();
-    add_static_contacts(options, contact, at_rest, list);
+    add_static_contacts(options, contact, at_rest, list, computed);
+    warn_of(computed);
+    doubts.insert(doubts.end(), computed.begin(), computed.end());
     if (options.has("--json")) {
         Json json{{"contact_modulus", quantity_json(pair.contact_modulus, Dimension::pressure)},
                   {"effective_radius", quantity_json(pair.effective_radius, Dimension::length)},

@@ -204,9 +204,8 @@ class Judge {
     void warn_of_geometry() {
         if (regime_.relative_overlap > 1.0) {
             warn("overlap exceeds the radius: outside the theory");
-        } else if (regime_.relative_contact_radius > widest_contact) {
-            warn(fmt::format("contact radius is {:.3g} of the radius: contact laws assume it small",
-                             regime_.relative_contact_radius));
+        } else if (const auto finding = wide_contact_finding(regime_.relative_contact_radius)) {
+            regime_.warnings.push_back(*finding);
         }
     }
 
@@ -220,6 +219,13 @@ class Judge {
 };
 
 }  // namespace
+
+std::optional<Finding> wide_contact_finding(double relative_radius) {
+    if (!(relative_radius > widest_contact)) return std::nullopt;
+    return Finding{
+        regime_code, Severity::remark,
+        fmt::format("contact radius is {:.3g} of the radius: contact laws assume it small", relative_radius)};
+}
 
 double transition_parameter_of(const ContactPair& contact) {
     if (contact.work_of_adhesion == 0.0) return 0.0;

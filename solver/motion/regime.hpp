@@ -42,6 +42,9 @@ inline constexpr double usual_separation = 0.4e-9;
 /// a/R* beyond which the parabolic geometry that every law here assumes is off by 2 % in overlap.
 inline constexpr double widest_contact = 0.3;
 
+/// The finding that a contact is wider than widest_contact. @param relative_radius a/R* [1]
+[[nodiscard]] std::optional<Finding> wide_contact_finding(double relative_radius);
+
 /// Maugis' transition parameter of a pair [1]: from the cohesion that it states for law maugis-dugdale, else
 /// of surfaces with the usual_separation; 0 without adhesion.
 [[nodiscard]] double transition_parameter_of(const ContactPair& contact);

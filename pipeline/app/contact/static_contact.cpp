@@ -15,6 +15,7 @@
 #include "solver/contact/mechanics.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/contact/static_curve.hpp"
+#include "solver/motion/regime.hpp"
 
 namespace ashimpact {
 
@@ -64,13 +65,19 @@ void add_static_options(Command& command) {
 }
 
 void add_static_contacts(const CommandOptions& options, const ContactChoice& contact, Json& json,
-                         TextList& list) {
+                         TextList& list, std::vector<Finding>& findings) {
     const ContactPair& pair = contact.contact;
+    const auto judge = [&](const std::vector<double>& radii) {
+        const double widest = radii.empty() ? 0 : std::ranges::max(radii);
+        if (const auto finding = wide_contact_finding(widest / pair.effective_radius))
+            findings.push_back(*finding);
+    };
     const bool by_force = options.has("--force");
     if (!by_force && !options.has("--contact-radius")) {
         if (options.has("--pressure"))
             throw InputError("belongs to a contact at rest", "with --contact-radius or --force")
                 .at("--pressure");
+        judge(jkr_radii(pair, 0));
         return;
     }
     if (by_force && options.has("--contact-radius"))
@@ -79,7 +86,9 @@ void add_static_contacts(const CommandOptions& options, const ContactChoice& con
     const StaticCurve curve(adhesive ? Law::of<Jkr>() : Law::of<Hertz>(), pair);
     json["static"] = Json::array();
     const double sphere = std::min(contact.sphere.radius, contact.partner.value_or(contact.sphere).radius);
-    for (const double radius : read_radii(options, curve, pair)) {
+    const std::vector<double> radii = read_radii(options, curve, pair);
+    judge(radii);
+    for (const double radius : radii) {
         if (radius > sphere)
             throw InputError(
                 fmt::format("the contact has a radius of {}, which is more than that of the sphere",

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
+#include "core/finding.hpp"
 #include "core/json/document.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/contact/single_contact.hpp"
@@ -13,8 +16,9 @@ namespace ashimpact {
 void add_static_options(Command& command);
 
 /// Adds the contacts at rest that the options name to a JSON object, as `static`, and to a list; writes the
-/// file of --pressure. @throws InputError naming the option, for a contact larger than a sphere too
+/// file of --pressure. Findings are of the widest one, or of the contact without a force where none is named.
+/// @throws InputError naming the option, for a contact larger than a sphere too
 void add_static_contacts(const CommandOptions& options, const ContactChoice& contact, Json& json,
-                         TextList& list);
+                         TextList& list, std::vector<Finding>& findings);
 
 }  // namespace ashimpact
