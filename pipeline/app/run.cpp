@@ -62,6 +62,7 @@ std::optional<Stated> stated_temperature(const CommandOptions& options) {
 }
 
 void run_run_command(const CommandOptions& options, std::ostream& out) {
+    StepLine line(on_terminal() && !spdlog::should_log(spdlog::level::debug));
     const RunPlan plan{.case_file = options.if_given("case"),
                        .folder = options["--output"],
                        .from = options["--from"],
@@ -69,8 +70,10 @@ void run_run_command(const CommandOptions& options, std::ostream& out) {
                        .report = !options.has("--no-report"),
                        .figures = options.has("--figures"),
                        .allow_outside = options.has("--allow-outside"),
-                       .temperature = stated_temperature(options)};
+                       .temperature = stated_temperature(options),
+                       .on_step = [&](const std::string& step) { line.show(step); }};
     const RunSummary summary = run_stages(plan);
+    line.clear();
     tell(summary);
     for (const Artifact& artifact : summary.written)
         if (artifact.file == comparison_artifact)

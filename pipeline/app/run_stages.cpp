@@ -361,6 +361,15 @@ Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::st
     return computed(case_file, last_stage, allow_outside).second;
 }
 
+static void compute_range(const RunPlan& plan, const Range& range, Work& work, RunSummary& summary) {
+    for (std::size_t i = range.first; i < range.end; ++i) {
+        if (plan.on_step)
+            plan.on_step(fmt::format("step {} of {}: {}", i + 1, stages().size(), stages()[i].name));
+        summary.written.push_back(add_stage(stages()[i], work));
+        spdlog::debug("{}: done", stages()[i].name);
+    }
+}
+
 RunSummary run_stages(const RunPlan& plan) {
     const Range range = range_of(plan);
     if (plan.figures) report::require_converter(report::FigureFormat::pdf);
@@ -392,10 +401,7 @@ RunSummary run_stages(const RunPlan& plan) {
         require_up_to_date(work.all, [&](std::string_view file) { return work.artifacts.has(file); });
         require_edits_to_count(work.artifacts, work.models);
     }
-    for (std::size_t i = range.first; i < range.end; ++i) {
-        summary.written.push_back(add_stage(stages()[i], work));
-        spdlog::debug("{}: done", stages()[i].name);
-    }
+    compute_range(plan, range, work, summary);
     work.all.insert(work.all.end(), later.begin(), later.end());
     summary.written.push_back(manifest_of(plan, work.all, summary.written));
     summarize(work.all, summary);

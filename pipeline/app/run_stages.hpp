@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ struct RunPlan {
     bool figures = false;                 ///< every figure as a file of its own, in the folder "figures"
     bool allow_outside = false;           ///< the case may name files outside its own folder
     std::optional<Stated> temperature{};  ///< of particle and wall, instead of those of the case [K]
+    std::function<void(const std::string& step)> on_step{};  ///< called as each stage begins
 };
 
 /// A finished run.

@@ -24,6 +24,7 @@ constexpr std::string_view yellow = "\x1b[33m";
 constexpr std::string_view red = "\x1b[31m";
 constexpr std::string_view plain = "\x1b[0m";
 constexpr std::string_view warning_word = "warning:";
+constexpr const char* clear_line = "\r\x1b[K";
 
 enum class Color { automatic, always, never };
 Color color_choice = Color::automatic;
@@ -267,7 +268,7 @@ Progress::Progress(std::uint64_t total, std::uint64_t done, bool shown, const ch
     : total_(total), before_(done), shown_(shown), noun_(noun) {}
 
 Progress::~Progress() {
-    if (dirty_) std::fputs("\r\x1b[K", stderr);
+    if (dirty_) std::fputs(clear_line, stderr);
 }
 
 void Progress::update(std::uint64_t done) {
@@ -277,12 +278,23 @@ void Progress::update(std::uint64_t done) {
     const double seconds = std::chrono::duration<double>(now - start_).count();
     const double rate = static_cast<double>(done - before_) / seconds;
     const std::string line = total_ == 0
-                                 ? fmt::format("\r\x1b[K{} {} in {}", done, noun_, time_text(seconds))
-                                 : fmt::format("\r\x1b[K{:5.1f} %, {}, {} left",
+                                 ? fmt::format("{}{} {} in {}", clear_line, done, noun_, time_text(seconds))
+                                 : fmt::format("{}{:5.1f} %, {}, {} left", clear_line,
                                                100 * static_cast<double>(done) / static_cast<double>(total_),
                                                rate_text(rate, total_, noun_),
                                                time_text(static_cast<double>(total_ - done) / rate));
     std::fputs(line.c_str(), stderr);
+    dirty_ = true;
+}
+
+void StepLine::clear() {
+    if (dirty_) std::fputs(clear_line, stderr);
+    dirty_ = false;
+}
+
+void StepLine::show(const std::string& step) {
+    if (!shown_) return;
+    std::fputs((clear_line + step).c_str(), stderr);
     dirty_ = true;
 }
 

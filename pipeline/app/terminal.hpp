@@ -82,6 +82,22 @@ class Progress {
     Clock::time_point last_{};
 };
 
+/// The step of a computation as one line on standard error, shown from its begin on; removed at the end.
+class StepLine {
+  public:
+    explicit StepLine(bool shown) : shown_(shown) {}
+    ~StepLine() { clear(); }
+    StepLine(const StepLine&) = delete;
+    StepLine& operator=(const StepLine&) = delete;
+
+    void show(const std::string& step);
+    void clear();
+
+  private:
+    bool shown_;
+    bool dirty_ = false;
+};
+
 /// Whether standard error is a terminal.
 [[nodiscard]] bool on_terminal();
 
