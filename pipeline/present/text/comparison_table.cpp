@@ -77,6 +77,10 @@ std::string assumptions_text(const ComparisonResult& result, std::size_t width) 
             of_impacts = true;
             continue;
         }
+        if (std::ranges::none_of(sample.laws, [](const auto& each) {
+                return each.second.velocity && each.second.velocity->interval;
+            }))
+            continue;
         for (const std::string& name : sample.taken_as_exact)
             if (std::ranges::find(exact, name) == exact.end()) exact.push_back(name);
     }

@@ -190,6 +190,7 @@ TEST_CASE("of a run v_c by size counts, and beyond the measured sizes the headli
     const Finished finished = succeeded(sandbox, "deposit" + superheater + ash);
     CHECK(finished.out.starts_with("This is outside of what the data support"));
     CHECK(finished.out == containing("What this is not"));
+    CHECK(finished.err == containing("and the fastest impact of the run has"));
     const Json first = sandbox.json("tube/deposit.json");
     const Json& result = first["result"];
     CHECK(result["assumption"] == "tsuji");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What counts for nothing is said, what mixes two states or two runs is refused.
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <tuple>
@@ -283,6 +284,57 @@ TEST_CASE("run names what changes nothing in a case, calibrate too") {
     sandbox.write("case.json", document.dump());
     CHECK(ashimpact_program(sandbox, "calibrate case.json --free density").err ==
           containing("warning: /camera changes nothing, as no sample has measured impacts"));
+    document["samples"][0]["diameter"] = "88 +- 3 um";
+    sandbox.write("case.json", document.dump());
+    CHECK(ashimpact_program(sandbox, "calibrate case.json --free density").err ==
+          containing("leave out the standard uncertainties of what is held fixed: diameter of fine (3.4 %)"));
+}
+
+TEST_CASE(
+    "where the damping is held v_c depends on the contact, whose pores are drawn once for mass and modulus") {
+    const Sandbox sandbox;
+    Json document = test::with_one_sample(test::example_case(), {"hertz"});
+    document["uncertainty"] = {{"damping", "held"}, {"samples", 512}};
+    document["wall"] = {{"rigid", true}};
+    document["phases"] = Json::parse(
+        R"([{"name": "own glass", "amorphous": true, "density": "2600 kg/m3", "poisson_ratio": 0.25,
+             "young_modulus": {"value": 80, "unit": "GPa", "standard_uncertainty": 0}}])");
+    Json& sample = document["samples"][0];
+    sample["composition"] = {{"weight_fractions", {{"own glass", 1}}}};
+    sample["porosity"] = Json::parse(R"({"law": "gibson-ashby", "value": "20 +- 5 %"})");
+    sample.erase("density");
+    test::write_example(sandbox, document);
+    const auto run = test::succeeded(sandbox, "run case.json -o out --no-report");
+    CHECK(run.out != containing("The impacts give v_c"));
+    CHECK(run.out == containing("Taken as exact in the intervals, no uncertainty being stated: diameter"));
+    CHECK(run.out == containing("of samples"));
+    // Hertz: v_c ~ (m^3 E*^2)^-1 ~ (1 - P)^-7.
+    const Json velocity = sandbox.json("out/7-critical-velocity.json")["result"]["samples"][0]["hertz"];
+    const auto ratio_at = [&](const char* end) {
+        return velocity["interval"][end]["value"].get<double>() /
+               velocity["critical_velocity"]["value"].get<double>();
+    };
+    const double z = 1.96 * 0.05;
+    CHECK(ratio_at("lower") == doctest::Approx(std::pow((0.8 + z) / 0.8, -7)).epsilon(0.03));
+    CHECK(ratio_at("upper") == doctest::Approx(std::pow((0.8 - z) / 0.8, -7)).epsilon(0.03));
+
+    check_refused(sandbox, "run case.json -o out --temperature '900 +- 50 C'",
+                  "--temperature: \"900 +- 50 C\" states an uncertainty, which nothing here uses");
+    document["camera"]["frame_rate"] = "80.000";
+    sandbox.write("case.json", document.dump());
+    check_refused(sandbox, "run case.json -o out",
+                  "/camera/frame_rate: \"80.000\" is 80.000 or 80000; allowed: 80000, or 80.0000");
+}
+
+TEST_CASE("a contact at rest that is wide is warned of") {
+    const Sandbox sandbox;
+    const std::string soft =
+        "contact --diameter '5 um' --density '2300 kg/m3' --work-of-adhesion '0.3 J/m2' --contact-modulus ";
+    for (const char* at : {"'20 MPa'", "'20 MPa' --force '0.1 uN'"})
+        CHECK(test::succeeded(sandbox, soft + at).err == containing("warning: contact radius is 0.44"));
+    CHECK(test::succeeded(sandbox, soft + "'20 MPa' --contact-radius '2 um'").err ==
+          containing("warning: contact radius is 0.8 of the radius"));
+    CHECK(test::succeeded(sandbox, soft + "'20 GPa'").err.empty());
 }
 
 TEST_CASE("energy that rounding leaves is not shown as dissipated") {
