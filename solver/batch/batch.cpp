@@ -269,6 +269,18 @@ Answer read(PieceState state, double value) {
     return std::nullopt;
 }
 
+/// The answer of the table of one problem, if there is one.
+Answer from_table(const CriticalVelocityProblem& problem) {
+    const auto& [law, detachment, damping, contact] = problem;
+    if (!has_tables(law, damping.law)) return std::nullopt;
+    Inputs inputs = batch::inputs_of(law, damping.law, contact);
+    inputs.damping = {&damping.coefficient, 1};
+    PieceState state = PieceState::undecided;
+    double value = 0.0;
+    look_up({law, detachment, damping.law, 1, inputs}, &state, &value);
+    return read(state, value);
+}
+
 /// The answer that needs neither a table nor an integration, if there is one.
 Answer closed_form(const CriticalVelocityProblem& problem) {
     const auto& [law, detachment, damping, contact] = problem;
@@ -368,20 +380,20 @@ DampingBatchResult dampings_from_restitutions(const DampingBatch& batch, int thr
 std::optional<CriticalVelocity> critical_velocity_without_integration(
     const CriticalVelocityProblem& problem) {
     if (const Answer answer = closed_form(problem)) return answer;
-    const auto& [law, detachment, damping, contact] = problem;
-    Inputs inputs = batch::inputs_of(law, damping.law, contact);
-    inputs.damping = {&damping.coefficient, 1};
-    PieceState state = PieceState::undecided;
-    double value = 0.0;
-    if (law.self_similar() && has_tables(law, damping.law))
-        look_up({law, detachment, damping.law, 1, inputs}, &state, &value);
-    return read(state, value);
+    return problem.law.self_similar() ? from_table(problem) : std::nullopt;
 }
 
 CriticalVelocity tabulated_critical_velocity(const CriticalVelocityProblem& problem) {
     validate(Impact{problem.law, problem.detachment, problem.damping, problem.contact, 1.0});
     const auto known = critical_velocity_without_integration(problem);
     return known ? *known : critical_velocity(problem);
+}
+
+CriticalVelocity critical_velocity_of_many(const CriticalVelocityProblem& problem) {
+    validate(Impact{problem.law, problem.detachment, problem.damping, problem.contact, 1.0});
+    if (const Answer answer = closed_form(problem)) return *answer;
+    if (const Answer answer = from_table(problem)) return *answer;
+    return critical_velocity(problem);
 }
 
 CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& batch, int threads,

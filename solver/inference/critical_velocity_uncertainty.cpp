@@ -10,7 +10,6 @@
 #include "materials/contact_properties.hpp"
 #include "solver/batch/batch.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
-#include "solver/surrogate/cohesive_velocity_map.hpp"
 
 namespace ashimpact {
 
@@ -164,28 +163,6 @@ void require_same(const ContactPair& a, const ContactPair& b) {
                          "inputs whose values give the contact of the model");
 }
 
-/// Map for the critical velocities of a propagation with law maugis-dugdale.
-/// @param problem_at the problem at some values of the inputs
-template <class ProblemAt>
-CohesiveVelocityMap cohesive_map(const std::vector<RandomInput>& inputs, ProblemAt&& problem_at) {
-    constexpr double deviations = 5;  // a draw beyond is solved
-    std::vector<double> values;
-    values.reserve(inputs.size());
-    for (const RandomInput& input : inputs) values.push_back(input.value);
-    const CriticalVelocityProblem nominal = problem_at(values);
-    const CohesiveNumbers centre = cohesive_numbers(nominal);
-    std::array<double, 2> variance{};
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (inputs[i].standard_uncertainty == 0.0) continue;
-        std::vector<double> moved = values;
-        moved[i] += inputs[i].standard_uncertainty;
-        const CohesiveNumbers numbers = cohesive_numbers(problem_at(moved));
-        variance[0] += std::pow(std::log(numbers.damping / centre.damping), 2);
-        variance[1] += std::pow(std::log(numbers.lambda / centre.lambda), 2);
-    }
-    return {nominal, {deviations * std::sqrt(variance[0]), deviations * std::sqrt(variance[1])}};
-}
-
 }  // namespace
 
 ContactPair RandomContact::nominal() const {
@@ -300,18 +277,8 @@ Propagation propagate_critical_velocity(Law law, Detachment detachment, const Ra
     const auto problem_at = [&](std::span<const double> values) -> CriticalVelocityProblem {
         return {law, detachment, {DampingLaw::constant, values[0]}, contact.contact(values.subspan(1))};
     };
-    if (is_cohesive(law, contact.nominal())) {
-        const CohesiveVelocityMap map = cohesive_map(inputs, problem_at);
-        return propagate(
-            inputs,
-            [&](std::span<const double> values) -> std::optional<double> {
-                const CriticalVelocityProblem problem = problem_at(values);
-                return is_cohesive(law, problem.contact) ? map(problem) : critical_velocity(problem).value;
-            },
-            options);
-    }
     const auto critical = [&](std::span<const double> values) {
-        return tabulated_critical_velocity(problem_at(values)).value;
+        return critical_velocity_of_many(problem_at(values)).value;
     };
     return propagate(inputs, critical, options);
 }

@@ -92,7 +92,7 @@ enum class DampingUnderChange {
                                                       const PropagationOptions& options = {});
 
 /// The same from a critical damping that is known by itself, such as one of the paper's Table 3; of every
-/// law whose contact does not yield. Those of law maugis-dugdale are read from a CohesiveVelocityMap.
+/// law whose contact does not yield, by critical_velocity_of_many().
 [[nodiscard]] Propagation propagate_critical_velocity(Law law, Detachment detachment,
                                                       const RandomInput& critical_damping,
                                                       const RandomContact& contact,

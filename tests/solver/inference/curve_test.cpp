@@ -17,7 +17,6 @@
 #include "solver/numeric/gsl/statistics.hpp"
 #include "solver/statistics/moments.hpp"
 #include "solver/statistics/propagation.hpp"
-#include "solver/surrogate/cohesive_velocity_map.hpp"
 #include "tests/solver/inference/ash_laboratory.hpp"
 #include "tests/support/checks.hpp"
 
@@ -483,7 +482,7 @@ TEST_CASE("Hertz: v_c goes with eta^5/(m^3 k^2), so relative uncertainties are k
     CHECK(std::abs(influence_of(result, "contact modulus").total.value - 0.32) < 0.03);
 }
 
-TEST_CASE("maugis-dugdale: draws are read from a map, that gives each as the solver does") {
+TEST_CASE("maugis-dugdale: draws are read from tables, that give each as the solver does") {
     const RandomContact contact = random_contact(
         {.diameter = {"diameter", 8e-6},
          .density = RandomInput{"density", 2158.5, 20.0},
@@ -494,7 +493,8 @@ TEST_CASE("maugis-dugdale: draws are read from a map, that gives each as the sol
         .name = fit_factor, .value = 2e-4, .standard_uncertainty = 1e-5, .distribution = lognormal_around};
     const Law law = Law::of<MaugisDugdale>();
     const PropagationOptions few{.samples = 16, .replicates = 4};
-    const Propagation mapped = propagate_critical_velocity(law, Detachment::pull_off, damping, contact, few);
+    const Propagation tabulated =
+        propagate_critical_velocity(law, Detachment::pull_off, damping, contact, few);
     std::vector<RandomInput> inputs{damping};
     inputs.insert(inputs.end(), contact.inputs.begin(), contact.inputs.end());
     const auto solved = [&](std::span<const double> values) {
@@ -505,40 +505,14 @@ TEST_CASE("maugis-dugdale: draws are read from a map, that gives each as the sol
             .value;
     };
     const Propagation exact = propagate(inputs, solved, few);
-    CHECK(relative_difference(mapped.interval.value, exact.interval.value) < CohesiveVelocityMap::accuracy());
-    CHECK(relative_difference(mapped.median, exact.median) < CohesiveVelocityMap::accuracy());
-    CHECK(relative_difference(*mapped.interval.lower, *exact.interval.lower) <
-          CohesiveVelocityMap::accuracy());
-    CHECK(relative_difference(*mapped.interval.upper, *exact.interval.upper) <
-          CohesiveVelocityMap::accuracy());
-    CHECK(mapped.influences.size() == 5);
-    CHECK(influence_of(mapped, "cohesion_range").total.value > 1e-6);
-    CHECK(relative_difference(influence_of(mapped, "work of adhesion").total.value,
+    CHECK(relative_difference(tabulated.interval.value, exact.interval.value) < 1e-8);
+    CHECK(relative_difference(tabulated.median, exact.median) < 1e-8);
+    CHECK(relative_difference(*tabulated.interval.lower, *exact.interval.lower) < 1e-8);
+    CHECK(relative_difference(*tabulated.interval.upper, *exact.interval.upper) < 1e-8);
+    CHECK(tabulated.influences.size() == 5);
+    CHECK(influence_of(tabulated, "cohesion_range").total.value > 1e-6);
+    CHECK(relative_difference(influence_of(tabulated, "work of adhesion").total.value,
                               influence_of(exact, "work of adhesion").total.value) < 1e-4);
-}
-
-TEST_CASE("a map of critical velocities: within its accuracy, beyond it solved, of every damping law") {
-    ContactPair pair{
-        .mass = 1e-12, .effective_radius = 4e-6, .contact_modulus = 90e9, .work_of_adhesion = 0.3};
-    // At Tabor 1 the map would cross lambda = 0.94, where force over overlap gets a fold and v_c is not
-    // smooth: all of it is solved.
-    for (const double tabor : {2.0, 1.0})
-        for (const auto& [damping_law, coefficient] :
-             {std::pair{DampingLaw::constant, 2e-4}, std::pair{DampingLaw::tsuji, 0.2}}) {
-            pair.parameters = {{stated_tabor.name, tabor}};
-            CriticalVelocityProblem problem{
-                Law::of<MaugisDugdale>(), Detachment::pull_off, {damping_law, coefficient}, pair};
-            const CohesiveVelocityMap map(problem, {0.4, 0.3});
-            for (const double share : {0.68, 0.8, 0.99, 1.2, 1.45, 3.0}) {  // the last one lies outside
-                problem.damping.coefficient = coefficient * share;
-                problem.contact.parameters = {{stated_tabor.name, tabor * std::pow(share, -0.7)}};
-                CHECK(map.holds(cohesive_numbers(problem)) == (tabor > 1 && share < 1.5));
-                const auto read = map(problem);
-                REQUIRE(read.has_value());
-                CHECK(relative_difference(*read, *critical_velocity(problem).value) <
-                      CohesiveVelocityMap::accuracy());
-            }
-        }
 }
 
 TEST_CASE(
