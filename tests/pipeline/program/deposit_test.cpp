@@ -374,9 +374,10 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
     }
     check_refused(sandbox, "deposit" + superheater + " --sizes '20 um'",
                   "neither a run nor a contact is given");
-    CHECK(succeeded(sandbox,
-                    "deposit --tube-diameter 38 --gas-velocity 12 --gas-temperature '900 C' -o far" + sized)
-              .err == containing("--tube-diameter: 38 m is outside of what is plausible"));
+    CHECK(
+        succeeded(sandbox,
+                  "deposit --tube-diameter '38 m' --gas-velocity 12 --gas-temperature '900 C' -o far" + sized)
+            .err == containing("--tube-diameter: 38 m is outside of what is plausible"));
     sandbox.write("tube/deposit.json", "{}");
     check_refused(sandbox, "deposit" + superheater + sized,
                   "deposit.json: is there already, and is nothing that this command writes");

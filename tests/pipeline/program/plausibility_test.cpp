@@ -205,14 +205,15 @@ TEST_CASE("a bare number in an edited 0-case.json is checked as one of a case fi
          {std::pair{
               "/result/samples/0/diameter = 88",
               "0-case.json: /result/samples/0/diameter: 88 has no unit and is 88 m, did you mean 88 um?"},
+          {"/result/samples/0/work_of_adhesion = 300",
+           "/result/samples/0/work_of_adhesion: 300 has no unit and is 300 J/m2, did you mean 300 mJ/m2?"},
           {"/result/roughness = 5", "0-case.json: /result/roughness: 5 has no unit and is 5 m"}}) {
         CAPTURE(edits);
         edit(edits);
         check_refused(sandbox, "run -o out --from modulus", says);
     }
-    edit("/result/samples/0/work_of_adhesion = 300 ; /result/friction = 20");
+    edit("/result/samples/0/density = 30 ; /result/friction = 20");
     const auto run = test::succeeded(sandbox, "run -o out --from modulus");
-    CHECK(run.err ==
-          containing("/result/samples/0/work_of_adhesion: 300 J/m2 is outside of what is plausible"));
+    CHECK(run.err == containing("/result/samples/0/density: 30 kg/m3 is outside of what is plausible"));
     CHECK(run.err == containing("/result/friction: 20 is outside of what is plausible"));
 }
