@@ -478,7 +478,7 @@ TEST_CASE("a value far from what ash has is doubted; where another unit is likel
 TEST_CASE("quantities of a document are doubted by their keys, a column once") {
     const json document = json::parse(
         R"({"diameter": "9 m", "phases": [{"density": {"value": 2.65, "unit": "kg/m3", "range": [2, 3]}}],
-            "work_of_adhesion": {"surface_energies": {"particle": 400, "wall": "0.5 J/m2"}, "rule": "dupre"},
+            "work_of_adhesion": {"surface_energies": {"particle": "400 J/m2", "wall": "0.5 J/m2"}, "rule": "dupre"},
             "radius": {"distribution": "log-normal", "median": "4 cm", "geometric_standard_deviation": 1.5},
             "velocity": {"values": [1, 2500000, 3000000], "unit": "mm/s"}, "density": 2300})");
     const json shares = json::parse(R"({"relative_standard_uncertainties": {"density": 0.002}})");
@@ -492,7 +492,7 @@ TEST_CASE("quantities of a document are doubted by their keys, a column once") {
                                              "/work_of_adhesion/surface_energies/particle", "/radius/median",
                                              "/velocity/values/1"});  // the first that is outside
     CHECK(input_error_of([&] {
-              return implausible_values(json::parse(R"({"radius": [1e-6, 0.1, 44]})"));
+              return implausible_values(json::parse(R"({"radius": [1e-6, "0.1 m", 44]})"));
           }).starts_with("/radius/2: 44 has no unit"));
     CHECK(critical_velocity_text(499, "499 m/s") == "499 m/s");
     CHECK(critical_velocity_text(2.4e16, "") == "above 500 m/s, outside the model");
