@@ -78,6 +78,7 @@ void run_run_command(const CommandOptions& options, std::ostream& out) {
     for (const Artifact& artifact : summary.written)
         if (artifact.file == comparison_artifact)
             out << comparison_text(artifact.document->at("result"), output_width(), summary.scope) << '\n';
+    out << summary.inputs;
     const auto answer = std::ranges::find(summary.written, critical_velocity_artifact, &Artifact::file);
     const Artifact& shown = answer == summary.written.end() ? summary.written.front() : *answer;
     out << fmt::format("{} artifacts in {}. One of them as tables:\n  {} inspect {}\n",

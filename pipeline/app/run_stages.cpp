@@ -406,6 +406,7 @@ RunSummary run_stages(const RunPlan& plan) {
     summary.written.push_back(manifest_of(plan, work.all, summary.written));
     summarize(work.all, summary);
     summary.scope = scope_sentence(work.run.data);
+    summary.inputs = inputs_text(work.run);
     folder.write(summary.written, presentation(plan, work, summary));
     return summary;
 }

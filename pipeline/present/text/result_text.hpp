@@ -74,6 +74,10 @@ struct Answer {
 /// dry, at room temperature, smooth surfaces; not stated: temperature, roughness."
 [[nodiscard]] std::string scope_sentence(const Case& data);
 
+/// What a run read of its samples, so that a file that was understood otherwise than meant can be seen: size,
+/// density, phases by weight, and the ranges of the impacts with their uncertainties. The first six samples.
+[[nodiscard]] std::string inputs_text(const Run& run, std::size_t width = output_width());
+
 /// The same of the result of comparison.json. @throws InputError for values that no stage can have written
 [[nodiscard]] std::string comparison_text(Json result, std::size_t width = output_width(),
                                           const std::string& scope = {});

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/quantities/quantity.hpp"
+#include "pipeline/present/text/result_text.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr std::size_t most_samples = 6;  // shown; a case may have thousands
+
+/// "1.4 to 4.6 m/s", or one value where the ends print alike. Empty without values.
+std::string range_text(const std::vector<double>& values, const std::string& unit) {
+    if (values.empty()) return {};
+    const auto [least, greatest] = std::ranges::minmax(values);
+    const std::string from = readable_number(least, 3), to = readable_number(greatest, 3);
+    return from + (from == to ? "" : " to " + to) + (unit.empty() ? "" : " " + unit);
+}
+
+std::vector<double> values_of(const std::vector<Measurement>& points,
+                              const std::function<double(const Measurement&)>& value) {
+    std::vector<double> values(points.size());
+    std::transform(points.begin(), points.end(), values.begin(), value);
+    return values;
+}
+
+std::string impacts_text(const MeasurementSet& set) {
+    const auto& points = set.points;
+    const std::size_t impacts =
+        std::accumulate(points.begin(), points.end(), std::size_t{0},
+                        [](std::size_t sum, const Measurement& point) { return sum + point.count; });
+    std::string text = impacts == points.size()
+                           ? fmt::format("{} impacts", impacts)
+                           : fmt::format("{} means of {} impacts", points.size(), impacts);
+    text += ", v_in " + range_text(values_of(points, &Measurement::velocity), "m/s");
+    std::vector<Measurement> rebounds;
+    std::ranges::copy_if(points, std::back_inserter(rebounds), std::not_fn(&Measurement::captured));
+    if (!rebounds.empty()) text += ", e_n " + range_text(values_of(rebounds, &Measurement::restitution), "");
+    text += fmt::format(", {} captured", set.captures());
+    if (!set.has_noise()) return text + ", no uncertainties";
+    const auto deviation = [&](double VelocityNoise::*variance, const std::vector<Measurement>& of) {
+        return range_text(
+            values_of(of, [&](const Measurement& point) { return std::sqrt((*point.noise).*variance); }),
+            "m/s");
+    };
+    text += ", u(v_in) " + deviation(&VelocityNoise::incident, points);
+    return rebounds.empty() ? text : text + ", u(v_r) " + deviation(&VelocityNoise::rebound, rebounds);
+}
+
+std::string phases_text(const SampleModulus& modulus) {
+    std::string text;
+    for (const PhaseShare& share : modulus.phases)
+        text +=
+            (text.empty() ? "" : ", ") + share.phase + " " + readable_number(100 * share.weight_fraction, 3);
+    return text + " % by weight";
+}
+
+}  // namespace
+
+std::string inputs_text(const Run& run, std::size_t width) {
+    std::string text = "What was read of each sample:\n\n";
+    const auto& samples = run.data.samples;
+    for (std::size_t i = 0; i < std::min(samples.size(), most_samples); ++i) {
+        const Sample& sample = samples[i];
+        std::string line = sample.name + ": " + readable(sample.diameter.quantity);
+        if (sample.density) line += ", " + readable(sample.density->quantity);
+        if (i < run.modulus.samples.size()) line += "; " + phases_text(run.modulus.samples[i]);
+        const auto* source = sample.restitution ? &*sample.restitution : nullptr;
+        if (const auto* measured = source ? std::get_if<MeasuredRestitution>(source) : nullptr)
+            line += "; " + impacts_text(measured->impacts);
+        text += wrapped(line, width, 2) + "\n";
+    }
+    if (samples.size() > most_samples)
+        text += fmt::format("and {} more samples\n", samples.size() - most_samples);
+    return text + "\n";
+}
+
+}  // namespace ashimpact
