@@ -386,7 +386,7 @@ std::optional<CriticalVelocity> critical_velocity_without_integration(
 CriticalVelocity tabulated_critical_velocity(const CriticalVelocityProblem& problem) {
     validate(Impact{problem.law, problem.detachment, problem.damping, problem.contact, 1.0});
     const auto known = critical_velocity_without_integration(problem);
-    return known ? *known : critical_velocity(problem);
+    return known ? *known : critical_velocity(problem, Precision::standard);
 }
 
 CriticalVelocity critical_velocity_of_many(const CriticalVelocityProblem& problem) {

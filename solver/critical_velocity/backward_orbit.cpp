@@ -16,10 +16,11 @@ namespace ashimpact {
 namespace {
 
 /// Where a critical orbit is followed backward from: at, or just before, the end of contact.
+template <class Real>
 struct Arrival {
-    MotionState<Extended> state;
-    Extended dissipated_after = 0;           ///< work of damping from that state to the end
-    std::optional<Extended> time_after = 0;  ///< from that state to the end; none if infinite
+    MotionState<Real> state;
+    Real dissipated_after = 0;           ///< work of damping from that state to the end
+    std::optional<Real> time_after = 0;  ///< from that state to the end; none if infinite
 };
 
 /// Beyond this coordinate, in units of the equilibrium or of the damping length, a backward orbit has
@@ -32,15 +33,15 @@ constexpr int backward = -1;  ///< sense of time
 /// Follows the outward leg on a branch backward in time to its turning point; none if the orbit escapes, so
 /// that no velocity is high enough to rebound.
 /// @param equilibrium coordinate of static equilibrium. @throws ConvergenceError
-template <class Branch>
-std::optional<MotionState<Extended>> back_to_turn(const Branch& branch, MotionState<Extended> state,
-                                                  Extended equilibrium) {
-    const Extended farthest = escape * std::max({1.0_ext, equilibrium, state.position});
+template <class Branch, class Real>
+std::optional<MotionState<Real>> back_to_turn(const Branch& branch, MotionState<Real> state,
+                                              Real equilibrium) {
+    const Real farthest = static_cast<Real>(escape) * std::max({Real(1), equilibrium, state.position});
     int steps = 0;
     while (state.position < farthest) {
-        const MotionExpansion<Extended> x = counted_expansion(branch, state, steps, backward);
+        const MotionExpansion<Real> x = counted_expansion(branch, state, steps, backward);
         if (!std::isfinite(x.position.back()) || !std::isfinite(x.velocity.back())) return std::nullopt;
-        const auto turn = event_within(x, x.step, [](const MotionState<Extended>& s) { return -s.velocity; });
+        const auto turn = event_within(x, x.step, [](const MotionState<Real>& s) { return -s.velocity; });
         state = x.at(turn.value_or(x.step));
         if (!turn) continue;
         state.velocity = 0;
@@ -51,33 +52,33 @@ std::optional<MotionState<Extended>> back_to_turn(const Branch& branch, MotionSt
 
 /// Follows the inward leg on a branch backward in time to the coordinate @p place; or to rest, where rounding
 /// leaves the orbit just short of it. @throws ConvergenceError
-template <class Branch>
-MotionState<Extended> back_to(const Branch& branch, MotionState<Extended> state, Extended place) {
+template <class Branch, class Real>
+MotionState<Real> back_to(const Branch& branch, MotionState<Real> state, Real place) {
     int steps = 0;
     while (true) {
-        const MotionExpansion<Extended> x = counted_expansion(branch, state, steps, backward);
-        const auto rest = event_within(x, x.step, [](const MotionState<Extended>& s) { return s.velocity; });
-        const Extended part = rest.value_or(x.step);
-        const auto there = event_within(x, part, way_to(place, -1.0_ext));
+        const MotionExpansion<Real> x = counted_expansion(branch, state, steps, backward);
+        const auto rest = event_within(x, x.step, [](const MotionState<Real>& s) { return s.velocity; });
+        const Real part = rest.value_or(x.step);
+        const auto there = event_within(x, part, way_to(place, Real(-1)));
         state = x.at(there.value_or(part));
         if (there || rest) return state;
     }
 }
 
-using Terms = Series<Extended>;
-
 /// Coefficient of z^power in p(z^2).
-Extended coefficient(const Polynomial<Extended>& p, int power) {
+template <class Real>
+Real coefficient(const Polynomial<Real>& p, int power) {
     const bool present = power >= 0 && power % 2 == 0 && power / 2 <= p.degree;
     return present ? p[power / 2] : 0;
 }
 
 /// Integral of z^leading (c_0 + c_1 z + ...) from 0 to @p z.
-Extended integral(const Terms& terms, int leading, Extended z) {
-    Terms integrated = terms;
+template <class Real>
+Real integral(const Series<Real>& terms, int leading, Real z) {
+    Series<Real> integrated = terms;
     for (std::size_t n = 0; n < terms.size(); ++n)
-        integrated[n] /= static_cast<Extended>(leading + 1 + static_cast<int>(n));
-    return value(integrated, z) * std::pow(z, static_cast<Extended>(leading + 1));
+        integrated[n] /= static_cast<Real>(leading + 1 + static_cast<int>(n));
+    return value(integrated, z) * std::pow(z, static_cast<Real>(leading + 1));
 }
 
 /// The critical orbit just before an end of contact that is a rest point of the regularised motion
@@ -91,11 +92,12 @@ Extended integral(const Terms& terms, int leading, Extended z) {
 /// whose attraction vanishes as the overlap does. The series gives, each to rounding, the speed, and from it
 /// the work of damping and the time up to the end. The time is the integral of 2 z delta'/v dz, none if it
 /// diverges.
+template <class Real>
 class RestPoint {
   public:
-    explicit RestPoint(const Motion<Extended>& motion)
+    explicit RestPoint(const Motion<Real>& motion)
         : piece_(motion.at(*motion.end)),
-          fall_(Extended(-1) * piece_.potential.shifted(*motion.end)),
+          fall_(Real(-1) * piece_.potential.shifted(*motion.end)),
           slope_(piece_.slope.shifted(*motion.end)),
           drag_(piece_.drag.shifted(*motion.end)) {
         fall_[0] = 0;                         // U_end - U at the end itself
@@ -106,12 +108,12 @@ class RestPoint {
     }
 
     /// The orbit where its series still hold to rounding.
-    [[nodiscard]] Arrival arrival(Extended end) const {
-        const Extended within = radius(speed_) / (std::numbers::e_v<Extended> * std::numbers::e_v<Extended>);
-        const Extended z = std::min(within, std::sqrt(piece_.until - end));
-        Arrival arrival;
+    [[nodiscard]] Arrival<Real> arrival(Real end) const {
+        const Real within = radius(speed_) / (std::numbers::e_v<Real> * std::numbers::e_v<Real>);
+        const Real z = std::min(within, std::sqrt(piece_.until - end));
+        Arrival<Real> arrival;
         arrival.state.position = end + z * z;
-        arrival.state.velocity = -std::pow(z, static_cast<Extended>(order_)) * value(speed_, z);
+        arrival.state.velocity = -std::pow(z, static_cast<Real>(order_)) * value(speed_, z);
         arrival.dissipated_after = integral(work_, order_ + 1 + 2 * drag_.lowest(), z);
         // The time is infinite if the speed vanishes as the overlap does, or faster.
         if (time_order() < 0)
@@ -135,18 +137,18 @@ class RestPoint {
     /// v = z^order (c_0 + c_1 z + ...) from the energy equation, term by term. If damping is of the leading
     /// order too, c_0 solves c_0^2 = 2 f + 2 d c_0, and each c_n is on both sides.
     void expand_speed() {
-        const Extended drag = coefficient(drag_, order_ - 2);
-        const Extended damped = drag / static_cast<Extended>(order_);
+        const Real drag = coefficient(drag_, order_ - 2);
+        const Real damped = drag / static_cast<Real>(order_);
         speed_[0] = drag == 0 ? std::sqrt(2 * fall_[order_])
                               : damped + std::sqrt(damped * damped + 2 * fall_[order_]);
         for (std::size_t n = 1; n < speed_.size(); ++n) {
             const int power = static_cast<int>(n) + 2 * order_;
-            Extended square = 2 * coefficient(fall_, power);
+            Real square = 2 * coefficient(fall_, power);
             for (int j = 0; j < static_cast<int>(n); ++j)
                 square += 4 * coefficient(drag_, power - 2 - order_ - j) *
-                          speed_[static_cast<std::size_t>(j)] / static_cast<Extended>(power);
+                          speed_[static_cast<std::size_t>(j)] / static_cast<Real>(power);
             for (std::size_t i = 1; i < n; ++i) square -= speed_[i] * speed_[n - i];
-            speed_[n] = square / (2 * speed_[0] - 4 * drag / static_cast<Extended>(power));
+            speed_[n] = square / (2 * speed_[0] - 4 * drag / static_cast<Real>(power));
         }
     }
 
@@ -155,7 +157,7 @@ class RestPoint {
         const int slope_power = 2 * slope_.lowest();
         const int drag_power = 2 * drag_.lowest();
         for (std::size_t n = 0; n < speed_.size(); ++n) {
-            Extended pace = 2 * coefficient(slope_, slope_power + static_cast<int>(n));
+            Real pace = 2 * coefficient(slope_, slope_power + static_cast<int>(n));
             for (std::size_t i = 0; i < n; ++i) {
                 pace -= pace_[i] * speed_[n - i];
                 work_[n] += 2 * coefficient(drag_, drag_power + static_cast<int>(n - i)) * speed_[i];
@@ -165,25 +167,26 @@ class RestPoint {
         }
     }
 
-    const MotionPiece<Extended>& piece_;  ///< that holds the end
-    Polynomial<Extended> fall_;           ///< U_end - U
-    Polynomial<Extended> slope_;          ///< delta'
-    Polynomial<Extended> drag_;           ///< delta' eta
-    int order_ = 0;                       ///< leading power of the speed in z
-    Terms speed_{};
-    Terms work_{};
-    Terms pace_{};
+    const MotionPiece<Real>& piece_;  ///< that holds the end
+    Polynomial<Real> fall_;           ///< U_end - U
+    Polynomial<Real> slope_;          ///< delta'
+    Polynomial<Real> drag_;           ///< delta' eta
+    int order_ = 0;                   ///< leading power of the speed in z
+    Series<Real> speed_{};
+    Series<Real> work_{};
+    Series<Real> pace_{};
 };
 
 /// Hertz with constant damping beta: the critical orbit arrives along v = -beta x + (2/(3 beta)) F(x), where
 /// x is the overlap beyond the end; slower and slower, it never gets there.
-Arrival at_damped_end(const Motion<Extended>& motion) {
-    const Polynomial<Extended>& overlap = motion.at(*motion.end).overlap;
-    const Extended beta = motion.damping(0);
+template <class Real>
+Arrival<Real> at_damped_end(const Motion<Real>& motion) {
+    const Polynomial<Real>& overlap = motion.at(*motion.end).overlap;
+    const Real beta = motion.damping(0);
     const int power = overlap.degree;
-    const Extended x = 1e-12_ext * std::pow(beta, 4.0_ext);
-    Arrival arrival;
-    arrival.state.position = std::pow(x / overlap[power], 1.0_ext / static_cast<Extended>(power));
+    const Real x = static_cast<Real>(1e-12_ext) * std::pow(beta, Real(4));
+    Arrival<Real> arrival;
+    arrival.state.position = std::pow(x / overlap[power], Real(1) / static_cast<Real>(power));
     arrival.state.velocity = -beta * x + 2 / (3 * beta) * motion.force(arrival.state.position);
     arrival.dissipated_after = beta * beta * x * x / 2;
     arrival.time_after = std::nullopt;
@@ -192,19 +195,22 @@ Arrival at_damped_end(const Motion<Extended>& motion) {
 
 /// The orbit that arrives at the end of contact with no velocity left; none if no orbit does. Without
 /// adhesion there is one only if the damping does not vanish with the contact radius.
-std::optional<Arrival> critical_arrival(const Motion<Extended>& motion) {
+template <class Real>
+std::optional<Arrival<Real>> critical_arrival(const Motion<Real>& motion) {
     const bool adhesive = motion.equilibrium > *motion.end;
     const bool rests =  // whether the end of contact is a rest point of the regularised motion
-        std::abs(motion.slope(*motion.end)) <= 1e-12_ext * std::abs(motion.slope(motion.equilibrium));
-    if (adhesive && rests) return RestPoint(motion).arrival(*motion.end);
-    if (adhesive) return Arrival{.state = {.position = *motion.end}};
-    const Polynomial<Extended>& damping = motion.at(*motion.end).damping;
+        std::abs(motion.slope(*motion.end)) <=
+        static_cast<Real>(1e-12_ext) * std::abs(motion.slope(motion.equilibrium));
+    if (adhesive && rests) return RestPoint<Real>(motion).arrival(*motion.end);
+    if (adhesive) return Arrival<Real>{.state = {.position = *motion.end}};
+    const Polynomial<Real>& damping = motion.at(*motion.end).damping;
     if (!(damping[0] > 0)) return std::nullopt;
-    return damping.degree == 0 ? at_damped_end(motion) : RestPoint(motion).arrival(*motion.end);
+    return damping.degree == 0 ? at_damped_end(motion) : RestPoint<Real>(motion).arrival(*motion.end);
 }
 
 /// The critical impact of an orbit followed backward from @p arrival to the state @p touch at first touch.
-CriticalImpact critical_impact(const Arrival& arrival, const MotionState<Extended>& touch, Extended plastic,
+template <class Real>
+CriticalImpact critical_impact(const Arrival<Real>& arrival, const MotionState<Real>& touch, Extended plastic,
                                Extended break_energy, Extended maximum_overlap) {
     CriticalImpact impact{.dissipated = arrival.dissipated_after - touch.dissipation,
                           .plastic = plastic,
@@ -219,6 +225,8 @@ CriticalImpact critical_impact(const Arrival& arrival, const MotionState<Extende
 /// The critical orbit near the fold of the touching branch, where delta'(q) = 0: v is a power series of
 /// x = q - q_fold with v dv/dx = -delta' (eta v + F), the root that arrives (v < 0 for x > 0).
 class FoldArrival {
+    using Terms = Series<Extended>;
+
   public:
     FoldArrival(const TouchingBranch& branch, Extended fold) : statics_(branch.statics(fold)) {
         statics_.slope[0] = 0;
@@ -235,10 +243,10 @@ class FoldArrival {
     }
 
     /// The orbit where its series still hold to rounding.
-    [[nodiscard]] Arrival arrival(Extended fold) const {
+    [[nodiscard]] Arrival<Extended> arrival(Extended fold) const {
         const Extended e = std::numbers::e_v<Extended>;
         const Extended x = convergence() / (e * e);
-        Arrival arrival;
+        Arrival<Extended> arrival;
         arrival.state.position = fold + x;
         arrival.state.velocity = value(velocity_, x);
         // From x to the fold: work of eta v over d(delta), time of d(delta)/v.
@@ -278,7 +286,7 @@ class FoldArrival {
 /// The critical orbit in the gap at cohesive radius @p c: its speed, and the time it takes to rest at the
 /// fold of the gap branch, c_f. With U(c_f) - U(c) = (pi lambda/8) (c - c_f)^2 (c^2 + 2 c c_f/3 + c_f^2/3),
 /// free of cancellation, the integral of delta'(c)/v is an arsinh.
-Arrival gap_arrival(const CohesiveZone& zone, Extended c) {
+Arrival<Extended> gap_arrival(const CohesiveZone& zone, Extended c) {
     const Extended fold = zone.pull_off().cohesive_radius;
     const Extended strength = std::numbers::pi_v<Extended> * zone.lambda() / 4;
     const auto primitive = [&](Extended x) {
@@ -289,12 +297,12 @@ Arrival gap_arrival(const CohesiveZone& zone, Extended c) {
 }
 
 /// The orbit just before the end of contact, on the touching branch.
-Arrival arrival_of(const CohesiveMotion& motion) {
+Arrival<Extended> arrival_of(const CohesiveMotion& motion) {
     const TouchingBranch& branch = motion.touching();
     const CohesiveState& end = motion.end();
     if (!end.touching()) {
         const CohesiveState join = motion.zone().join();
-        Arrival arrival = gap_arrival(motion.zone(), join.cohesive_radius);
+        Arrival<Extended> arrival = gap_arrival(motion.zone(), join.cohesive_radius);
         arrival.state.position = branch.coordinate(join);
         return arrival;
     }
@@ -309,17 +317,17 @@ constexpr double scan_ratio = 1.02;
 /// The arrival at rest after unloading from a greatest contact.
 struct Unloading {
     Motion<Extended> motion;
-    std::optional<Arrival> arrival{};
+    std::optional<Arrival<Extended>> arrival{};
     std::optional<MotionState<Extended>> turn{};
 };
 
 /// The arrival of an impact that turns at @p u, with work and time counted from there.
-Arrival arrival_from(const Unloading& unloading, double u) {
+Arrival<Extended> arrival_from(const Unloading& unloading, double u) {
     const Motion<Extended>& motion = unloading.motion;
     constexpr double near = 1e-9;
     const auto& turn = unloading.turn;
     if (turn && std::abs(motion.root_radius(turn->position) / u - 1) < near) {
-        Arrival arrival = *unloading.arrival;
+        Arrival<Extended> arrival = *unloading.arrival;
         arrival.dissipated_after -= turn->dissipation;
         if (arrival.time_after) *arrival.time_after -= turn->time;
         return arrival;
@@ -402,8 +410,9 @@ std::vector<double> critical_contacts(const PlasticCapture& capture, double yiel
 
 }  // namespace
 
-CriticalImpacts critical_impacts(const Motion<Extended>& motion) {
-    const std::optional<Arrival> arrival = critical_arrival(motion);
+template <class Real>
+CriticalImpacts critical_impacts(const Motion<Real>& motion) {
+    const std::optional<Arrival<Real>> arrival = critical_arrival(motion);
     if (!arrival) return {.verdict = CaptureVerdict::never_captured};
     const auto turn = back_to_turn(motion, arrival->state, motion.equilibrium);
     if (!turn) return {.verdict = CaptureVerdict::always_captured};
@@ -412,9 +421,12 @@ CriticalImpacts critical_impacts(const Motion<Extended>& motion) {
                                         motion.overlap(turn->position))}};
 }
 
+template CriticalImpacts critical_impacts(const Motion<double>&);
+template CriticalImpacts critical_impacts(const Motion<long double>&);
+
 CriticalImpacts critical_impacts(const CohesiveMotion& motion) {
     const TouchingBranch& branch = motion.touching();
-    const Arrival arrival = arrival_of(motion);
+    const Arrival<Extended> arrival = arrival_of(motion);
     const auto turn = back_to_turn(branch, arrival.state, motion.rest().position);
     if (!turn) return {.verdict = CaptureVerdict::always_captured};
     const bool begins_in_gap = !motion.begin().touching();

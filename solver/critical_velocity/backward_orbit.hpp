@@ -28,7 +28,10 @@ struct CriticalImpacts {
 };
 
 /// Of an elastic contact: one impact, followed backward from the end. @throws ConvergenceError
-[[nodiscard]] CriticalImpacts critical_impacts(const Motion<Extended>& motion);
+template <class Real>
+[[nodiscard]] CriticalImpacts critical_impacts(const Motion<Real>& motion);
+extern template CriticalImpacts critical_impacts(const Motion<double>&);
+extern template CriticalImpacts critical_impacts(const Motion<long double>&);
 
 /// Of a contact with a cohesive zone; units of Maugis. It must end where it can come to rest: U(end) above
 /// the potential of static equilibrium. @throws ConvergenceError

@@ -25,7 +25,8 @@ struct Search {
     const Scale& scale;
 
     [[nodiscard]] bool damped() const { return is_damped(problem.damping, problem.contact.parameters); }
-    [[nodiscard]] CriticalImpacts operator()(const Motion<Extended>& motion) const {
+    template <class Real>
+    [[nodiscard]] CriticalImpacts operator()(const Motion<Real>& motion) const {
         if (problem.detachment == Detachment::zero_force) return {CaptureVerdict::never_captured};
         const bool breaking_costs = motion.potential(*motion.end) > motion.potential(motion.touch);
         if (!damped() && !breaking_costs) return {CaptureVerdict::never_captured};
@@ -50,8 +51,9 @@ struct Search {
     /// Refuses a velocity beyond the range of numbers, where there is no verdict to be had.
     static void require_computable(double velocity) {
         if (velocity > greatest_computable)
-            throw InputError("the critical velocity is " + outside_model_text() + ", beyond the range of numbers",
-                             "less damping");
+            throw InputError(
+                "the critical velocity is " + outside_model_text() + ", beyond the range of numbers",
+                "less damping");
         require_positive("the velocity that this damping captures", velocity, Dimension::velocity);
     }
 };
@@ -69,6 +71,11 @@ CriticalVelocity in_si_units(const CriticalImpacts& found, const Scale& scale) {
         result.crossings.push_back(static_cast<double>(impact.velocity) * scale.velocity);
     result.value = result.crossings.front();
     return result;
+}
+
+/// Whether there is an impact within the range of numbers. Without one only extended precision decides.
+bool is_finite(const CriticalImpacts& found) {
+    return !found.impacts.empty() && std::isfinite(found.impacts.front().velocity);
 }
 
 bool captured_at(const CriticalVelocityProblem& problem, double velocity) {
@@ -129,15 +136,23 @@ std::optional<CaptureVerdict> verdict_without_adhesion(const Damping& damping, c
     });
 }
 
-CriticalVelocity critical_velocity(const CriticalVelocityProblem& problem) {
+CriticalVelocity critical_velocity(const CriticalVelocityProblem& problem, Precision precision) {
     const auto& [law, detachment, damping, contact] = problem;
     validate(Impact{law, detachment, damping, contact, 1.0});
     const bool yields = can_yield(law, contact);
     // Beside these the numbers of the scaled impact are of order one or less.
     const double unit = std::max({velocity_of_adhesion(law, contact), velocity_of_damping(damping, contact),
                                   yields ? yield_velocity(contact) : std::numeric_limits<double>::min()});
-    const auto [scale, velocity, branches] =
-        scaled_impact<Extended>({law, detachment, damping, contact, unit}, Precision::extended);
+    const Impact impact{law, detachment, damping, contact, unit};
+    if (precision == Precision::standard && !yields) {
+        const bool cohesive = is_cohesive(law, contact);
+        const Scale scale = Scale::of(contact, cohesive ? maugis_velocity(contact) : unit);
+        const Search search{problem, scale};
+        const CriticalImpacts found = cohesive ? search(scaled_cohesive_motion(impact, precision))
+                                               : search(scaled_motion<double>(impact, scale));
+        if (is_finite(found)) return in_si_units(found, scale);
+    }
+    const auto [scale, velocity, branches] = scaled_impact<Extended>(impact, Precision::extended);
     const CriticalImpacts found = std::visit(Search{problem, scale}, branches);
     if (found.impacts.empty()) return {.verdict = found.verdict};
     CriticalVelocity result = in_si_units(found, scale);

@@ -207,7 +207,8 @@ PieceState CriticalTable::judge(const CriticalPiece& piece, int /*depth*/,
     for (int i = 0; i <= degree; ++i) {
         const double beta = axis.node(i);
         const Damping damping{damping_law_, scale.damping_coefficient(damping_law_, beta)};
-        const CriticalVelocity critical = critical_velocity({law, detachment_, damping, pair});
+        const CriticalVelocity critical =
+            critical_velocity({law, detachment_, damping, pair}, Precision::standard);
         // Capture only grows with damping: if v_c is not finite here, it is not at the later nodes either.
         if (!critical.value) return i == 0 ? PieceState::captured : PieceState::unknown;
         values[i] = std::log(quantity_ == CriticalQuantity::work ? critical.dissipated / unit / beta

@@ -189,6 +189,28 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("double precision gives the verdict, and the critical velocity to 1e-12") {
+    Worst worst;
+    for (const ContactCase& c : contact_cases()) {
+        for (const double w : ash_adhesions) {
+            for (const double number : {1e-6, 0.01, 0.1, 0.4, 0.7, 5.0}) {
+                const Impact impact = impact_of(c, ash(w), number, 2.0);
+                const CriticalVelocityProblem problem{impact.law, impact.detachment, impact.damping,
+                                                      impact.contact};
+                const CriticalVelocity exact = critical_velocity(problem);
+                const CriticalVelocity quick = critical_velocity(problem, Precision::standard);
+                CAPTURE(describe(impact));
+                CHECK(quick.verdict == exact.verdict);
+                CHECK(quick.value.has_value() == exact.value.has_value());
+                if (exact.value && quick.value)
+                    worst.see(relative_difference(*quick.value, *exact.value), describe(impact));
+            }
+        }
+    }
+    CHECK(worst.count() > 100);
+    CHECK_MESSAGE(worst.deviation() < 1e-12, worst.where());
+}
+
 TEST_CASE("restitution to damping and back, for every law, damping law and detachment") {
     Worst there;
     Worst back;
