@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -30,8 +31,11 @@ class RestitutionByDamping {
     template <class Real>
     [[nodiscard]] Real at(double number) {
         ++impacts;
+        if constexpr (std::is_same_v<Real, Extended>) return followed(number).restitution();
         return scaled_restitution<Real>(impact(number));
     }
+    /// The impact itself.
+    [[nodiscard]] ImpactResult result(double number) { return followed(number).result(impact(number)); }
     [[nodiscard]] Impact impact(double number) const {
         return {problem_.law, problem_.detachment, damping(number), problem_.contact, problem_.velocity};
     }
@@ -39,11 +43,25 @@ class RestitutionByDamping {
         return {problem_.damping_law, scale_.damping_coefficient(problem_.damping_law, number)};
     }
 
+    /// The inverse of damping().
+    [[nodiscard]] double number(double coefficient) const {
+        return scale_.damping_number({problem_.damping_law, coefficient});
+    }
+
     int impacts = 0;
 
   private:
+    /// The impact in extended precision; the last one is kept, since a solution is checked and then reported.
+    [[nodiscard]] const FollowedImpact& followed(double number) {
+        if (!last_ || last_number_ != number) last_.emplace(impact(number));
+        last_number_ = number;
+        return *last_;
+    }
+
     const DampingProblem& problem_;
     Scale scale_;
+    double last_number_ = 0;
+    std::optional<FollowedImpact> last_{};
 };
 
 [[noreturn]] void unreachable_restitution(const DampingProblem& problem, double greatest, bool reaches_zero) {
@@ -160,9 +178,13 @@ std::optional<Bracket> bracket_by_jkr(const DampingProblem& problem, Restitution
     return std::nullopt;
 }
 
-double scaled_solution(const DampingProblem& problem, RestitutionByDamping& curve) {
+/// @param guess scaled damping next to the solution
+double scaled_solution(const DampingProblem& problem, RestitutionByDamping& curve,
+                       const std::optional<double>& guess) {
     const double target = problem.restitution;
     if (target == 0.0) return smallest_capturing(problem, curve);
+    if (guess)
+        if (const auto solution = mended(curve, target, *guess)) return *solution;
     const auto near = bracket_by_jkr(problem, curve);
     const double most = near ? near->upper : too_much(curve, target);
     if (!near && curve.at<double>(0.0) <= target) return solution_within(curve, target, 0.0, most);
@@ -181,15 +203,17 @@ double scaled_solution(const DampingProblem& problem, RestitutionByDamping& curv
 
 }  // namespace
 
-DampingInversion damping_from_restitution(const DampingProblem& problem) {
+DampingInversion damping_from_restitution(const DampingProblem& problem, std::optional<double> near) {
+    validate(Impact{
+        problem.law, problem.detachment, {problem.damping_law, 0.0}, problem.contact, problem.velocity});
     RestitutionByDamping curve(problem);
-    validate(curve.impact(0.0));
     const double target = problem.restitution;
     const auto greatest = static_cast<double>(curve.at<Extended>(0.0));
     const bool reachable = target > 0.0 ? target <= greatest : target == 0.0 && reaches_zero(problem);
     if (!reachable) unreachable_restitution(problem, greatest, reaches_zero(problem));
-    const double number = target < greatest ? scaled_solution(problem, curve) : 0.0;
-    const ImpactResult impact = solve_impact(curve.impact(number));
+    if (near) near = curve.number(*near);
+    const double number = target < greatest ? scaled_solution(problem, curve, near) : 0.0;
+    const ImpactResult impact = curve.result(number);
     require_found(problem, curve, number, impact.restitution, greatest);
     return {.damping = curve.damping(number),
             .greatest_restitution = greatest,

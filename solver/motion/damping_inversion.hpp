@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact {
@@ -25,7 +27,10 @@ struct DampingInversion {
 /// The damping coefficient that gives a measured restitution, adhesion included; Dong et al. 2013,
 /// section 4.2. Restitution falls monotonically with damping, so the answer is unique; it is exact to the
 /// spacing of floating-point numbers. Restitution 0 gives the smallest damping that captures.
+/// @param near a coefficient next to the answer, which saves the search for it; the answer does not depend on
+/// it
 /// @throws InputError if no damping gives the restitution, naming the reachable range; ConvergenceError
-[[nodiscard]] DampingInversion damping_from_restitution(const DampingProblem& problem);
+[[nodiscard]] DampingInversion damping_from_restitution(const DampingProblem& problem,
+                                                        std::optional<double> near = std::nullopt);
 
 }  // namespace ashimpact

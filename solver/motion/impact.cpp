@@ -126,12 +126,18 @@ void validate(const Impact& impact) {
     }
 }
 
+FollowedImpact::FollowedImpact(const Impact& impact, Precision precision)
+    : scaled_(scaled_impact<Extended>(impact, precision)), orbit_(follow(scaled_)) {}
+
+ImpactResult FollowedImpact::result(const Impact& impact) const {
+    const ImpactResult result = impact_result(orbit_, scaled_.velocity, scaled_.scale, impact.velocity);
+    if (result.yielded) require_within_closure(impact, scaled_.scale, result);
+    return result;
+}
+
 ImpactResult solve_impact(const Impact& impact, Precision precision) {
     validate(impact);
-    const auto scaled = scaled_impact<Extended>(impact, precision);
-    const ImpactResult result = impact_result(follow(scaled), scaled.velocity, scaled.scale, impact.velocity);
-    if (result.yielded) require_within_closure(impact, scaled.scale, result);
-    return result;
+    return FollowedImpact(impact, precision).result(impact);
 }
 
 double restitution_of(const Impact& impact) {

@@ -74,4 +74,19 @@ template <class Real>
 extern template double scaled_restitution(const Impact&);
 extern template long double scaled_restitution(const Impact&);
 
+/// An impact followed to its end, without validation.
+class FollowedImpact {
+  public:
+    /// @throws ConvergenceError at the step limit
+    explicit FollowedImpact(const Impact& impact, Precision precision = Precision::extended);
+
+    [[nodiscard]] Extended restitution() const { return orbit_.restitution(scaled_.velocity); }
+    /// @param impact the same. @throws InputError beyond the plastic closure
+    [[nodiscard]] ImpactResult result(const Impact& impact) const;
+
+  private:
+    ScaledImpact<Extended> scaled_;
+    Orbit<Extended> orbit_;
+};
+
 }  // namespace ashimpact

@@ -230,6 +230,11 @@ TEST_CASE("restitution to damping and back, for every law, damping law and detac
                 const Impact again = impact_with(problem, inversion.damping.coefficient);
                 there.see(std::abs(solve_impact(again).restitution - e), describe(again));
                 there.see(std::abs(inversion.impact.restitution - e), describe(again));
+                for (const double part_off : {1e-11, 0.3}) {
+                    const double near = inversion.damping.coefficient * (1.0 + part_off);
+                    const double same = damping_from_restitution(problem, near).damping.coefficient;
+                    CHECK(relative_difference(same, inversion.damping.coefficient) < 1e-14);
+                }
             }
             for (const double number : {0.01, 0.1, 0.4, 0.7}) {
                 const Impact impact = impact_of(c, ash(w), number, 2.0);
