@@ -45,32 +45,46 @@ Pores pores_of(const ModulusOptions& options, double dense_density) {
     return {porosity, dense_density * (1 - porosity)};
 }
 
-ParticleProperties evaluate(const Mixture& mixture) {
-    const std::vector<double> v = volumes_of(mixture);
-    const auto& e = mixture.young_moduli;
-    ParticleProperties result{
-        .dense_density = mixture_density(v, mixture.densities),
-        .by_rule = {parallel_young_modulus(v, e), series_young_modulus(v, e), hill_young_modulus(v, e)}};
-    if (has_poisson_ratios(mixture)) {
-        std::vector<IsotropicModuli> phases;
-        for (std::size_t i = 0; i < e.size(); ++i)
-            phases.push_back(isotropic_moduli(e[i], mixture.poisson_ratios[i]));
-        const IsotropicModuli mean = hill_moduli(v, phases);
-        for (const IsotropicModuli& moduli :
-             {voigt_moduli(v, phases), reuss_moduli(v, phases), mean, hashin_shtrikman_lower(v, phases),
-              hashin_shtrikman_upper(v, phases)})
-            result.by_rule.push_back(young_modulus(moduli));
-        result.moduli.poisson_ratio = poisson_ratio(mean);
+/// The phases of a mixture, for one rule after the other.
+class MixedPhases {
+  public:
+    explicit MixedPhases(const Mixture& mixture)
+        : volumes_(volumes_of(mixture)), moduli_(mixture.young_moduli) {
+        for (std::size_t i = 0; i < mixture.poisson_ratios.size(); ++i)
+            phases_.push_back(isotropic_moduli(moduli_[i], mixture.poisson_ratios[i]));
     }
-    result.moduli.young_modulus = result.by_rule.at(static_cast<std::size_t>(mixture.options.rule));
-    const Pores pores = pores_of(mixture.options, result.dense_density);
-    result.density = pores.density;
-    if (auto porosity = mixture.options.porosity) {
-        porosity->value = pores.porosity;
-        result.moduli = porous_moduli(result.moduli, *porosity);
+
+    [[nodiscard]] const std::vector<double>& volumes() const { return volumes_; }
+    /// The Voigt-Reuss-Hill mean.
+    [[nodiscard]] IsotropicModuli mean() const { return hill_moduli(volumes_, phases_); }
+    /// Returns E of the dense mixture [Pa].
+    [[nodiscard]] double young_modulus_by(MixtureRule rule) const {
+        switch (rule) {
+            case MixtureRule::parallel:
+                return parallel_young_modulus(volumes_, moduli_);
+            case MixtureRule::series:
+                return series_young_modulus(volumes_, moduli_);
+            case MixtureRule::hill:
+                return hill_young_modulus(volumes_, moduli_);
+            case MixtureRule::voigt:
+                return young_modulus(voigt_moduli(volumes_, phases_));
+            case MixtureRule::reuss:
+                return young_modulus(reuss_moduli(volumes_, phases_));
+            case MixtureRule::voigt_reuss_hill:
+                return young_modulus(mean());
+            case MixtureRule::hashin_shtrikman_lower:
+                return young_modulus(hashin_shtrikman_lower(volumes_, phases_));
+            case MixtureRule::hashin_shtrikman_upper:
+                return young_modulus(hashin_shtrikman_upper(volumes_, phases_));
+        }
+        return 0;
     }
-    return result;
-}
+
+  private:
+    std::vector<double> volumes_;
+    const std::vector<double>& moduli_;
+    std::vector<IsotropicModuli> phases_{};
+};
 
 Mixture mixture_of(const Composition& composition, const ModulusOptions& options) {
     Mixture mixture{.basis = composition.basis,
@@ -90,10 +104,12 @@ Mixture mixture_of(const Composition& composition, const ModulusOptions& options
 
 /// Results as a list: the chosen modulus, the density of the phases, Poisson's ratio (0: not known), then the
 /// rules.
-std::vector<double> listed(const ParticleProperties& results) {
+std::vector<double> listed(const ParticleInputs& inputs, std::span<const double> values) {
+    const ParticleProperties results = inputs.at(values);
     std::vector<double> list{results.moduli.young_modulus, results.dense_density,
                              results.moduli.poisson_ratio.value_or(0)};
-    list.insert(list.end(), results.by_rule.begin(), results.by_rule.end());
+    const auto by_rule = inputs.rules_at(values);
+    list.insert(list.end(), by_rule.begin(), by_rule.end());
     return list;
 }
 
@@ -245,7 +261,7 @@ ParticleInputs::ParticleInputs(const Composition& composition, const ModulusOpti
                          .highest = most_pores});
 }
 
-ParticleProperties ParticleInputs::at(std::span<const double> values) const {
+Mixture ParticleInputs::mixture_at(std::span<const double> values) const {
     Mixture mixture = nominal_;
     auto next = values.begin();
     for (double& amount : mixture.model.amounts) amount = *next++;
@@ -263,22 +279,48 @@ ParticleProperties ParticleInputs::at(std::span<const double> values) const {
         mixture.options.apparent_density->value = *next++;
     else if (mixture.options.porosity)
         mixture.options.porosity->value = *next++;
-    return evaluate(mixture);
+    return mixture;
+}
+
+ParticleProperties ParticleInputs::at(std::span<const double> values) const {
+    const Mixture mixture = mixture_at(values);
+    const MixedPhases phases(mixture);
+    ParticleProperties result{.dense_density = mixture_density(phases.volumes(), mixture.densities)};
+    result.moduli.young_modulus = phases.young_modulus_by(mixture.options.rule);
+    if (has_poisson_ratios(mixture)) result.moduli.poisson_ratio = poisson_ratio(phases.mean());
+    const Pores pores = pores_of(mixture.options, result.dense_density);
+    result.density = pores.density;
+    if (auto porosity = mixture.options.porosity) {
+        porosity->value = pores.porosity;
+        result.moduli = porous_moduli(result.moduli, *porosity);
+    }
+    return result;
+}
+
+std::vector<double> ParticleInputs::rules_at(std::span<const double> values) const {
+    const Mixture mixture = mixture_at(values);
+    const MixedPhases phases(mixture);
+    std::vector<double> moduli;
+    for (const MixtureRule rule : all_values<MixtureRule>)
+        if (rule <= MixtureRule::hill || has_poisson_ratios(mixture))
+            moduli.push_back(phases.young_modulus_by(rule));
+    return moduli;
 }
 
 ModulusEstimate estimate_modulus(const Composition& composition, const ModulusOptions& options) {
     const ParticleInputs inputs(composition, options);
-    const auto function = [&](const std::vector<double>& x) { return listed(inputs.at(x)); };
+    const auto function = [&](const std::vector<double>& x) { return listed(inputs, x); };
     const auto uncertainties = propagate_linearly(function, inputs.list());
     std::vector<double> values;
     for (const UncertainInput& input : inputs.list()) values.push_back(input.value);
     const ParticleProperties results = inputs.at(values);
+    const std::vector<double> by_rule = inputs.rules_at(values);
 
     ModulusEstimate estimate{.young_modulus = results.moduli.young_modulus,
                              .standard_uncertainty = uncertainties[0].standard_uncertainty};
-    for (std::size_t i = 0; i < results.by_rule.size(); ++i)
+    for (std::size_t i = 0; i < by_rule.size(); ++i)
         estimate.rules.push_back({.rule = static_cast<MixtureRule>(i),
-                                  .young_modulus = results.by_rule[i],
+                                  .young_modulus = by_rule[i],
                                   .standard_uncertainty = uncertainties[i + 3].standard_uncertainty});
     estimate.poisson_ratio = results.moduli.poisson_ratio;
     estimate.poisson_ratio_uncertainty = uncertainties[2].standard_uncertainty;

@@ -90,10 +90,9 @@ struct ModulusOptions {
 
 /// What follows from the phases and pores of a particle.
 struct ParticleProperties {
-    PorousModuli moduli{};          ///< by the chosen rule, porosity applied
-    double dense_density = 0;       ///< of the phases [kg/m3]
-    double density = 0;             ///< apparent: as stated, or dense_density (1 - P) [kg/m3]
-    std::vector<double> by_rule{};  ///< Young's moduli, dense, in the order of MixtureRule [Pa]
+    PorousModuli moduli{};     ///< by the chosen rule, porosity applied
+    double dense_density = 0;  ///< of the phases [kg/m3]
+    double density = 0;        ///< apparent: as stated, or dense_density (1 - P) [kg/m3]
 };
 
 /// The inputs of a mixture of its components' properties.
@@ -119,8 +118,13 @@ class ParticleInputs {
     /// The properties at some values of the inputs. A porosity that follows from densities is limited to 0 to
     /// 0.99.
     [[nodiscard]] ParticleProperties at(std::span<const double> values) const;
+    /// Young's moduli of the dense mixture there [Pa], by every rule that can be computed, in the order of
+    /// MixtureRule.
+    [[nodiscard]] std::vector<double> rules_at(std::span<const double> values) const;
 
   private:
+    [[nodiscard]] Mixture mixture_at(std::span<const double> values) const;
+
     Mixture nominal_;
     std::vector<bool> follows_density_;  ///< of phases, see Phase::follows_density
     std::vector<UncertainInput> list_;

@@ -687,7 +687,7 @@ TEST_CASE(
           {"flag", {"", ""}, ""},
           {"quality", {"good", "good"}, ""},
           {"quality", {"0.93", "0.89"}, ""},
-          {"wet", {"yes", "no"}, ""}}) {
+          {"wet", {"yes", "no"}, "it may state which impacts were captured, or which count"}}) {
         const std::string table =
             "v_in;v_r;" + std::string(heading) + "\n1.4;0.4;" + cells[0] + "\n1.5;0.4;" + cells[1] + "\n";
         CAPTURE(table);
@@ -735,7 +735,12 @@ TEST_CASE("a restitution far above one has two readings, and the first velocity 
     CHECK(contains(
         input_error_of([] { static_cast<void>(read_measurements("v_in;e\n1;0.7 \u00b1 3%\n", "t.csv")); }),
         "the uncertainty is 3 % of 0.7, or 3 in the unit of the value"));
-    const MeasurementSet set = read_measurements("v_in;v_r\n1;0.7\n4000;930\n2;1\n5000;930\n", "t.csv");
+    CHECK(contains(input_error_of([] {
+                       static_cast<void>(read_measurements("v_in;v_r\n1;0.7\n4000;930\n2;1\n", "t.csv"));
+                   }),
+                   "line 3: v_in: 4000 has no unit and is 4000 m/s, did you mean 4000 mm/s?"));
+    const MeasurementSet set =
+        read_measurements("v_in [m/s];v_r [m/s]\n1;0.7\n4000;930\n2;1\n5000;930\n", "t.csv");
     CHECK(contains(set.warnings.front().text, "line 3: v_in: 4000 m/s"));
     CHECK(contains(input_error_of([] {
                        static_cast<void>(read_measurements("v_in [mm/s];v_r [mm/s]\n1.753;950\n", "t.csv"));
