@@ -209,19 +209,23 @@ std::optional<Finding> held_uncertainties(const Case& data, const ContactResult&
                data.calibration.end();
     };
     std::vector<std::string> held;
-    const auto add = [&](const char* name, const Quantity& quantity, const std::string& sample) {
-        if (!(quantity.standard_uncertainty.value_or(0) > 0)) return;
-        held.push_back(fmt::format("{} of {} ({:.2g} %)", name, sample,
-                                   100 * *quantity.standard_uncertainty / std::abs(quantity.value)));
+    const auto add = [&](const char* name, Quantity (*of)(const SampleContact&)) {
+        double greatest = 0;
+        for (const SampleContact& contact : contacts.samples) {
+            const Quantity quantity = of(contact);
+            greatest =
+                std::max(greatest, quantity.standard_uncertainty.value_or(0) / std::abs(quantity.value));
+        }
+        if (greatest > 0) held.push_back(fmt::format("{} (up to {:.2g} %)", name, 100 * greatest));
     };
-    for (const SampleContact& contact : contacts.samples) {
-        add("diameter", contact.radius, contact.name);
-        if (!is_free(CalibrationQuantity::density)) add("density", contact.density.quantity, contact.name);
-        if (!is_free(CalibrationQuantity::work_of_adhesion))
-            add("work of adhesion", contact.work_of_adhesion.quantity, contact.name);
-        if (!is_free(CalibrationQuantity::contact_modulus))
-            add("contact modulus", contact.contact_modulus.quantity, contact.name);
-    }
+    add("diameter", [](const SampleContact& contact) { return contact.radius; });
+    if (!is_free(CalibrationQuantity::density))
+        add("density", [](const SampleContact& contact) { return contact.density.quantity; });
+    if (!is_free(CalibrationQuantity::work_of_adhesion))
+        add("work of adhesion",
+            [](const SampleContact& contact) { return contact.work_of_adhesion.quantity; });
+    if (!is_free(CalibrationQuantity::contact_modulus))
+        add("contact modulus", [](const SampleContact& contact) { return contact.contact_modulus.quantity; });
     if (held.empty()) return std::nullopt;
     return Finding{
         "held", Severity::doubt,

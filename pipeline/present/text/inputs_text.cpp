@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -55,9 +56,13 @@ std::string impacts_text(const MeasurementSet& set) {
     return rebounds.empty() ? text : text + ", u(v_r) " + deviation(&VelocityNoise::rebound, rebounds);
 }
 
-std::string phases_text(const SampleModulus& modulus) {
+/// The phases, the largest first.
+std::string phases_text(std::vector<PhaseShare> phases) {
+    std::ranges::sort(phases, [](const PhaseShare& a, const PhaseShare& b) {
+        return std::tie(b.weight_fraction, a.phase) < std::tie(a.weight_fraction, b.phase);
+    });
     std::string text;
-    for (const PhaseShare& share : modulus.phases)
+    for (const PhaseShare& share : phases)
         text +=
             (text.empty() ? "" : ", ") + share.phase + " " + readable_number(100 * share.weight_fraction, 3);
     return text + " % by weight";
@@ -72,7 +77,7 @@ std::string inputs_text(const Run& run, std::size_t width) {
         const Sample& sample = samples[i];
         std::string line = sample.name + ": " + readable(sample.diameter.quantity);
         if (sample.density) line += ", " + readable(sample.density->quantity);
-        if (i < run.modulus.samples.size()) line += "; " + phases_text(run.modulus.samples[i]);
+        if (i < run.modulus.samples.size()) line += "; " + phases_text(run.modulus.samples[i].phases);
         const auto* source = sample.restitution ? &*sample.restitution : nullptr;
         if (const auto* measured = source ? std::get_if<MeasuredRestitution>(source) : nullptr)
             line += "; " + impacts_text(measured->impacts);

@@ -287,7 +287,7 @@ TEST_CASE("run names what changes nothing in a case, calibrate too") {
     document["samples"][0]["diameter"] = "88 +- 3 um";
     sandbox.write("case.json", document.dump());
     CHECK(ashimpact_program(sandbox, "calibrate case.json --free density").err ==
-          containing("leave out the standard uncertainties of what is held fixed: diameter of fine (3.4 %)"));
+          containing("leave out the standard uncertainties of what is held fixed: diameter (up to 3.4 %)"));
 }
 
 TEST_CASE(
