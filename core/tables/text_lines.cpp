@@ -101,8 +101,8 @@ std::string take_quoted(std::string_view& text, std::size_t line) {
 std::string title_in_quotes(std::string_view title) {
     constexpr std::size_t longest = 400;
     std::string shown(whole_start(title, longest));
-    std::ranges::replace_if(
-        shown, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
+    for (char& c : shown)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
     return '"' + shown + (title.size() > longest ? "...\"" : "\"");
 }
 
