@@ -48,6 +48,13 @@ Quantity read_object(const Json& node, Dimension expected) {
     if (uncertainty < 0)
         throw InputError("a standard uncertainty below zero", "zero or more").at("/standard_uncertainty");
     quantity.standard_uncertainty = difference_to_si(uncertainty, unit, expected);
+    constexpr double hardly = 1e-5, usual = 1e-4;  // of the value
+    const double size = std::abs(quantity.value);
+    if (*quantity.standard_uncertainty < hardly * size && uncertainty > usual * size && uncertainty < size)
+        throw InputError("is " + shortest(uncertainty) + " " + unit + ", or " + shortest(uncertainty) + " " +
+                             std::string(si_unit(expected)),
+                         "a number in the unit of the value, " + unit)
+            .at("/standard_uncertainty");
     return quantity;
 }
 

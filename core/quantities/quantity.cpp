@@ -201,7 +201,21 @@ void require_uncertainty(const Quantity& quantity, Dimension dimension) {
             "the unit of the value");
 }
 
+void refuse_thousands_point(std::string_view text, PointDigits digits) {
+    const std::string_view number = text.substr(0, text.find_first_not_of("0123456789."));
+    const std::size_t mark = number.find('.');
+    const bool may_group = mark != std::string_view::npos && mark > 0 && mark <= 3 &&
+                           number.size() == mark + 4 && number.front() != '0' &&
+                           number.find_first_not_of(digits == PointDigits::zeros ? "0" : "0123456789",
+                                                    mark + 1) == std::string_view::npos;
+    if (!may_group) return;
+    const std::string grouped = std::string(number.substr(0, mark)) + std::string(number.substr(mark + 1));
+    throw InputError(in_quotes(number) + " is " + std::string(number) + " or " + grouped,
+                     grouped + ", or " + std::string(number) + "0");
+}
+
 Quantity quantity_of_text(const std::string& text, Dimension expected) {
+    refuse_thousands_point(trimmed(text), PointDigits::zeros);
     Quantity quantity = read_text(text, expected);
     require_uncertainty(quantity, expected);
     return quantity;

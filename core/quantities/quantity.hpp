@@ -20,6 +20,14 @@ struct Quantity {
 [[nodiscard]] Quantity make_quantity(double value, Dimension dimension,
                                      std::optional<double> standard_uncertainty = std::nullopt);
 
+/// Which three digits behind a point may be thousands: "210.000" is seldom meant as 210, "1.234" often
+/// as 1.234.
+enum class PointDigits { zeros, any };
+
+/// Refuses a text that begins with a number such as "210.000", which is 210 or 210000. @throws InputError
+/// with both readings
+void refuse_thousands_point(std::string_view text, PointDigits digits);
+
 /// Reads "60 um", "60 +- 3 um", "60 um +- 5 %" or "60(3) um"; a number alone is SI. @throws InputError
 [[nodiscard]] Quantity quantity_of_text(const std::string& text, Dimension expected);
 

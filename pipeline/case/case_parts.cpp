@@ -226,8 +226,8 @@ Stated read_diameter(const View& node, std::vector<Finding>& notes) {
         const double scatter = *diameter.standard_uncertainty / diameter.value;
         notes.push_back({"sieve", Severity::remark,
                          "diameter " + in_quotes(text) +
-                             " is taken as evenly distributed between the meshes, " + readable(diameter) +
-                             "; \"size_scatter\" under \"fit\" would be " + readable_number(scatter, 2)});
+                             " is taken as " + readable(diameter) +
+                             ", which sizes evenly distributed between the meshes have; \"size_scatter\" under \"fit\" would be " + readable_number(scatter, 2)});
         return Stated{.quantity = diameter, .source = "evenly distributed between the meshes " + text};
     });
 }

@@ -112,22 +112,19 @@ std::string place_of(const Measurement& point, std::size_t index) {
 
 }  // namespace
 
-/// Refuses "80.000", which is 80 or 80000. @throws InputError with both readings
-static void refuse_two_readings(std::string_view number) {
-    const std::size_t mark = number.find_first_not_of("0123456789");
-    const bool may_group = mark > 0 && mark <= 3 && number.size() == mark + 4 && number[mark] == '.' &&
-                           number.front() != '0' &&
-                           number.find_first_not_of("0123456789", mark + 1) == std::string_view::npos;
-    if (!may_group) return;
-    const std::string whole(number.substr(0, mark));
-    const std::string grouped = whole + std::string(number.substr(mark + 1));
-    throw InputError(in_quotes(number) + " is " + std::string(number) + " or " + grouped,
-                     grouped + ", or " + std::string(number) + "0");
+/// Refuses a bare number of frames per second that a camera of impacts seldom has. @throws InputError
+static double plausible_frame_rate(double bare) {
+    constexpr double least = 500, kilo = 1000;
+    if (bare > 0 && bare < least)
+        throw InputError(
+            shortest(bare) + " has no unit and is " + shortest(bare) + " frames per second, did you mean " +
+                shortest(bare) + " kHz?",
+            shortest(kilo * bare) + ", or a number with its unit, \"" + shortest(bare) + " Hz\"");
+    return bare;
 }
 
 double read_frame_rate(std::string_view text) {
     std::string_view rest = trimmed(text);
-    const std::string_view whole = rest;
     double number = 0;
     const bool is_number = take_decimal(rest, number) == std::errc{};
     rest = trimmed(rest);
@@ -137,9 +134,8 @@ double read_frame_rate(std::string_view text) {
         rest.empty() || (known && unit != "rpm" && known->powers == read_unit("Hz")->powers);
     if (!is_number || !is_frequency)
         throw InputError("is " + in_quotes(text), "frames per second, e.g. 80000, \"80 kHz\"");
-    if (!known || known->factor == 1)
-        refuse_two_readings(trimmed(whole.substr(0, whole.find_first_not_of("0123456789."))));
-    return number * known->factor;
+    if (known->factor == 1) refuse_thousands_point(trimmed(text), PointDigits::any);
+    return rest.empty() ? plausible_frame_rate(number) : number * known->factor;
 }
 
 /// Refuses an uncertainty, which would be one of scale. @throws InputError
@@ -150,12 +146,14 @@ const View& certain(const View& node, Dimension dimension) {
 
 Camera read_camera(const View& node) {
     const View rate = node.at("frame_rate");
-    Camera camera{.frame_rate = rate.is_string()
-                                    ? at_place(rate.pointer(), [&] { return read_frame_rate(rate.text()); })
-                                    : rate.number(Dimension::fraction),
-                  .pixel_size = positive_quantity(certain(node.at("pixel_size"), Dimension::length),
-                                                  "pixel size", Dimension::length)
-                                    .value};
+    Camera camera{
+        .frame_rate = rate.is_string()
+                          ? at_place(rate.pointer(), [&] { return read_frame_rate(rate.text()); })
+                          : at_place(rate.pointer(),
+                                     [&] { return plausible_frame_rate(rate.number(Dimension::fraction)); }),
+        .pixel_size = positive_quantity(certain(node.at("pixel_size"), Dimension::length), "pixel size",
+                                        Dimension::length)
+                          .value};
     if (const auto frames = node.find("frames")) camera.frames = frames->integer();
     if (const auto position = node.find("position_in_pixels"))
         camera.position_in_pixels = position->number(Dimension::fraction);

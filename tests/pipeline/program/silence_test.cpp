@@ -324,6 +324,18 @@ TEST_CASE(
     sandbox.write("case.json", document.dump());
     check_refused(sandbox, "run case.json -o out",
                   "/camera/frame_rate: \"80.000\" is 80.000 or 80000; allowed: 80000, or 80.0000");
+    document["camera"]["frame_rate"] = 80;
+    sandbox.write("case.json", document.dump());
+    check_refused(sandbox, "run case.json -o out",
+                  "/camera/frame_rate: 80 has no unit and is 80 frames per second, did you mean 80 kHz?");
+    document["camera"]["frame_rate"] = 80000;
+    document["samples"][0]["diameter"] = {{"value", 88}, {"unit", "um"}, {"standard_uncertainty", 2e-6}};
+    sandbox.write("case.json", document.dump());
+    check_refused(sandbox, "run case.json -o out", "is 2e-06 um, or 2e-06 m; allowed: a number in the unit");
+    check_refused(sandbox,
+                  "contact --diameter '88 um' --density '2300 kg/m3' --contact-modulus '90.000 MPa' "
+                  "--work-of-adhesion '0.3 J/m2'",
+                  "--contact-modulus: \"90.000\" is 90.000 or 90000; allowed: 90000, or 90.0000");
 }
 
 TEST_CASE("a contact at rest that is wide is warned of") {
