@@ -448,9 +448,11 @@ class OxideTable {
                                      " stand behind others: they may be of any oxide",
                                  "each column of uncertainties behind its oxide")
                     .at(at_cell(names.line, i));
-            const bool used = i == label || is_content(headings_[i].role) ||
-                              headings_[i].role == OxideRole::trace || names.cells[i].empty() ||
-                              is_uncertainty_column(names.cells[i], headings_[i]);
+            const bool used =
+                i == label || is_content(headings_[i].role) || headings_[i].role == OxideRole::trace ||
+                names.cells[i].empty() ||
+                (is_uncertainty_column(names.cells[i], headings_[i]) && i > 0 &&
+                 (is_content(headings_[i - 1].role) || headings_[i - 1].role == OxideRole::trace));
             if (used) continue;
             unused.push_back(in_quotes(names.cells[i]));
         }
@@ -556,6 +558,7 @@ class OxideTable {
             const bool is_unit = heading.role == xrd::Role::weight;
             samples.push_back({.sample = is_unit ? std::string() : heading.text});
         }
+        drop_errors_of_unused(amounts, names);
         errors_ = error_columns(amounts, rows_[has_heading ? first - 1 : first].line);
         std::vector<OxideLine> lines;
         for (std::size_t r = first; r < rows_.size(); ++r) lines.push_back(line_of(rows_[r], names));
@@ -583,6 +586,12 @@ class OxideTable {
                     "a table with a row or a column for each oxide: SiO2, Al2O3, ...");
     }
 
+    [[nodiscard]] bool holds_numbers(std::size_t column) const {
+        return std::ranges::any_of(rows_, [&](const TableRow& row) {
+            return column < row.cells.size() && read_number(row.cells[column], true).has_value();
+        });
+    }
+
     /// Columns of amounts: those with a heading for a weight, else all with numbers and the name of a sample.
     [[nodiscard]] std::vector<std::size_t> amount_columns(std::size_t first, std::size_t names) {
         std::vector<std::size_t> by_name;
@@ -591,9 +600,7 @@ class OxideTable {
         for (std::size_t i = 0; i < rows_[first].cells.size(); ++i) {
             if (i == names || i == units_ || headings_[i].role == OxideRole::uncertainty) continue;
             const xrd::Heading& heading = headings_[i].heading;
-            const bool numbers = std::ranges::any_of(rows_, [&](const TableRow& row) {
-                return i < row.cells.size() && read_number(row.cells[i], true).has_value();
-            });
+            const bool numbers = holds_numbers(i);
             if (heading.role == xrd::Role::weight)
                 by_name.push_back(i);
             else if (numbers && heading.role == xrd::Role::other && !names_other_basis(heading))
@@ -612,6 +619,22 @@ class OxideTable {
                         "the name of a sample above each, or one column");
         if (!unused.empty()) note("columns not used: " + joined(unused));
         return by_name.empty() ? by_number : by_name;
+    }
+
+    /// Leaves out uncertainties without a name behind a column that is not used: they are of that column.
+    void drop_errors_of_unused(const std::vector<std::size_t>& amounts, std::size_t names) {
+        std::vector<std::string> unused;
+        for (std::size_t i = 1; i < headings_.size(); ++i) {
+            const OxideLine& before = headings_[i - 1];
+            const bool is_used = i - 1 == names || i - 1 == units_ || before.role == OxideRole::uncertainty ||
+                                 std::ranges::find(amounts, i - 1) != amounts.end();
+            if (headings_[i].role != OxideRole::uncertainty || is_used ||
+                !xrd::is_uncertainty_of_unused(headings_[i].heading, before.heading, holds_numbers(i - 1)))
+                continue;
+            headings_[i].role = OxideRole::other;
+            unused.push_back(in_quotes(headings_[i].heading.written));
+        }
+        if (!unused.empty()) note("columns not used: " + joined(unused));
     }
 
     /// Of each column of amounts that of its uncertainties: the one behind it, or the only one of the table.

@@ -152,6 +152,13 @@ UncertaintyName uncertainty_name(std::string_view text) {
     return name;
 }
 
+bool is_uncertainty_of_unused(const Heading& heading, const Heading& before, bool holds_numbers) {
+    const bool has_name = heading.text.empty() ? !heading.coverage.rest.empty()
+                                               : !is_uncertainty_word(without_per_cent(key_of(heading.text)));
+    const bool of_amounts = heading.states == HeadingUnit::weight || heading.states == HeadingUnit::volume;
+    return holds_numbers && !has_name && !of_amounts && !before.written.empty() && !is_summary(before.text);
+}
+
 namespace {
 
 bool holds_letter(std::string_view text) {

@@ -115,6 +115,12 @@ struct UncertaintyName {
 };
 [[nodiscard]] UncertaintyName uncertainty_name(std::string_view text);
 
+/// Whether a column of uncertainties without a name or unit of amounts is that of the column before it, from
+/// which no amount is read: of "Biso" or "counts", but not of texts, detection limits and counts of samples.
+/// @param holds_numbers whether the column before does
+[[nodiscard]] bool is_uncertainty_of_unused(const Heading& heading, const Heading& before,
+                                            bool holds_numbers);
+
 }  // namespace ashimpact::xrd
 
 template <>

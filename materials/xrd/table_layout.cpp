@@ -654,6 +654,46 @@ void find_uncertainties_of_ratios(Table& table) {
             table.headings[k].role = Role::ratio_uncertainty;
 }
 
+/// Of each column whether a cell below its heading holds a number.
+std::vector<bool> columns_with_numbers(const Table& table, std::span<const TextLine> rows) {
+    std::vector<bool> found(table.headings.size(), false);
+    for (const TextLine& row : rows)
+        for_each_cell(row, table.separator, [&](std::string_view cell, std::size_t k) {
+            if (k < found.size() && !cell.empty() && read_number(cell, true)) found[k] = true;
+        });
+    return found;
+}
+
+/// Leaves out uncertainties without a name behind a column that is not used: they are of that column.
+void drop_uncertainties_of_unused(Table& table, std::span<const TextLine> rows) {
+    const bool is_long = names_amounts(table.headings);
+    const bool has_fractions = table.has(Role::weight) || table.has(Role::volume);
+    const auto is_unused = [&](const Heading& heading) {
+        switch (heading.role) {
+            case Role::measure:
+            case Role::standard:
+                return true;
+            case Role::other:
+                return is_long;
+            case Role::intensity:
+            case Role::ratio:
+                return has_fractions || !is_long;
+            default:
+                return false;
+        }
+    };
+    const std::vector<bool> holds_numbers = columns_with_numbers(table, rows);
+    for (std::size_t k = 1; k < table.headings.size(); ++k) {
+        Heading& heading = table.headings[k];
+        const Heading& before = table.headings[k - 1];
+        if (heading.role != Role::uncertainty || !is_unused(before) ||
+            !is_uncertainty_of_unused(heading, before, holds_numbers[k - 1]))
+            continue;
+        heading.role = Role::measure;
+        if (heading.text.empty()) heading.text = heading.written;  // "2 sigma"
+    }
+}
+
 /// Refuses uncertainties that may be of two columns: a second column of them behind one, and those behind a
 /// density. @throws InputError
 void require_owners_of_uncertainties(const Table& table) {
@@ -848,6 +888,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     if (table.has(Role::phase) && !table.has(Role::sample)) mark_sums(table);
     prefer_fractions(table);
     if (table.has(Role::intensity)) find_uncertainties_of_ratios(table);
+    drop_uncertainties_of_unused(table, cut.rows);
     check_units_of_uncertainties(table);
     require_owners_of_uncertainties(table);
     for (const Heading& each : table.headings)

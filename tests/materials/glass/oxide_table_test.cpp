@@ -48,6 +48,19 @@ TEST_CASE("uncertainties of oxides may stand behind other columns, and marks bes
         CAPTURE(heading);
         CHECK(near(*only(heading).analysis.oxides[0].standard_uncertainty, 0.02));
     }
+    for (const auto& [table, unused] :
+         {std::pair{"oxide;wt%;Net int.;error\nSiO2;60;123;5\nAl2O3;40;123;5\n", "\"error\""},
+          {"oxide;Intensity;\u00b1;wt%\nSiO2;123;5;60\nAl2O3;123;5;40\n", "\"\u00b1\""},
+          {"oxide;FA1;counts;esd\nSiO2;60;123;5\nAl2O3;40;123;5\n", "\"esd\""}}) {
+        CAPTURE(table);
+        const OxideSample sample = only(table);  // the uncertainties are those of the counts
+        CHECK_FALSE(sample.analysis.oxides[0].standard_uncertainty);
+        CHECK(tells(read_oxides(table, "xrf.csv").warnings, std::string("columns not used: ") + unused));
+    }
+    CHECK(near(*only("oxide;counts;esd;wt%;esd\nSiO2;123;5;60;2\nAl2O3;123;5;40;2\n")
+                    .analysis.oxides[0]
+                    .standard_uncertainty,
+               0.02));
     const auto refused = [](std::string_view text) {
         return input_error_of([&] { static_cast<void>(read_oxides(text, "xrf.csv")); });
     };

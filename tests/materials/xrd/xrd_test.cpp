@@ -529,6 +529,34 @@ TEST_CASE("fractions by weight are preferred to those by volume beside them, wit
     CHECK(contains(joined(texts_of(result.warnings)), "column \"vol%\" is not used"));
 }
 
+TEST_CASE("uncertainties without a name behind a column that is not used are of that column") {
+    const auto first = [](const std::string& table) {
+        const XrdResult result = read_xrd(table, "t.csv");
+        CAPTURE(table);
+        CHECK(contains(joined(texts_of(result.warnings)), "is not used"));
+        return result.samples.front().analysis.phases.front().standard_uncertainty;
+    };
+    for (const char* behind : {"esd", "\u00b1", "2 sigma", "error", "esd [nm]"}) {
+        const std::string size = std::string("crystallite size [nm];") + behind;
+        CHECK_FALSE(first("Phase;wt%;" + size + "\nQuartz;20;100;2\nGlass;80;100;2\n"));
+        CHECK_FALSE(first("Phase;" + size + ";wt%\nQuartz;100;2;20\nGlass;100;2;80\n"));
+        CHECK(first("Phase;" + size + ";wt%;esd\nQuartz;100;2;20;0.3\nGlass;100;2;80;1\n").value() ==
+              doctest::Approx(0.003));
+    }
+    CHECK_FALSE(first("Sample;Quartz;Rwp;esd;Glass\nA;20;9;0.5;80\n"));
+    // Texts and detection limits have no uncertainty, and a name or a unit states whose it is.
+    for (const char* between : {"Formula;esd", "LOD;esd", "Biso;weight error", "Biso;esd [wt%]"}) {
+        CAPTURE(between);
+        const char* const cell = std::string_view(between).starts_with("Formula") ? "SiO2" : "0.5";
+        CHECK(first(std::string("Phase;wt%;") + between + "\nQuartz;20;" + cell + ";0.3\nGlass;80;" + cell +
+                    ";1\n")
+                  .value() == doctest::Approx(0.003));
+    }
+    const auto peaks = first("Phase;2theta;esd;I;esd;RIR\nQuartz;26;2;3100;31;3.1\nMullite;26;2;2000;0;2\n");
+    CHECK(peaks.value() == doctest::Approx(0.005));
+    CHECK_FALSE(first("Phase;2theta;esd;I;RIR\nQuartz;26;2;3100;3.1\nMullite;26;2;2000;2\n"));
+}
+
 TEST_CASE("uncertainties of peaks belong to the column before them, in its unit") {
     const auto read = [](const std::string& heading) {
         return read_xrd("Phase;" + heading + "\nQuartz;3100;31;3.1;0.31\nMullite;2000;20;2;0\n", "t.csv");
