@@ -288,6 +288,11 @@ bool is_summary(std::string_view text) {
     const WordLists& words = summary_words();
     text = trimmed(text);
     if (words.holds(text)) return true;
+    const auto slash = text.find('/');  // "Σ/4"
+    if (slash != std::string_view::npos && is_total(text.substr(0, slash))) {
+        const std::string_view divisor = trimmed(text.substr(slash + 1));
+        if (divisor == "n" || (!divisor.empty() && std::ranges::all_of(divisor, is_digit))) return true;
+    }
     // "SD (n=3)", "n = 3", "Mean ± SD", "Mittel 1-5", but not "S (dry)" and "S 1", which may be samples.
     for (const std::string_view sign : {"(", "[", "\u00b1", "+-", "+/-", "=", ":", "%"}) {
         const auto at = text.find(sign);

@@ -146,14 +146,15 @@ TEST_CASE("headings are found however umlauts and accents are spelled") {
 }
 
 TEST_CASE("labels of rows that sum up others, and of samples that look like them") {
-    for (const char* label : {"Mittel", "Schnitt", "n=3", "n = 12", "SD (n=3)", "RSD %", "x\u0304",
-                              "Mean \u00b1 SD", "Mittel 1-5", "\u00d8 1-5", "Promedio", "\u5408\u8ba1",
-                              "mean of 10", "Std. dev. (n = 4)", "\u5e73\u5747\u503c", "Max"}) {
+    for (const char* label :
+         {"Mittel", "Schnitt", "n=3", "n = 12", "SD (n=3)", "RSD %", "x\u0304", "Mean \u00b1 SD",
+          "Mittel 1-5", "\u00d8 1-5", "Promedio", "\u5408\u8ba1", "mean of 10", "Std. dev. (n = 4)",
+          "\u5e73\u5747\u503c", "Max", "gem.", "\u03a3/4", "Sum / n"}) {
         CAPTURE(label);
         CHECK(is_summary(label));
     }
     for (const char* label :
-         {"S (dry)", "S 1", "N3", "Meaney Power", "Mean Creek", "FA1 (n=3)", "Totalite"}) {
+         {"S (dry)", "S 1", "N3", "Meaney Power", "Mean Creek", "FA1 (n=3)", "Totalite", "SD/4", "M"}) {
         CAPTURE(label);
         CHECK_FALSE(is_summary(label));
     }

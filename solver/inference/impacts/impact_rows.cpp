@@ -30,7 +30,26 @@ std::optional<long> row_number(std::string_view cell) {
     return number;
 }
 
-constexpr std::size_t longest_short_word = 3;  ///< "n", "min", which may be names
+/// The label of a row without the nominal velocity behind it: "MW" of "MW 1.5 m/s".
+std::string_view label_in(std::string_view cell) {
+    const auto number = cell.find_first_of("0123456789");
+    if (number == std::string_view::npos || number == 0 || cell[number - 1] != ' ') return cell;
+    const auto unit = cell.find_first_not_of("0123456789.,", number);
+    if (unit == std::string_view::npos || !is_velocity_unit(trimmed(cell.substr(unit)))) return cell;
+    return trimmed(cell.substr(0, number));
+}
+
+/// Whether a label may be a name: "n", "min", "avg.".
+bool is_short(std::string_view label) {
+    constexpr std::size_t longest = 3;
+    return label.substr(0, label.find_last_not_of('.') + 1).size() <= longest;
+}
+
+/// Whether a label is a sign of a mean or another summary, or a name: "M", "mu", "s".
+bool is_sign(std::string_view label) {
+    static const WordLists signs("letters of summary rows");
+    return signs.holds(label) || (label.size() == 1 && is_summary(label));
+}
 
 bool is_blank(std::string_view cell) {
     return outcome_word(cell) == OutcomeWord::unknown;
@@ -91,11 +110,29 @@ void RowLabels::Column::take(std::string_view cell) {
         last_number = *number;
         inner_empty = empty;
     } else {
-        ++(is_blank(cell) ? empty : texts);
+        if (is_blank(cell))
+            ++empty;
+        else
+            ++(read_number(cell) || read_number(cell, true) ? measures : texts);
         const auto verdict = verdict_of(cell);
         has_marks = has_marks || verdict == "no" || verdict == "mark";
         marks += verdict == "mark" ? 1 : 0;
     }
+    const std::string_view label = label_in(cell);
+    if (!is_summary(label) && !is_sign(label)) {
+        ++others;
+        has_letters = has_letters || (label.size() == 1 && !is_digit(label.front()));
+        return;
+    }
+    Label& found = labels[lower_case(label)];
+    found.follows = found.follows && others > found.others;
+    found.others = others;
+    ++found.rows;
+}
+
+bool RowLabels::Column::stands_between(std::string_view label) const {
+    const auto found = labels.find(lower_case(label));
+    return found != labels.end() && found->second.follows && others >= 2 * found->second.rows;
 }
 
 RowLabels::RowLabels(const LabelColumns& heading, std::span<const TextLine> lines, char separator) {
@@ -116,7 +153,8 @@ RowLabels::RowLabels(const LabelColumns& heading, std::span<const TextLine> line
         const Column& column = columns_[i];
         const auto found =
             std::ranges::find(heading.validity, column.column.position, &ValidityColumn::position);
-        const bool only_marks = column.marks > 0 && column.marks == column.texts && column.numbers == 0;
+        const bool only_marks =
+            column.marks > 0 && column.marks == column.texts && column.numbers + column.measures == 0;
         const bool has_remarks = i >= heading.unused.size() || column.column.name.empty() || only_marks;
         if (found != heading.validity.end() || (has_remarks && column.has_marks))
             require_one_verdict(lines, separator, column,
@@ -181,11 +219,24 @@ bool RowLabels::is_summary_label(const Column& column, const TableRow& row) cons
     if (column.column.position >= row.cells.size()) return false;
     const std::string& cell = row.cells[column.column.position];
     const bool in_footer = column.column.position == 0 && row.line >= footer_;
-    if (cell.empty() || is_digit(cell.front()) || !is_summary(cell)) return false;
+    const std::string_view label = label_in(cell);
+    if (cell.empty() || is_digit(cell.front()) || !is_summary(label)) return false;
     if (column.describes_rows) return false;
-    const bool labels =
-        column.column.position == 0 || 2 * column.texts <= column.numbers + column.texts + column.empty;
-    return (cell.size() > longest_short_word && labels) || in_footer || column.counts_rows();
+    const bool between =
+        column.stands_between(label) && !is_sign(label) && (column.labels_rows() || !is_total(label));
+    return (!is_short(label) && column.labels_rows()) || between || in_footer || column.counts_rows();
+}
+
+void RowLabels::refuse_sign(const Column& column, const TableRow& row) {
+    const std::string& cell = row.cells[column.column.position];
+    const std::string_view label = label_in(cell);
+    const bool is_label =
+        column.column.position == 0 || (column.labels_rows() && column.numbers + column.measures > 0);
+    if (!is_label || !is_sign(label) || column.has_letters || !column.stands_between(label)) return;
+    throw InputError(
+        in_quotes(cell) + " in " + name_of(column.column) + " may be a name, or the row sums up others",
+        "\"mean\" or \"SD\" for such rows, or a longer name")
+        .at(at_cell(row.line, column.column.position));
 }
 
 void RowLabels::require_number(const Column& column, const TableRow& row) {
@@ -287,10 +338,13 @@ void refuse_summaries(std::span<const MeasuredRow> rows, std::vector<Finding>& f
 
 std::string RowLabels::summary_in(const TableRow& row) const {
     const std::string& first = row.cells.front();  // a label may stand in the column of v_in
-    if (first.size() > longest_short_word && is_summary(first)) return first;
+    if (!is_short(label_in(first)) && is_summary(first)) return first;
     for (const Column& column : columns_)
         if (is_summary_label(column, row)) return row.cells[column.column.position];
-    for (const Column& column : columns_) require_number(column, row);
+    for (const Column& column : columns_) {
+        require_number(column, row);
+        refuse_sign(column, row);
+    }
     require_valid(row);
     return {};
 }

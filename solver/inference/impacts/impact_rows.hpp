@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,10 +24,11 @@ class RowLabels {
     RowLabels(const LabelColumns& heading, std::span<const TextLine> lines, char separator);
 
     /// The label of a row that sums up others, "Mittel" or "SD (n=3)"; empty for an impact. Words as short as
-    /// "n" or "SD" count in the rows at the end, in the first column, and where the other rows have a number;
-    /// none does in another column with a text in most rows.
-    /// @throws InputError for another text where the others have a number, for no number there behind them,
-    /// and for a row that a remark calls invalid
+    /// "SD" count in the rows at the end, in the first column, where the other rows have a number, and behind
+    /// groups of other rows. In another column with a text in most rows all words but totals count behind
+    /// groups alone.
+    /// @throws InputError for one letter behind groups, which may be a name, for another text where the
+    /// others have a number, for no number there behind them, and for a row that a remark calls invalid
     [[nodiscard]] std::string summary_in(const TableRow& row) const;
 
     /// Whether a column numbers the rows.
@@ -36,18 +38,34 @@ class RowLabels {
     /// The cells of a column that holds no quantity.
     struct Column {
         TextColumn column;
-        std::size_t numbers = 0;  ///< whole numbers
-        std::size_t texts = 0;    ///< anything else
+        std::size_t numbers = 0;   ///< whole numbers
+        std::size_t measures = 0;  ///< other numbers
+        std::size_t texts = 0;     ///< anything else
         std::size_t empty = 0;
         bool in_order = true;         ///< each number is one more than that before
         long last_number = 0;         ///< of the column
         std::size_t inner_empty = 0;  ///< before the last number
         bool has_marks = false;       ///< "no" or "x" in some cell
         std::size_t marks = 0;        ///< of the texts, "x"
-        bool describes_rows = false;  ///< "mean of 3" in the first row, which sums up no others
+        /// Rows with one label that may say that they sum up others.
+        struct Label {
+            std::size_t rows = 0;
+            std::size_t others = 0;  ///< before the last of them
+            bool follows = true;     ///< others stand before each of them
+        };
+        std::map<std::string, Label> labels{};  ///< in small letters
+        std::size_t others = 0;                 ///< rows without such a label
+        bool has_letters = false;               ///< one letter is the name of some row
+        bool describes_rows = false;            ///< "mean of 3" in the first row, which sums up no others
         [[nodiscard]] bool counts_rows() const {
-            return numbers >= 2 && numbers > texts && (column.position == 0 || in_order);
+            return numbers >= 2 && numbers > texts + measures && (column.position == 0 || in_order);
         }
+        /// Whether the words of the column can be labels of rows, and not a quantity of each.
+        [[nodiscard]] bool labels_rows() const {
+            return column.position == 0 || texts <= numbers + measures + empty;
+        }
+        /// Whether each row with a label stands behind others, of which there are at least twice as many.
+        [[nodiscard]] bool stands_between(std::string_view label) const;
         void take(std::string_view cell);
     };
     void find_footer(std::span<const TextLine> lines, char separator);
@@ -55,6 +73,7 @@ class RowLabels {
                              const ValidityColumn* validity) const;
     [[nodiscard]] bool sums_up(const TableRow& row) const;
     [[nodiscard]] bool is_summary_label(const Column& column, const TableRow& row) const;
+    static void refuse_sign(const Column& column, const TableRow& row);
     static void require_number(const Column& column, const TableRow& row);
     void require_valid(const TableRow& row) const;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <random>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -543,6 +544,54 @@ TEST_CASE("rows that sum up others are left out with a remark, and no row of a s
     CHECK(of("s;1,5;0,5;1\n2;2,5;0,9;2\n").points.size() == 2);
     CHECK(of("1;1,5;0,5;total\n2;2,5;0,9;partial\n3;2,6;0,9;total\n").points.size() == 3);
     CHECK(of("1;1,5;0,5;\n2;2,5;0,9;\n;2;0,7;Mittelwert\n").points.size() == 2);
+}
+
+TEST_CASE("rows behind each group that a short word calls their mean are no impacts") {
+    const auto table = [](const std::string& label, bool is_first, const std::string& group) {
+        std::string text = is_first ? "group;v_in [m/s];v_r [m/s]\n" : "v_in [m/s];v_r [m/s];group\n";
+        const auto add = [&](const std::string& name, const std::string& row) {
+            text += is_first ? name + ";" + row + "\n" : row + ";" + name + "\n";
+        };
+        for (const char* row : {"1.40;0.1", "1.55;0.2", "1.73;0.3"}) add(group, row);
+        add(label, "1.56;0.2");
+        for (const char* row : {"1.81;0.3", "1.95;0.4", "2.12;0.5"}) add(group, row);
+        add(label, "1.96;0.4");
+        return text;
+    };
+    const auto refusal = [](const std::string& text) {
+        return input_error_of([&] { static_cast<void>(read_measurements(text, "t.csv")); });
+    };
+    for (const bool is_first : {true, false})
+        for (const char* group : {"A1", "1.5"}) {
+            for (const char* label : {"MW", "Mw.", "avg", "AVG", "x\u0304", "gem.", "\u03a3/4", "MW 1.5 m/s",
+                                      "SD", "Mean", "\u00d8"}) {
+                CAPTURE(label);
+                const MeasurementSet set = read_measurements(table(label, is_first, group), "t.csv");
+                CHECK(set.points.size() == 6);
+                for (const char* line : {"line 5", "line 9"})
+                    CHECK(contains(warnings_of(set),
+                                   std::string(line) + " is no impact and left out: \"" + label + "\""));
+            }
+            for (const char* label : {"M", "mu"})
+                if (is_first || std::string_view(group) == "1.5")
+                    CHECK(contains(refusal(table(label, is_first, group)),
+                                   "may be a name, or the row sums up others"));
+        }
+    const MeasurementSet both = read_measurements(
+        "group;v_in;v_r\nA;1.4;0.1\nA;1.6;0.2\nMW;1.5;0.15\nSD;0.14;0.07\nB;1.8;0.3\nB;2.0;0.4\n"
+        "MW;1.9;0.35\nSD;0.14;0.07\n",
+        "t.csv");
+    CHECK(both.points.size() == 4);
+    // Names of who measured, and of sides.
+    for (const char* names : {"KM MW KM MW", "MW MW KM KM", "A L M N", "e n w s"}) {
+        CAPTURE(names);
+        std::string text = "name;v_in;v_r\n";
+        std::istringstream all(names);
+        for (std::string name, row = "1.4;0.1"; all >> name; row[2] = static_cast<char>(row[2] + 1))
+            text += name + ";" + row + "\n";
+        text += "KM;2.5;1.1\n";
+        CHECK(read_measurements(text, "t.csv").points.size() == 5);
+    }
 }
 
 TEST_CASE("a row among numbered ones that has another label is no impact, or is refused") {
