@@ -23,6 +23,7 @@ struct Token {
 struct TopasPhase {
     ListedPhase listed{};            ///< the amount is in [%] of the crystalline part
     bool has_weight = false;         ///< by its keyword, which comes before MVW
+    bool of_peaks = false;           ///< peaks without a structure, such as a hump, which need no name
     std::optional<double> spiked{};  ///< [%] of the mixture, as weighed
 };
 
@@ -124,10 +125,15 @@ class TopasReader {
     }
 
     /// The pattern being read; a file of phases alone has one without an xdd.
-    TopasPattern& pattern(std::size_t line) {
-        require_unconditional(line);
+    TopasPattern& any_pattern(std::size_t line) {
         if (patterns_.empty()) patterns_.push_back({.name = {}, .line = line, .phases = {}});
         return patterns_.back();
+    }
+
+    /// The same where the line counts in any case. @throws InputError
+    TopasPattern& pattern(std::size_t line) {
+        require_unconditional(line);
+        return any_pattern(line);
     }
 
     /// The phase being read. @throws InputError at @p token where none has begun
@@ -186,6 +192,10 @@ class TopasReader {
             patterns_.back().name = tokens_[at_++].text;
         } else if (word == "str" || word == "hkl_Is" || word == "dummy_str") {
             pattern(token.line).phases.push_back({.listed = {.name = {}, .line = token.line}});
+        } else if (word == "xo_Is" || word == "d_Is" || word == "fit_obj") {
+            // Peaks that only describe the background may depend on a macro.
+            any_pattern(token.line)
+                .phases.push_back({.listed = {.name = {}, .line = token.line}, .of_peaks = true});
         } else if (word == "phase_name") {
             if (at_ >= tokens_.size()) cut_off(token);
             ListedPhase& listed = phase(token).listed;
@@ -263,8 +273,9 @@ XrdSample sample_of(const TopasPattern& pattern) {
     XrdSample sample{.name = file_stem(pattern.name)};
     std::vector<ListedPhase> phases;
     for (const TopasPhase& phase : pattern.phases) {
+        if (phase.of_peaks && phase.listed.name.empty() && !phase.listed.amount) continue;
         if (phase.listed.name.empty())
-            refuse_line(phase.listed.line, "a phase has no phase_name", "phase_name \"...\" in each str");
+            refuse_line(phase.listed.line, "a phase has no phase_name", "phase_name \"...\" in each phase");
         phases.push_back(phase.listed);
     }
     const double total = add_fractions(

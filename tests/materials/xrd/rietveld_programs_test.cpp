@@ -169,6 +169,40 @@ TEST_CASE("TOPAS: several patterns, phases without an xdd, a phase without a wei
     CHECK(contains(bare.warnings[1].text, "\"Quartz\" has no uncertainty, as other phases do"));
 }
 
+TEST_CASE("TOPAS: a phase of peaks is a phase of its own") {
+    const std::string phases =
+        "str phase_name Quartz weight_percent 40\n"
+        "str phase_name Mullite weight_percent 60\n";
+    for (const std::string block : {"xo_Is", "d_Is", "hkl_Is", "fit_obj"}) {
+        CAPTURE(block);
+        for (const std::string& text : {phases + block + " phase_name Glass xo @ 23.4`_0.1 I @ 1234\n",
+                                        block + " phase_name Glass xo 23.4 I @ 1234\n" + phases}) {
+            const XrdSample hump = read_text(text).samples[0];
+            REQUIRE(hump.analysis.phases.size() == 2);
+            CHECK(hump.analysis.phases[0].name == "Quartz");
+            CHECK(hump.analysis.phases[1].name == "Mullite");
+            CHECK(contains(hump.warnings.front().text, "the phase \"Glass\" has no weight (line "));
+            CHECK(contains(input_error_of([&] { return compose(hump.analysis, shipped_catalogue()); }),
+                           "the amorphous fraction of the sample is not stated"));
+        }
+        const XrdSample weighed = read_text("str phase_name Quartz weight_percent 40\n" + block +
+                                            " phase_name Glass weight_percent 60`_1\n")
+                                      .samples[0];
+        REQUIRE(weighed.analysis.phases.size() == 2);
+        CHECK(weighed.analysis.phases[0].name == "Quartz");
+        CHECK(close_to(weighed.analysis.phases[1].fraction, 0.6));
+        CHECK(compose(weighed.analysis, shipped_catalogue()).components[1].phase.amorphous);
+    }
+    // Peaks of the background have no name; a macro may add them.
+    const XrdSample background =
+        read_text("xo_Is xo 20 I @ 5\n#ifdef X\nd_Is d 3 I @ 5\n#endif\n" + phases + "fit_obj = 3;\n")
+            .samples[0];
+    CHECK(background.analysis.phases.size() == 2);
+    CHECK(background.warnings.empty());
+    refuses_text("str phase_name Quartz\nxo_Is xo 20 I @ 5 weight_percent 100\n",
+                 "line 2: a phase has no phase_name");
+}
+
 TEST_CASE("malformed TOPAS files are refused at their line") {
     refuses_text("str phase_name \"Quartz\nweight_percent 3\n", "line 1: a quote is not closed");
     refuses_text("str phase_name Quartz\n/* weight_percent\n", "line 2: a comment is not closed");
