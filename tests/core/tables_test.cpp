@@ -76,9 +76,12 @@ std::string xlsx(const std::string& rows, const std::string& styles = "", const 
     return archive_of(parts);
 }
 
-std::string ods(const std::string& rows, const std::string& styles = "") {
+/// An .ods with one sheet of these rows, its styles, and the styles that have a name for the user.
+std::string ods(const std::string& rows, const std::string& styles = "", const std::string& common = "") {
     return archive_of(
-        {{"content.xml",
+        {{"styles.xml", "<office:document-styles xmlns:office='o'><office:styles>" + common +
+                            "</office:styles></office:document-styles>"},
+         {"content.xml",
           "<office:document-content xmlns:office='o' xmlns:table='t' xmlns:text='p'>"
           "<office:automatic-styles>" +
               styles +
@@ -384,8 +387,58 @@ TEST_CASE("cells of .ods hold what the spreadsheet shows") {
                                          {"0% 100%", "7531"}})
         CHECK(text_of(ods("<table:table-row><table:table-cell><text:p>753<text:span text:style-name='T'>1"
                           "</text:span></text:p></table:table-cell></table:table-row>",
-                          "<style:style style:name='T'><style:text-properties style:text-position='" +
+                          "<style:style style:name='T' style:family='text'><style:text-properties "
+                          "style:text-position='" +
                               std::string(position) + "'/></style:style>")) == std::string(text) + "\n");
+    const auto named = [](const std::string& name, const std::string& rest) {
+        return "<style:style style:family='table-cell' style:name='" + name + "'" + rest + "</style:style>";
+    };
+    const std::string line = "><style:text-properties style:text-line-through-style='solid'/>";
+    const std::string common =
+        named("Heir", " style:parent-style-name='Out'>") + named("Out", line) +
+        named("Back",
+              " style:parent-style-name='Out'><style:text-properties "
+              "style:text-line-through-style='none'/>") +
+        named("Ring", " style:parent-style-name='Ring'>") + named("Default", ">") +
+        named("Kilo", " style:data-style-name='N'>") +
+        "<number:number-style style:name='N'><number:number number:display-factor='1000'/>"
+        "</number:number-style>"
+        "<style:style style:family='graphic' style:name='Default'" +
+        line + "</style:style>";
+    const std::string automatic = named("ce1", " style:parent-style-name='Heir'>") + named("ce2", line);
+    const std::string out = "5 (struck out)";
+    for (const auto& [columns, of_row, of_cell, text] :
+         {std::tuple<std::string, std::string, std::string, std::string>{"", "", "Out", out},
+          {"", "", "Heir", out},
+          {"", "", "ce1", out},
+          {"", "", "ce2", out},
+          {"", "", "Back", "5"},
+          {"", "", "Ring", "5"},
+          {"", "", "Default", "5"},
+          {"", "", "Kilo", "5 (shown as 0.005 by its number format)"},
+          {"", "Out", "", out},
+          {"", "Out", "Default", "5"},
+          {"Out", "", "", out},
+          {"Out", "Default", "", "5"},
+          {"Out", "", "Default", "5"},
+          {"Default", "", "", "5"}}) {
+        const std::string stated = "column " + columns + ", row " + of_row + ", cell " + of_cell;
+        CAPTURE(stated);
+        const auto stating = [](const std::string& attribute, const std::string& style) {
+            return style.empty() ? "" : " table:" + attribute + "='" + style + "'";
+        };
+        CHECK(text_of(ods("<table:table-column" + stating("default-cell-style-name", columns) +
+                              "/><table:table-row" + stating("default-cell-style-name", of_row) +
+                              "><table:table-cell" + stating("style-name", of_cell) +
+                              " office:value-type='float' office:value='5'/></table:table-row>",
+                          automatic, common)) == text + "\n");
+    }
+    // A cell that stands for several may lie in columns of several styles.
+    CHECK(text_of(ods("<table:table-column table:number-columns-repeated='2'/><table:table-column "
+                      "table:default-cell-style-name='Out'/><table:table-column/><table:table-row>"
+                      "<table:table-cell table:number-columns-repeated='4' office:value-type='float' "
+                      "office:value='5'/></table:table-row>",
+                      automatic, common)) == "5\t5\t" + out + "\t5\n");
     CHECK(row("<table:table-cell table:number-columns-repeated='2'/><table:table-cell "
               "office:value-type='float' "
               "office:value='1' table:number-columns-repeated='2'/>") == "\t\t1\t1\n");
@@ -748,11 +801,11 @@ TEST_CASE("of several sheets the one with a table is read, or the one that is na
     const std::string other =
         "<table:table-row><table:table-cell><text:p>old</text:p></table:table-cell>"
         "</table:table-row>";
-    const XrdResult beside =
-        read_xrd(ods(quartz + "</table:table><table:table table:name='T' table:style-name='H'>" + other,
-                     "<style:style xmlns:style='s' style:name='H'><style:table-properties "
-                     "table:display='false'/></style:style>"),
-                 "a.ods");
+    const XrdResult beside = read_xrd(
+        ods(quartz + "</table:table><table:table table:name='T' table:style-name='H'>" + other,
+            "<style:style xmlns:style='s' style:name='H' style:family='table'><style:table-properties "
+            "table:display='false'/></style:style>"),
+        "a.ods");
     CHECK(beside.warnings.front().text == "the sheet \"S\" is read, not \"T\" (hidden)");
     CHECK(beside.warnings.front().severity == Severity::remark);
     CHECK(contains(

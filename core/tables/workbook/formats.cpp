@@ -4,10 +4,9 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <optional>
-#include <set>
+#include <utility>
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -138,35 +137,79 @@ Shift shift_of_position(std::string_view position) {
     return raised ? Shift::raised : Shift::none;
 }
 
-/// Names of the styles of an .ods whose text is struck out or shifted, whose numbers are shown in thousands,
-/// or whose sheet is hidden.
-struct TextStyles {
-    std::set<std::string, std::less<>> struck{};
-    std::map<std::string, Shift, std::less<>> shifted{};
-    std::set<std::string, std::less<>> in_thousands{};  ///< of numbers, and of the cells that have them
-    std::set<std::string, std::less<>> hidden{};        ///< of sheets
-
-    explicit TextStyles(const pugi::xml_node& styles) {
-        for (const pugi::xml_node& style : styles) {
-            const std::string name = attribute_of(style, "name").value_or("");
-            const std::string factor =
-                attribute_of(child_of(style, "number"), "display-factor").value_or("1");
-            if (factor != "1" || in_thousands.contains(attribute_of(style, "data-style-name").value_or("")))
-                in_thousands.insert(name);
-            if (attribute_of(child_of(style, "table-properties"), "display") == "false") hidden.insert(name);
-            const pugi::xml_node text = child_of(style, "text-properties");
-            if (attribute_of(text, "text-line-through-style").value_or("none") != "none") struck.insert(name);
-            shifted[name] = shift_of_position(attribute_of(text, "text-position").value_or(""));
-        }
-    }
-    [[nodiscard]] bool strikes(const pugi::xml_node& node) const {
-        return struck.contains(attribute_of(node, "style-name").value_or(""));
-    }
-    [[nodiscard]] Shift shift_of(const pugi::xml_node& node) const {
-        const auto found = shifted.find(attribute_of(node, "style-name").value_or(""));
-        return found == shifted.end() ? Shift::none : found->second;
-    }
+/// What a style of an .ods sets; what it leaves open is that of its parent.
+struct TextStyle {
+    std::string parent{};
+    std::optional<bool> struck{};
+    std::optional<Shift> shift{};
+    std::optional<bool> hidden{};                ///< of a sheet
+    std::optional<std::string> number_format{};  ///< name of the one of a cell
+    std::optional<bool> in_thousands{};          ///< of a number format: whether it divides what it shows
 };
+
+TextStyle text_style(const pugi::xml_node& node) {
+    TextStyle style{.parent = attribute_of(node, "parent-style-name").value_or(""),
+                    .number_format = attribute_of(node, "data-style-name")};
+    if (const auto factor = attribute_of(child_of(node, "number"), "display-factor"))
+        style.in_thousands = factor != "1";
+    if (const auto display = attribute_of(child_of(node, "table-properties"), "display"))
+        style.hidden = display == "false";
+    const pugi::xml_node text = child_of(node, "text-properties");
+    const auto line = attribute_of(text, "text-line-through-style");
+    const auto type = attribute_of(text, "text-line-through-type");
+    if (line || type) style.struck = line != "none" && type != "none";
+    if (const auto position = attribute_of(text, "text-position")) style.shift = shift_of_position(*position);
+    return style;
+}
+
+/// The styles of an .ods. Each family, such as that of cells, has names of its own; number formats have none.
+class TextStyles {
+  public:
+    /// Adds styles, over those of the same name.
+    void add(const pugi::xml_node& styles) {
+        for (const pugi::xml_node& node : styles)
+            styles_[{attribute_of(node, "family").value_or(""), attribute_of(node, "name").value_or("")}] =
+                text_style(node);
+    }
+    [[nodiscard]] bool strikes_cell(const std::string& style) const {
+        return setting(&TextStyle::struck, "table-cell", style).value_or(false);
+    }
+    [[nodiscard]] bool divides_cell(const std::string& style) const {
+        const auto format = setting(&TextStyle::number_format, "table-cell", style);
+        return format && setting(&TextStyle::in_thousands, "", *format).value_or(false);
+    }
+    [[nodiscard]] bool strikes_span(const std::string& style) const {
+        return setting(&TextStyle::struck, "text", style).value_or(false);
+    }
+    [[nodiscard]] Shift shift_of_span(const std::string& style) const {
+        return setting(&TextStyle::shift, "text", style).value_or(Shift::none);
+    }
+    [[nodiscard]] bool hides_sheet(const std::string& style) const {
+        return setting(&TextStyle::hidden, "table", style).value_or(false);
+    }
+
+  private:
+    /// What the style sets, or the nearest of its parents; the last is the family's default, without a name.
+    template <class Value>
+    [[nodiscard]] std::optional<Value> setting(std::optional<Value> TextStyle::*what,
+                                               const std::string& family, std::string style) const {
+        constexpr int deepest = 50;  // a damaged file may have a circle of parents
+        for (int depth = 0; depth < deepest; ++depth) {
+            const auto found = styles_.find({family, style});
+            if (found != styles_.end() && found->second.*what) return found->second.*what;
+            if (style.empty()) break;
+            style = found == styles_.end() ? "" : found->second.parent;
+        }
+        return std::nullopt;
+    }
+
+    std::map<std::pair<std::string, std::string>, TextStyle> styles_;  ///< by family and name
+};
+
+/// The name of the style that a node states, or an empty one.
+std::string style_of(const pugi::xml_node& node) {
+    return attribute_of(node, "style-name").value_or("");
+}
 
 /// Appends the text of a paragraph, of spans and links too, but not of comments on the cell.
 void append_text(const pugi::xml_node& node, const TextStyles& styles, std::string& text, int depth = 0) {
@@ -179,8 +222,8 @@ void append_text(const pugi::xml_node& node, const TextStyles& styles, std::stri
         if (name != "span" && name != "a") continue;
         std::string part;
         append_text(inner, styles, part, depth + 1);
-        part = shown_shifted(part, styles.shift_of(inner));
-        text += styles.strikes(inner) ? struck_out(part) : part;
+        part = shown_shifted(part, styles.shift_of_span(style_of(inner)));
+        text += styles.strikes_span(style_of(inner)) ? struck_out(part) : part;
     }
 }
 
@@ -246,7 +289,8 @@ std::string as_shown(const std::string& shown, const std::string& number, double
     return beside(has_meaning(prefix) || has_sign ? prefix : "", number, has_meaning(suffix) ? suffix : "");
 }
 
-std::string ods_cell_text(const pugi::xml_node& cell, const TextStyles& styles) {
+/// What a cell in this style holds, but for a line through it.
+std::string ods_cell_value(const pugi::xml_node& cell, const std::string& style, const TextStyles& styles) {
     // LibreOffice adds a second attribute of that name with the value "error"; attribute_of() returns the
     // first.
     const std::string type = attribute_of(cell, "value-type").value_or("");
@@ -259,9 +303,7 @@ std::string ods_cell_text(const pugi::xml_node& cell, const TextStyles& styles) 
     if (type == "date") return shown_date(attribute_of(cell, "date-value").value_or("").substr(0, 10));
     if (type == "float" || type == "percentage" || type == "currency") {
         const auto number = whole_decimal(attribute_of(cell, "value").value_or(""));
-        if (number && *number != 0 &&
-            styles.in_thousands.contains(attribute_of(cell, "style-name").value_or("")))
-            return shown_in_thousands(*number);
+        if (number && *number != 0 && styles.divides_cell(style)) return shown_in_thousands(*number);
         const std::string shown = text_of_paragraphs(cell, styles);
         if (number && shown.empty() && !cell.children().empty())
             return shown_number(*number) + " (hidden by its number format)";
@@ -269,6 +311,11 @@ std::string ods_cell_text(const pugi::xml_node& cell, const TextStyles& styles) 
         if (number) return as_shown(shown, shown_number(*number), *number);
     }
     return text_of_paragraphs(cell, styles);
+}
+
+std::string ods_cell_text(const pugi::xml_node& cell, const std::string& style, const TextStyles& styles) {
+    std::string text = ods_cell_value(cell, style, styles);
+    return styles.strikes_cell(style) ? struck_out(std::move(text)) : text;
 }
 
 /// Fills a sheet from the rows of an .ods, which may be grouped.
@@ -297,6 +344,16 @@ class OdsRows {
         const auto visible = attribute_of(column, "visibility");
         if (visible == "collapse" || visible == "filter") sheet_.hide_columns(column_, copies);
         column_ += copies;
+        cell_styles_[column_] = attribute_of(column, "default-cell-style-name").value_or("");
+    }
+
+    /// The style of a cell: its own, else that of its row, else that of its column.
+    [[nodiscard]] std::string cell_style(const pugi::xml_node& row, const pugi::xml_node& cell,
+                                         std::size_t column) const {
+        if (auto own = attribute_of(cell, "style-name")) return *std::move(own);
+        if (auto of_row = attribute_of(row, "default-cell-style-name")) return *std::move(of_row);
+        const auto found = cell_styles_.upper_bound(column);
+        return found == cell_styles_.end() ? "" : found->second;
     }
 
     /// Rows that are equal, such as two impacts captured at the same velocity, are stored once.
@@ -309,11 +366,11 @@ class OdsRows {
             if (name != "table-cell" && name != "covered-table-cell") continue;
             const std::size_t copies = repeats(cell, "number-columns-repeated");
             sheet_.see_formula(row_, column, attribute_of(cell, "formula").value_or(""));
-            std::string text = ods_cell_text(cell, styles_);
-            if (styles_.strikes(cell)) text = struck_out(std::move(text));
-            for (std::size_t i = 0; !text.empty() && i < copies; ++i) {
+            for (std::size_t i = 0; i < copies; ++i) {
+                std::string text = ods_cell_text(cell, cell_style(row, cell, column + i), styles_);
+                if (text.empty()) break;  // as it is in any style
                 sheet_.require_column(row_, column + i);
-                cells.emplace_back(column + i, text);
+                cells.emplace_back(column + i, std::move(text));
                 if (name == "covered-table-cell") covered.push_back(column + i);
             }
             if (repeats(cell, "number-rows-spanned") > 1) spanning.push_back(column);
@@ -335,7 +392,8 @@ class OdsRows {
     Sheet& sheet_;
     const TextStyles& styles_;
     std::size_t row_ = 0;
-    std::size_t column_ = 0;  ///< of the next description of columns
+    std::size_t column_ = 0;                          ///< of the next description of columns
+    std::map<std::size_t, std::string> cell_styles_;  ///< of cells without one, by the column behind the last
 };
 
 /// The sheets of an .ods (OpenDocument 1.0 to 1.3); none if the archive is something else.
@@ -347,12 +405,16 @@ std::optional<std::vector<Sheet>> read_ods(Archive& archive) {
     const pugi::xml_node body = child_of(document.document_element(), "body");
     const pugi::xml_node tables = child_of(body, "spreadsheet");
     if (!tables) return std::nullopt;
-    const TextStyles styles(child_of(document.document_element(), "automatic-styles"));
+    TextStyles styles;
+    constexpr auto common = "styles.xml";  // the styles that have a name for the user
+    if (const auto named = archive.read(common))
+        styles.add(child_of(parse_part(*named, common).document_element(), "styles"));
+    styles.add(child_of(document.document_element(), "automatic-styles"));
     std::vector<Sheet> sheets;
     for (const pugi::xml_node& table : tables) {
         if (local_name(table.name()) != "table") continue;
         Sheet& sheet = sheets.emplace_back(attribute_of(table, "name").value_or(""));
-        if (styles.hidden.contains(attribute_of(table, "style-name").value_or(""))) sheet.hide();
+        if (styles.hides_sheet(style_of(table))) sheet.hide();
         OdsRows(sheet, styles).take_rows(table);
         require_bytes(sheets);
     }
