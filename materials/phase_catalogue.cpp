@@ -34,7 +34,10 @@ std::pair<double, double> read_range(const View& node, const std::string& unit, 
 }
 
 PhaseProperty read_property(const View& node, Dimension dimension) {
-    if (!node.is_object()) return {.value = node.number(dimension)};
+    if (!node.is_object()) {
+        const Quantity quantity = node.quantity(dimension);
+        return {.value = quantity.value, .standard_uncertainty = quantity.standard_uncertainty};
+    }
     node.require_keys({"value", "unit", "standard_uncertainty", "range", "assumed", "citations"});
     Json plain = node.json();
     for (const auto* key : {"range", "assumed", "citations"}) plain.erase(key);

@@ -191,6 +191,13 @@ TEST_CASE("the user's own phases come first") {
     const PhaseCatalogue catalogue = shipped_catalogue().overridden_by(read_user_phases(View(own)));
     CHECK(relative_difference(catalogue.resolve("quartz").phase.density.value, 2700) < 1e-15);
     CHECK(catalogue.resolve("lime").phase.young_modulus.uncertainty().value() == doctest::Approx(10e9));
+    const PhaseCatalogue texts = shipped_catalogue().overridden_by(read_user_phases(View(parse_json(
+        R"([{"name": "lime", "density": "3.3 +- 0.1 g/cm3", "young_modulus": "190(10) GPa",
+             "poisson_ratio": "0.22 +- 0.02"}])"))));
+    const Phase lime = texts.resolve("lime").phase;
+    CHECK(lime.density.uncertainty().value() == doctest::Approx(100));
+    CHECK(lime.young_modulus.uncertainty().value() == doctest::Approx(10e9));
+    CHECK(lime.poisson_ratio.value().uncertainty().value() == doctest::Approx(0.02));
     // it replaces the catalogue's under every synonym, with a note; a glass of one's own replaces the paper's
     CHECK(catalogue.resolve("Quartz low").phase.young_modulus.value == 90e9);
     CHECK(catalogue.resolve("Quartz9000775").phase.young_modulus.value == 90e9);
