@@ -198,10 +198,15 @@ std::optional<double> density_in(const TableRow& row, std::size_t column, const 
             throw InputError("column " + in_quotes(heading.written) + ": the density has no unit",
                              "density [g/cm3] as the heading, or a unit in each cell");
         const auto number = heading.unit.empty() ? std::nullopt : number_in(row, column, table);
+        const Quantity with_unit = number ? Quantity{} : quantity_of_text(cell, Dimension::density);
+        if (number ? number->standard_uncertainty : with_unit.standard_uncertainty)
+            throw InputError(
+                in_quotes(cell) + " states an uncertainty, which nothing here uses",
+                "the density alone, or the phase with its uncertainty under \"phases\" of a case");
         const double density =
             number ? at_place("column " + in_quotes(heading.written),
                               [&] { return to_si(number->value, heading.unit, Dimension::density); })
-                   : parse_quantity(cell, Dimension::density);
+                   : with_unit.value;
         if (!(density > 0)) throw InputError("the density is not positive", "a positive density");
         return std::optional(density);
     });

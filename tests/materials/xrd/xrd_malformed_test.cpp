@@ -220,6 +220,14 @@ TEST_CASE("malformed tables") {
     refuses("phase,wt%,density [GPa]\nQuartz,60,2.65\n",
             "line 2, cell 3: column \"density [GPa]\": the unit \"GPa\" is not one of density");
     refuses("phase,wt%,density [g/cm3]\nQuartz,60,-2.65\n", "line 2, cell 3: the density is not positive");
+    for (const char* cell : {"2.65 \u00b1 0.05", "2.65(5)", "2.65+-0.05"}) {
+        const std::string text(cell);
+        const std::string problem =
+            "\" states an uncertainty, which nothing here uses; allowed: the density alone, or the phase";
+        refuses("phase,wt%,density [g/cm3]\nQuartz,60," + text + "\n", "line 2, cell 3: \"" + text + problem);
+        refuses("phase,wt%,density\nQuartz,60," + text + " g/cm3\n",
+                "line 2, cell 3: \"" + text + " g/cm3" + problem);
+    }
     refuses("phase,intensity\nQuartz,60\n",
             "line 1: there are intensities without reference intensity ratios");
     refuses("phase,intensity,rir\nQuartz,60,\n", "line 2: intensity or rir of \"Quartz\" is missing");
