@@ -162,7 +162,7 @@ class TableCells {
     [[nodiscard]] std::optional<double> tangential(const TableRow& row) const {
         if (!heading_.sideways) return std::nullopt;
         const SidewaysColumn& column = *heading_.sideways;
-        if (!column.is_angle) return number(row, column.position, column.name) * column.to_si;
+        if (!column.is_angle) return sideways(row, "the velocity alone");
         const double v = entry(row, MeasuredQuantity::velocity).value;
         return heading_.normal_velocity ? v * std::tan(angle(row)) : v * std::sin(angle(row));
     }
@@ -176,10 +176,20 @@ class TableCells {
     [[nodiscard]] const NumberMarks& marks() const { return marks_; }
 
   private:
+    /// The angle [rad] or the velocity along the wall [m/s] of a row. @throws InputError for an uncertainty
+    [[nodiscard]] double sideways(const TableRow& row, const std::string& allowed) const {
+        const SidewaysColumn& column = *heading_.sideways;
+        const double value = number(row, column.position, column.name) * column.to_si;
+        if (number_in(row, column.position)->standard_uncertainty)
+            fail(column, row, "states an uncertainty, which nothing here uses", allowed);
+        return value;
+    }
+
     /// Of incidence, from the normal [rad].
     [[nodiscard]] double angle(const TableRow& row) const {
         const SidewaysColumn& column = *heading_.sideways;
-        const double angle = number(row, column.position, column.name) * column.to_si;
+        const double angle = sideways(
+            row, "the angle alone; an error of all angles counts through velocity_scale_uncertainty");
         if (!(angle >= 0 && angle < 0.5 * std::numbers::pi))
             fail(column, row, "is no angle from the normal", "0 to below 90 degrees");
         return angle;

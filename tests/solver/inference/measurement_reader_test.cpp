@@ -158,6 +158,13 @@ TEST_CASE("impacts at an angle: the part of v_in normal to the wall counts") {
            "column \"angle\" states no unit; allowed: degrees or radians"},
           {"v_in [m/s],e_n,angle [deg]\n2,0.5,95\n",
            "\"95\" in column \"angle\" is no angle from the normal; allowed: 0 to below 90 degrees"},
+          {"v_in [m/s],v_rn [m/s],angle [deg]\n2,0.5,20 \u00b1 3\n",
+           "\"20 \u00b1 3\" in column \"angle\" states an uncertainty, which nothing here uses; allowed: the "
+           "angle alone; an error of all angles counts through velocity_scale_uncertainty"},
+          {"v_n [m/s],v_rn [m/s],angle [deg]\n2,0.5,20(3)\n", "\"20(3)\" in column \"angle\" states an"},
+          {"v_in [m/s],v_r [m/s],v_t [m/s]\n1,0.5,0.3 +- 0.1\n",
+           "\"0.3 +- 0.1\" in column \"v_t\" states an uncertainty, which nothing here uses; allowed: the "
+           "velocity alone"},
           {"v_in [m/s],e_n,angle [deg],v_t [m/s]\n2,0.5,60,1\n", "both state how oblique the impacts are"},
           {"v_in [m/s],v_rn [m/s],v_rt [m/s]\n2,0.5,1\n",
            "column \"v_rt [m/s]\" shows impacts at an angle, and \"v_in\" may be"},
