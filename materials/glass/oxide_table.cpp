@@ -894,6 +894,10 @@ class OxideSampleMaker {
             if (sample_.analysis.loss_on_ignition)
                 throw InputError("the loss on ignition is there twice", "once")
                     .at(at_cell(cell.line, cell.column));
+            if (number->uncertainty.value_or(0) > 0 && !says_not_found(trimmed(cell.text)))
+                note("the uncertainty of the LOI, " + per_cent(*share.standard_uncertainty) +
+                     ", is not used");
+            share.standard_uncertainty.reset();
             sample_.analysis.loss_on_ignition = share;
             return;
         }
@@ -1010,6 +1014,7 @@ void add_share(const std::string& name, const View& node, OxideAnalysis& analysi
     OxideShare share = share_in(name, node);
     if (read_line(name).role == OxideRole::loss) {
         share.oxide = "LOI";
+        static_cast<void>(node.certain_number(Dimension::fraction, "the loss alone"));
         if (analysis.loss_on_ignition) node.fail("the loss on ignition is there twice", "once");
         analysis.loss_on_ignition = share;
         return;

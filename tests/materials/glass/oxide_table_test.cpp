@@ -178,6 +178,17 @@ TEST_CASE("a line of text beside the table that states an amount is read, or ref
             CHECK(near(loss_of(only(table + note + "\n")), 3.1));
         }
     CHECK(near(loss_of(only("LOI = 3.1 %\n" + down)), 3.1));
+    for (const auto& [table, not_used] :
+         {std::pair{down + "LOI;3,1 \u00b1 0,2\n", true},
+          {down + "LOI = 3.1 \u00b1 0.2 %\n", true},
+          {"Oxide;wt%;error\nSiO2;60;0.6\nAl2O3;36.9;0.4\nLOI;3.1;0.2\n", true},
+          {down + "LOI;3,1\n", false},
+          {down + "LOI;<0,1\n", false}}) {
+        CAPTURE(table);
+        const OxideSample sample = only(table);
+        CHECK_FALSE(sample.analysis.loss_on_ignition.value().standard_uncertainty);
+        CHECK(tells(sample.warnings, "the uncertainty of the LOI, 0.2 %, is not used") == not_used);
+    }
     CHECK(near(per_cent_of(only(down + "MgO = 1.5 %\n"), "MgO"), 1.5));
     for (const char* note : {"LOI 950 \u00b0C", "SiO2+Al2O3 = 96.9 %", "XRF of pearls; 3 of them", "n = 3"})
         CHECK_FALSE(only(down + note + "\n").analysis.loss_on_ignition);
@@ -410,6 +421,11 @@ TEST_CASE("the oxides of a case") {
     CHECK(near(list.oxides[1].fraction, 0.4));
     CHECK(input_error_of([&] { return read(R"({"SiO2": 52.1})").oxides; }) ==
           "/SiO2: the fraction is 5210 %; allowed: 0 % to 100 % (0 to 1), as \"52.1 %\"");
+    for (const char* loss :
+         {R"("2.0 +- 0.5 %")", R"({"value": 2, "unit": "%", "standard_uncertainty": 0.5})"})
+        CHECK(input_error_of([&] {
+                  return read((R"({"SiO2": "98 %", "LOI": )" + std::string(loss) + "}").c_str()).oxides;
+              }) == "/LOI: states an uncertainty, which nothing here uses; allowed: the loss alone");
     CHECK(input_error_of([&] { return read(R"({"SiO3": 0.5})").oxides; }).find("nearest: SiO2") !=
           std::string::npos);
 }
