@@ -212,13 +212,13 @@ std::optional<Arrival<Real>> critical_arrival(const Motion<Real>& motion) {
 template <class Real>
 CriticalImpact critical_impact(const Arrival<Real>& arrival, const MotionState<Real>& touch, Extended plastic,
                                Extended break_energy, Extended maximum_overlap) {
-    CriticalImpact impact{.dissipated = arrival.dissipated_after - touch.dissipation,
+    CriticalImpact impact{.dissipated = static_cast<Extended>(arrival.dissipated_after - touch.dissipation),
                           .plastic = plastic,
                           .break_energy = break_energy,
                           .contact_time = std::nullopt,
                           .maximum_overlap = maximum_overlap};
     impact.velocity = std::sqrt(2 * (impact.dissipated + plastic + break_energy));
-    if (arrival.time_after) impact.contact_time = *arrival.time_after - touch.time;
+    if (arrival.time_after) impact.contact_time = static_cast<Extended>(*arrival.time_after - touch.time);
     return impact;
 }
 
