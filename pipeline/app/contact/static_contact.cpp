@@ -68,7 +68,7 @@ void add_static_contacts(const CommandOptions& options, const ContactChoice& con
                          TextList& list, std::vector<Finding>& findings) {
     const ContactPair& pair = contact.contact;
     const auto judge = [&](const std::vector<double>& radii) {
-        const double widest = radii.empty() ? 0 : std::ranges::max(radii);
+        const double widest = radii.empty() ? 0 : *std::ranges::max_element(radii);
         if (const auto finding = wide_contact_finding(widest / pair.effective_radius))
             findings.push_back(*finding);
     };

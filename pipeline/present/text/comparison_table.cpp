@@ -77,7 +77,7 @@ std::string assumptions_text(const ComparisonResult& result, std::size_t width) 
             of_impacts = true;
             continue;
         }
-        if (std::ranges::none_of(sample.laws, [](const auto& each) {
+        if (!std::ranges::any_of(sample.laws, [](const auto& each) {
                 return each.second.velocity && each.second.velocity->interval;
             }))
             continue;
