@@ -16,6 +16,7 @@
 namespace ashimpact {
 
 std::vector<TextBeside> texts_beside(const TextLines& file, std::span<const TextLine> table) {
+    constexpr std::size_t longest = 20'000;  // its words are compared with those of many statements
     std::vector<TextBeside> texts;
     auto row = table.begin();
     for (const TextLine& line : file.lines()) {
@@ -23,6 +24,9 @@ std::vector<TextBeside> texts_beside(const TextLines& file, std::span<const Text
         if (row != table.end() && row->number == line.number) continue;
         std::string_view text = trimmed(line.text);
         while (text.starts_with('#')) text = trimmed(text.substr(1));
+        if (text.size() > longest)
+            refuse_line(line.number, "a text beside the table is longer than 20,000 characters",
+                        "the table with shorter texts");
         if (!text.empty()) texts.push_back({line.number, std::string(text)});
     }
     return texts;

@@ -26,7 +26,7 @@ struct TextBeside {
 };
 
 /// The lines of a file that do not belong to its table: titles, comments and notes.
-/// @param table heading and rows
+/// @param table heading and rows @throws InputError at a text of more than 20,000 characters
 [[nodiscard]] std::vector<TextBeside> texts_beside(const TextLines& file, std::span<const TextLine> table);
 
 /// A table in a file, cut at its heading.
