@@ -225,9 +225,10 @@ Stated read_diameter(const View& node, std::vector<Finding>& notes) {
             make_quantity((from + to) / 2, Dimension::length, (to - from) / std::sqrt(12.0));
         const double scatter = *diameter.standard_uncertainty / diameter.value;
         notes.push_back({"sieve", Severity::remark,
-                         "diameter " + in_quotes(text) +
-                             " is taken as " + readable(diameter) +
-                             ", which sizes evenly distributed between the meshes have; \"size_scatter\" under \"fit\" would be " + readable_number(scatter, 2)});
+                         "diameter " + in_quotes(text) + " is taken as " + readable(diameter) +
+                             ", which sizes evenly distributed between the meshes have; \"size_scatter\" "
+                             "under \"fit\" would be " +
+                             readable_number(scatter, 2)});
         return Stated{.quantity = diameter, .source = "evenly distributed between the meshes " + text};
     });
 }

@@ -75,7 +75,8 @@ void check_room(const SweepFiles& files, const SweepPlan& plan) {
         .at(FileName{files.table.string()});
 }
 
-/// Whether a file is there and does not begin as a sweep's own do. Another sweep that ends meanwhile removes its own.
+/// Whether a file is there and does not begin as a sweep's own do. Another sweep that ends meanwhile removes
+/// its own.
 bool is_foreign(const std::filesystem::path& file, std::string_view mark) {
     constexpr std::size_t enough = 64;
     if (!std::filesystem::exists(file)) return false;
