@@ -156,7 +156,9 @@ bool is_uncertainty_of_unused(const Heading& heading, const Heading& before, boo
     const bool has_name = heading.text.empty() ? !heading.coverage.rest.empty()
                                                : !is_uncertainty_word(without_per_cent(key_of(heading.text)));
     const bool of_amounts = heading.states == HeadingUnit::weight || heading.states == HeadingUnit::volume;
-    return holds_numbers && !has_name && !of_amounts && !before.written.empty() && !is_summary(before.text);
+    const bool sums_up =  // "LOD", but not "counts"
+        is_summary(before.text) && !bases_in(before.text, false).contains("intensity");
+    return holds_numbers && !has_name && !of_amounts && !before.written.empty() && !sums_up;
 }
 
 namespace {
