@@ -37,7 +37,7 @@ function showReport(text) {
     sheet.replaceSync(style);
     document.adoptedStyleSheets = [sheet];
     byId('app-markers').replaceChildren(...(report.querySelector('svg.defs')?.childNodes ?? []));
-    byId('app-answers').replaceChildren(...report.querySelectorAll('header .answers, header > .where'));
+    byId('app-answers').replaceChildren(...report.querySelectorAll('header .answers, header > .sizes, header > .where'));
     byId('app-report').replaceChildren(...(report.querySelector('main')?.children ?? []));
     readFigures();
 }

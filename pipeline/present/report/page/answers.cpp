@@ -351,7 +351,8 @@ std::string answers_html(const RunData& run) {
     html += "</ul>\n";
     const std::string sizes = sizes_sentence(run.run().comparison);
     if (!sizes.empty())
-        html += fmt::format("<p><a href=\"#which-sizes\">Other sizes</a>: {}</p>\n", escaped(sizes));
+        html += fmt::format("<p class=\"sizes\"><a href=\"#which-sizes\">Other sizes</a>: {}</p>\n",
+                            escaped(sizes));
     return html;
 }
 
