@@ -87,7 +87,7 @@ const std::optional<std::string>& refusal(Law law, Detachment detachment) {
 
 std::optional<std::string> refusal(Law law, const ContactPair& contact, Detachment detachment) {
     if (const auto& reason = refusal(law, detachment)) return reason;
-    // Of a cohesive zone one end alone depends on the contact; to make the zone takes a tenth of an impact.
+    // Of a cohesive zone one end alone depends on the contact. A draw of an interval costs less than a zone.
     const bool depends = is_cohesive(law, contact) && detachment == Detachment::load_controlled;
     return depends ? cohesive_refusal(contact, detachment) : std::nullopt;
 }

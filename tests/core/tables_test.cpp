@@ -433,7 +433,7 @@ TEST_CASE("cells of .ods hold what the spreadsheet shows") {
                               " office:value-type='float' office:value='5'/></table:table-row>",
                           automatic, common)) == text + "\n");
     }
-    // A cell that stands for several may lie in columns of several styles.
+    // A repeated cell may cover columns whose styles differ.
     CHECK(text_of(ods("<table:table-column table:number-columns-repeated='2'/><table:table-column "
                       "table:default-cell-style-name='Out'/><table:table-column/><table:table-row>"
                       "<table:table-cell table:number-columns-repeated='4' office:value-type='float' "
