@@ -13,6 +13,7 @@
 #include "core/plausibility.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/motion/scale.hpp"
@@ -35,6 +36,8 @@ constexpr double least_slope = 0.1;
 constexpr int most_corrections = 20;
 /// Standard deviation of ln C between samples of one ash, beyond what their sizes and contacts do.
 constexpr double scatter_of_samples = 0.1;
+/// Standard uncertainty of the exponent of power-of-size above which the sizes are too close for it.
+constexpr double most_uncertain_exponent = 2;
 
 /// A sample with a velocity by the reported law.
 struct MeasuredSize {
@@ -93,7 +96,8 @@ double between_sizes(double lower, double upper, double share) {
     return lower * std::pow(upper / lower, share);
 }
 
-/// The coefficient of a damping law over the diameter, C = exp(level + exponent (ln d - centre)).
+/// The coefficient of a damping law over the diameter, C = exp(level + exponent (ln d - centre)); without an
+/// exponent where the sizes are too close for one.
 struct PowerOfSize {
     double centre = 0;  ///< ln d
     double level = 0;   ///< ln C there
@@ -104,11 +108,6 @@ struct PowerOfSize {
         return std::exp(level + exponent * (std::log(diameter) - centre));
     }
 };
-
-/// Whether all samples have one size.
-bool is_one_size(const std::vector<MeasuredSize>& sizes) {
-    return sizes.front().diameter == sizes.back().diameter;
-}
 
 /// v_c of a sphere; none if nothing or everything is captured.
 std::optional<double> critical_velocity_of(const SizeSources& sources, const Damping& damping,
@@ -172,7 +171,6 @@ std::optional<PowerOfSize> power_of_size(const SizeSources& sources, const std::
         power.centre += log_diameter / count;
         power.level += log_coefficient / count;
     }
-    if (is_one_size(sizes)) return power;
     double spread = 0;
     double product = 0;
     for (const auto& [log_diameter, log_coefficient] : constants) {
@@ -180,8 +178,10 @@ std::optional<PowerOfSize> power_of_size(const SizeSources& sources, const std::
         spread += distance * distance;
         product += distance * (log_coefficient - power.level);
     }
+    const double uncertainty = scatter_of_samples / std::sqrt(spread);
+    if (!(uncertainty <= most_uncertain_exponent)) return power;
     power.exponent = product / spread;
-    power.exponent_uncertainty = scatter_of_samples / std::sqrt(spread);
+    power.exponent_uncertainty = uncertainty;
     return power;
 }
 
@@ -293,9 +293,38 @@ std::vector<DampingLaw> one_number_laws() {
     return laws;
 }
 
-/// As measured, between two samples on a power law.
-std::vector<SizeVelocity> measured_rows(const std::vector<MeasuredSize>& measured,
+/// One entry a diameter: of several samples the geometric mean, with the hull of their intervals.
+/// @param sizes by rising diameter and velocity
+std::vector<MeasuredSize> one_of_each(const std::vector<MeasuredSize>& sizes) {
+    std::vector<MeasuredSize> merged;
+    for (auto first = sizes.begin(); first != sizes.end();) {
+        const auto last = std::find_if(
+            first, sizes.end(), [&](const MeasuredSize& size) { return size.diameter != first->diameter; });
+        MeasuredSize all = *first;
+        if (last - first > 1) {
+            double sum = 0;
+            std::optional<double> lower = first->velocity.value;
+            std::optional<double> upper = lower;
+            for (auto each = first; each != last; ++each) {
+                const VelocityEstimate& velocity = each->velocity;
+                const Bounds own = velocity.interval.value_or(Bounds{velocity.value, velocity.value});
+                sum += std::log(velocity.value);
+                lower = lower && own.lower ? std::optional(std::min(*lower, *own.lower)) : std::nullopt;
+                upper = upper && own.upper ? std::optional(std::max(*upper, *own.upper)) : std::nullopt;
+            }
+            all.velocity = {.value = std::exp(sum / static_cast<double>(last - first)),
+                            .interval = Bounds{lower, upper}};
+        }
+        merged.push_back(all);
+        first = last;
+    }
+    return merged;
+}
+
+/// As measured, between two sizes on a power law.
+std::vector<SizeVelocity> measured_rows(const std::vector<MeasuredSize>& samples,
                                         const std::vector<double>& sizes) {
+    const std::vector<MeasuredSize> measured = one_of_each(samples);
     std::vector<SizeVelocity> rows;
     for (const double diameter : sizes) {
         const auto upper = std::ranges::lower_bound(measured, diameter, {}, &MeasuredSize::diameter);
@@ -366,6 +395,21 @@ std::optional<SizeRange> agreement_of(const std::vector<SizeVelocity>& rows, con
 
 }  // namespace
 
+std::vector<std::string> shared_sizes(const ComparisonResult& comparison) {
+    std::map<double, std::vector<std::string>> samples;
+    for (const SampleComparison& sample : comparison.samples)
+        if (sample.diameter && sample.reported && sample.reported->velocity)
+            samples[*sample.diameter].push_back(in_quotes(sample.name));
+    std::vector<std::string> sentences;
+    for (const auto& [diameter, names] : samples)
+        if (names.size() > 1)
+            sentences.push_back(
+                fmt::format("{} samples are of {}, {}: of that size their geometric mean counts, "
+                            "with an interval that holds all of theirs",
+                            names.size(), readable(diameter, "m"), joined(names)));
+    return sentences;
+}
+
 SampleContact contact_of_size(const ContactResult& contacts, double diameter) {
     const double radius = diameter / 2;
     const SampleContact* below = nullptr;
@@ -380,16 +424,30 @@ SampleContact contact_of_size(const ContactResult& contacts, double diameter) {
     const double own = below->radius.value;
     const double other = above->radius.value;
     const double share = other > own ? std::log(radius / own) / std::log(other / own) : 0;
+    // Of several samples of a size the mean.
+    const auto mean = [&](const SampleContact* of, const auto& value_of) {
+        double sum = 0;
+        double count = 0;
+        for (const SampleContact& each : contacts.samples) {
+            if (each.radius.value != of->radius.value) continue;
+            sum += value_of(each);
+            ++count;
+        }
+        return sum / count;
+    };
+    const auto between = [&](const auto& value_of) {
+        return between_sizes(mean(below, value_of), mean(above, value_of), share);
+    };
     SampleContact contact = share > 0.5 ? *above : *below;
     const double cubed = std::pow(radius / contact.radius.value, 3);
-    const double density = between_sizes(below->density.value(), above->density.value(), share);
+    const double density = between([](const SampleContact& of) { return of.density.value(); });
     contact.mass.value *= cubed * (density / contact.density.value());
     contact.density.quantity.value = density;
     contact.radius.value = radius;
     contact.contact_modulus.quantity.value =
-        between_sizes(below->contact_modulus.value(), above->contact_modulus.value(), share);
+        between([](const SampleContact& of) { return of.contact_modulus.value(); });
     contact.work_of_adhesion.quantity.value =
-        between_sizes(below->work_of_adhesion.value(), above->work_of_adhesion.value(), share);
+        between([](const SampleContact& of) { return of.work_of_adhesion.value(); });
     contact.pair = pair_of(contact);
     return contact;
 }
@@ -435,8 +493,9 @@ std::optional<VelocitiesBySize> velocities_by_size(const SizeSources& sources) {
             add_rows([&](double diameter) { return assumed.of_coefficient(diameter, *damping); });
         }
     }
-    if (!is_one_size(measured) && has_one_number(sources.damping_law))
-        if (const auto power = power_of_size(sources, measured, sources.damping_law)) {
+    if (has_one_number(sources.damping_law))
+        if (const auto power = power_of_size(sources, measured, sources.damping_law);
+            power && power->exponent_uncertainty > 0) {
             const AssumedVelocities assumed(sources, SizeBasis::power_of_size);
             add_rows([&](double diameter) {
                 return assumed.of_coefficient(diameter, {sources.damping_law, power->coefficient(diameter)});

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "pipeline/case/case.hpp"
+#include "pipeline/run/results/comparison.hpp"
 #include "pipeline/run/results/contact.hpp"
 #include "pipeline/run/results/critical_velocity.hpp"
 #include "pipeline/run/results/sizes.hpp"
@@ -30,10 +32,14 @@ struct VelocitiesBySize {
 /// measured sizes as measured; elsewhere by assumptions on damping: every damping law that explains all
 /// impacts, or, if none does, every law whose constant may be the same for all samples by their v_c; the
 /// critical damping as a power of the diameter where there are several sizes. And by adhesion alone.
+/// Of several samples of one size the geometric mean counts, with an interval that holds all of theirs.
 /// Between two samples density, E* and work of adhesion are interpolated over ln d, beyond them those of the
 /// nearest sample hold.
 /// @return none if no sample has a velocity by the reported law
 [[nodiscard]] std::optional<VelocitiesBySize> velocities_by_size(const SizeSources& sources);
+
+/// Sentences without full stop on sizes that several samples with a velocity by the reported law share.
+[[nodiscard]] std::vector<std::string> shared_sizes(const ComparisonResult& comparison);
 
 /// The contact of a sphere of that diameter, from those of the samples. @pre at least one sample
 [[nodiscard]] SampleContact contact_of_size(const ContactResult& contacts, double diameter);

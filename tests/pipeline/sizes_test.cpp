@@ -212,6 +212,27 @@ TEST_CASE("no velocity by size depends on the order of samples") {
     }
 }
 
+TEST_CASE("of two samples of one size the geometric mean counts, with an interval that holds theirs") {
+    SizesLaboratory laboratory({DampingLaw::tsuji, 0.4}, {60e-6, 60e-6, 120e-6});
+    const VelocityEstimate first = *laboratory.velocities.samples[0].laws.find(dmt_choice.law)->velocity;
+    LawCriticalVelocity second = *laboratory.velocities.samples[1].laws.find(dmt_choice.law);
+    second.velocity =
+        VelocityEstimate{.value = 4 * first.value, .interval = Bounds{3 * first.value, 5 * first.value}};
+    laboratory.velocities.samples[1].laws = {};
+    laboratory.velocities.samples[1].laws.set(dmt_choice.law, second);
+    const auto rows = rows_of(laboratory.by_size(), SizeBasis::measured);
+    REQUIRE(!rows.empty());
+    CHECK(rows.front().diameter == 60e-6);
+    CHECK(relative_difference(*rows.front().velocity, 2 * first.value) < 1e-12);
+    CHECK(rows.front().interval == Bounds{first.interval->lower, 5 * first.value});
+}
+
+TEST_CASE("sizes that nearly coincide give no exponent of the damping") {
+    const Damping truth{DampingLaw::tsuji, 0.4};
+    CHECK(rows_of(SizesLaboratory(truth, {96e-6, 96.5e-6}).by_size(), SizeBasis::power_of_size).empty());
+    CHECK_FALSE(rows_of(SizesLaboratory(truth, {88e-6, 96e-6}).by_size(), SizeBasis::power_of_size).empty());
+}
+
 TEST_CASE("a contact of a size between samples lies between theirs; at a sample it is that of the sample") {
     ContactResult contacts{{contact_of_laboratory(60e-6), contact_of_laboratory(120e-6)}};
     contacts.samples[1].density.quantity.value = 2000;

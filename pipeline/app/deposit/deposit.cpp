@@ -22,6 +22,7 @@
 #include "pipeline/present/report/deposition/deposition_page.hpp"
 #include "pipeline/run/deposition.hpp"
 #include "pipeline/run/rebounds.hpp"
+#include "pipeline/run/sizes.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
@@ -188,6 +189,8 @@ DepositSource source_of_run(const CommandOptions& options, const TubeConditions&
     });
     if (auto note = temperature_finding(run.comparison, source.ash.law, tube.temperature))
         source.notes.push_back(*std::move(note));
+    for (const std::string& shared : shared_sizes(run.comparison))
+        source.notes.push_back({"shared-size", Severity::doubt, shared});
     return source;
 }
 

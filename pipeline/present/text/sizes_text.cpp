@@ -10,6 +10,7 @@
 #include "core/text/text.hpp"
 #include "pipeline/present/text/result_text.hpp"
 #include "pipeline/run/comparison/temperature.hpp"
+#include "pipeline/run/sizes.hpp"
 
 namespace ashimpact {
 
@@ -17,6 +18,7 @@ namespace {
 
 constexpr std::size_t most_size_rows = 9;
 constexpr std::size_t most_velocities_listed = 3;
+constexpr double close_sizes = 1.1;  ///< ratio of sizes that may be too close for an exponent
 
 std::string constants_cell(const ComparedDamping& damping) {
     if (damping.constants.empty()) return "-";
@@ -195,6 +197,19 @@ std::string_view samples_words(const ComparisonResult& result) {
     return of_impacts ? "measured" : "of samples";
 }
 
+/// Lines on sizes that several samples share, and on sizes too close for an exponent.
+std::string close_sizes_text(const ComparisonResult& result, std::size_t width) {
+    std::string text;
+    for (const std::string& shared : shared_sizes(result)) text += wrapped(shared + ".", width) + "\n";
+    const SizeRange& measured = result.sizes->measured;
+    if (measured.from < measured.to && measured.to < close_sizes * measured.from && !result.sizes->power)
+        text += wrapped("power-of-size: left out, sizes of " + size_range_text(measured) +
+                            " are too close for an exponent.",
+                        width) +
+                "\n";
+    return text;
+}
+
 std::string sizes_text(const ComparisonResult& result, std::size_t width) {
     if (!result.sizes) return {};
     TextTable table({"size", std::string(samples_words(result)), "least", "by", "greatest", "by", "adhesion"},
@@ -231,7 +246,7 @@ std::string sizes_text(const ComparisonResult& result, std::size_t width) {
                                     readable(result.sizes->power->exponent)),
                         width) +
                 "\n";
-    return text + "\n";
+    return text + close_sizes_text(result, width) + "\n";
 }
 
 }  // namespace ashimpact
