@@ -101,6 +101,26 @@ Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files
     return sample;
 }
 
+/// Doubts about samples whose measured impacts are those of another one.
+void add_shared_impacts(const std::vector<Sample>& samples, std::vector<SampleFinding>& findings) {
+    std::map<std::vector<std::pair<double, double>>, std::string> first;
+    for (const Sample& sample : samples) {
+        const auto* measured =
+            sample.restitution ? std::get_if<MeasuredRestitution>(&*sample.restitution) : nullptr;
+        if (measured == nullptr) continue;
+        std::vector<std::pair<double, double>> impacts;
+        for (const Measurement& point : measured->impacts.sorted())
+            impacts.emplace_back(point.velocity, point.rebound);
+        const auto [other, is_new] = first.try_emplace(std::move(impacts), sample.name);
+        if (!is_new)
+            findings.push_back({sample.name,
+                                {"shared-impacts", Severity::doubt,
+                                 fmt::format("has the same impacts as sample {} ({}): they count as measured "
+                                             "of both",
+                                             in_quotes(other->second), measured->source)}});
+    }
+}
+
 /// The published values that a case refers to, by sample.
 std::map<std::string, PublishedSample> read_published_set(const View& document, InputFiles& files,
                                                           std::vector<SampleFinding>& findings) {
@@ -336,6 +356,7 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
         defaults.published = of_sample == published.end() ? std::nullopt : std::optional(of_sample->second);
         data.samples.push_back(read_sample(node, defaults, files, findings));
     }
+    add_shared_impacts(data.samples, findings);
     data.laws = read_case_laws(document, data.samples);
     if (const auto law = document.find("damping_law")) data.damping_law = named<DampingLaw>(law->text());
     if (const auto scheme = document.find("paper_explicit"))

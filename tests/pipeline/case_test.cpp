@@ -293,6 +293,18 @@ TEST_CASE("measured impacts come from a table, with its warnings and its mistake
     CHECK(read.findings[0].finding.text == test::containing("\"nr\" is not used"));
     CHECK(read.findings[1].finding.text == test::containing("still of the example"));
 
+    Json twice = test::example_case();
+    twice["samples"].push_back(twice["samples"][0]);
+    twice["samples"][1]["name"] = "other";
+    sandbox.write("case.json", twice.dump());
+    const auto of_both = load_case(sandbox.path("case.json")).findings;
+    const auto shared = std::ranges::find(of_both, std::string_view("shared-impacts"),
+                                          [](const SampleFinding& each) { return each.finding.code; });
+    REQUIRE(shared != of_both.end());
+    CHECK(shared->sample == "other");
+    CHECK(shared->finding.severity == Severity::doubt);
+    sandbox.write("case.json", test::example_case().dump());
+
     sandbox.write("impacts.csv", "v_in [m/s],v_r [m/s]\n2,0.5\n4,x\n");
     const std::string message = test::input_error_of([&] { return load_case(sandbox.path("case.json")); });
     CHECK_MESSAGE(message.starts_with(sandbox.path("case.json") + ": /samples/0/restitution/file: " +
