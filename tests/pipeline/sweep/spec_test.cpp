@@ -276,6 +276,22 @@ TEST_CASE("an input that no law uses is said, not refused") {
                                    "damping_over_sizes: there is no damping, so it changes nothing"});
 }
 
+TEST_CASE("one mass for radii that vary is doubted, with the densities it means") {
+    Json json = full_spec(512);
+    json["variables"]["radius"] = {{"values", {"25 um", "50 um"}}};
+    json["impact"]["damping_law"] = "tsuji";
+    json["impact"]["damping"] = 0.1;
+    json["impact"].erase("density");
+    json["impact"]["mass"] = "1 ug";
+    const auto warnings = [&] { return read_sweep_spec(json.dump()).spec.warnings; };
+    REQUIRE(warnings().size() == 1);
+    // 1 ug over 4/3 pi r^3
+    CHECK(warnings()[0] == test::containing("mass: stays the same while radius varies, so that densities go "
+                                            "from 1910 kg/m3 to 1.528e+04 kg/m3"));
+    json["variables"]["radius"] = {{"values", {"49 um", "50 um"}}};
+    CHECK(warnings().empty());
+}
+
 TEST_CASE("one constant damping for sizes far apart is doubted, unless the spec states it") {
     Json json = full_spec(512);
     json["variables"]["radius"] = {{"values", {"20 um", "44 um"}}};
@@ -324,7 +340,7 @@ TEST_CASE("tails and masses that make no sense are doubted") {
     json["impact"].erase("density");
     json["impact"]["mass"] = "0.82 ug";
     CHECK(warnings() == test::containing("mass: "));
-    json["variables"]["radius"] = {{"distribution", "uniform"}, {"from", "40 um"}, {"to", "50 um"}};
+    json["variables"]["radius"] = {{"distribution", "uniform"}, {"from", "48 um"}, {"to", "50 um"}};
     CHECK(warnings().find("mass: ") == std::string::npos);
 }
 

@@ -256,7 +256,22 @@ std::vector<std::string> warnings_of_sizes(const SweepSpec& spec) {
             warnings.push_back("tabor: stays the same while " + *varied +
                                " varies, so that the range of the attraction goes with it; cohesion_range "
                                "or cohesive_stress is one for all");
-    constexpr double similar_sizes = 1.1;  // greatest ratio of effective radii that one damping may serve
+    constexpr double similar_sizes = 1.1;  // greatest ratio of radii that one mass or damping may serve
+    const auto warn_of_mass = [&](ImpactInput radius, ImpactInput mass) {
+        if (!is_given(spec, radius) || !is_given(spec, mass)) return;
+        const Support radii = bulk_of(spec, radius);
+        const Support masses = bulk_of(spec, mass);
+        if (is_varied(spec, mass) || radii.highest <= similar_sizes * radii.lowest) return;
+        const auto density = [&](double of_radius) {
+            return readable(masses.lowest / sphere_mass(of_radius, 1), "kg/m3");
+        };
+        warnings.push_back(
+            fmt::format("{}: stays the same while {} varies, so that densities go from {} to {}; "
+                        "a density is one for all",
+                        name_of(mass), name_of(radius), density(radii.highest), density(radii.lowest)));
+    };
+    warn_of_mass(ImpactInput::radius, ImpactInput::mass);
+    warn_of_mass(ImpactInput::partner_radius, ImpactInput::partner_mass);
     if (!is_given(spec, ImpactInput::radius) || !is_given(spec, ImpactInput::damping) ||
         spec.damping_law != DampingLaw::constant || spec.damping_over_sizes)
         return warnings;
