@@ -297,6 +297,13 @@ ParticleProperties ParticleInputs::at(std::span<const double> values) const {
     return result;
 }
 
+ParticleProperties ParticleInputs::drawn(std::span<const double> values) const {
+    std::vector<double> limited(values.begin(), values.end());
+    for (std::size_t i = 0; i < limited.size(); ++i)
+        limited[i] = std::clamp(limited[i], list_[i].lowest, list_[i].highest);
+    return at(limited);
+}
+
 std::vector<double> ParticleInputs::rules_at(std::span<const double> values) const {
     const Mixture mixture = mixture_at(values);
     const MixedPhases phases(mixture);

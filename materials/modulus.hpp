@@ -118,6 +118,8 @@ class ParticleInputs {
     /// The properties at some values of the inputs. A porosity that follows from densities is limited to 0 to
     /// 0.99.
     [[nodiscard]] ParticleProperties at(std::span<const double> values) const;
+    /// The same for values that are drawn: those beyond the limits of their inputs count as the limits.
+    [[nodiscard]] ParticleProperties drawn(std::span<const double> values) const;
     /// Young's moduli of the dense mixture there [Pa], by every rule that can be computed, in the order of
     /// MixtureRule.
     [[nodiscard]] std::vector<double> rules_at(std::span<const double> values) const;

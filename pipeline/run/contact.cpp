@@ -111,26 +111,6 @@ Stated adhesion_of(const Sample& sample) {
                     "surface energies, rule " + std::string(name_of(from.rule)));
 }
 
-/// Largest rms roughness for which the reduction of w is meant, absolute [m] and over R* [1].
-constexpr double greatest_roughness = 20e-9;
-constexpr double greatest_relative_roughness = 0.1;
-
-/// The w that roughness leaves, with the uncertainty of both.
-Stated rough_adhesion(const Stated& smooth, const Stated& roughness, double effective_radius) {
-    const double rms = roughness.value();
-    const auto left = [&](double height) { return roughness_reduction(effective_radius, {.rms = height}); };
-    Stated rough = smooth;
-    rough.quantity.value *= left(rms);
-    const double u = roughness.quantity.standard_uncertainty.value_or(0);
-    const double of_rms = 0.5 * (left(rms + u) - left(std::max(0.0, rms - u)));
-    const double both =
-        std::hypot(left(rms) * smooth.quantity.standard_uncertainty.value_or(0), smooth.value() * of_rms);
-    if (both > 0) rough.quantity.standard_uncertainty = both;
-    rough.origin = Origin::computed;
-    rough.source = "work of adhesion of smooth surfaces and their roughness (Rabinovich et al. 2000)";
-    return rough;
-}
-
 Quantity radius_of(const Stated& diameter) {
     Quantity radius = diameter.quantity;
     radius.value /= 2;
@@ -150,7 +130,6 @@ Quantity effective_radius_of(const Quantity& particle, const Quantity& partner) 
     return effective;
 }
 
-/// Sets the second sphere and the R* of both.
 /// Mass of a sphere with the uncertainties of its radius and density.
 Quantity mass_of(const Quantity& radius, const Quantity& density) {
     Quantity mass = make_quantity(sphere_mass(radius.value, density.value), Dimension::mass);
@@ -160,6 +139,7 @@ Quantity mass_of(const Quantity& radius, const Quantity& density) {
     return mass;
 }
 
+/// Sets the second sphere and the R* of both.
 void set_partner(const PartnerSphere& partner, SampleContact& contact) {
     const Quantity radius = radius_of(partner.diameter);
     contact.effective_radius = effective_radius_of(contact.radius, radius);
@@ -297,6 +277,21 @@ Composition composition_of(const Case& data, const Sample& sample) {
 }
 
 }  // namespace
+
+Stated rough_adhesion(const Stated& smooth, const Stated& roughness, double effective_radius) {
+    const double rms = roughness.value();
+    const auto left = [&](double height) { return roughness_reduction(effective_radius, {.rms = height}); };
+    Stated rough = smooth;
+    rough.quantity.value *= left(rms);
+    const double u = roughness.quantity.standard_uncertainty.value_or(0);
+    const double of_rms = 0.5 * (left(rms + u) - left(std::max(0.0, rms - u)));
+    const double both =
+        std::hypot(left(rms) * smooth.quantity.standard_uncertainty.value_or(0), smooth.value() * of_rms);
+    if (both > 0) rough.quantity.standard_uncertainty = both;
+    rough.origin = Origin::computed;
+    rough.source = "work of adhesion of smooth surfaces and their roughness (Rabinovich et al. 2000)";
+    return rough;
+}
 
 ParticleInputs particle_inputs(const Case& data, const Sample& sample) {
     return {composition_of(data, sample), modulus_options(data, sample, sample.porosity)};

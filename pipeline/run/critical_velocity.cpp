@@ -36,7 +36,7 @@ ResultOfLaw<LawCriticalVelocity> velocity_of(const VelocityTask& task) {
     LawCriticalVelocity velocity =
         law_critical_velocity({.law = task.choice.law,
                                .detachment = task.choice.detachment,
-                               .damping = {task.data.damping_law, task.critical_damping()},
+                               .damping = {task.data.damping_law, task.critical_damping().value},
                                .contact = task.contact.pair});
     std::vector<Finding> findings;
     if (const auto doubt = velocity.velocity ? outside_model(velocity.velocity->value) : std::nullopt)

@@ -66,6 +66,9 @@ struct PorosityFromDensity {
 /// The independent inputs of the particle of a sample: its phases, and its porosity or density.
 [[nodiscard]] ParticleInputs particle_inputs(const Case& data, const Sample& sample);
 
+/// The w that roughness leaves, with the uncertainty of both, linearly.
+[[nodiscard]] Stated rough_adhesion(const Stated& smooth, const Stated& roughness, double effective_radius);
+
 /// Composition and modulus of one sample; name and diameter are left empty.
 [[nodiscard]] SampleModulus sample_modulus(const Composition& composition, const ModulusEstimate& estimate,
                                            MixtureRule rule);

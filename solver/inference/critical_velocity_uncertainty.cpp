@@ -36,11 +36,9 @@ double stable_poisson_ratio(double value) {
 
 /// The properties of a particle at the next values.
 ParticleProperties properties_at(const ParticleInputs& inputs, std::span<const double>& values) {
-    std::vector<double> limited;
-    limited.reserve(inputs.list().size());
-    for (const UncertainInput& input : inputs.list())
-        limited.push_back(std::clamp(next(values), input.lowest, input.highest));
-    return inputs.at(limited);
+    const std::span<const double> own = values.first(inputs.list().size());
+    values = values.subspan(own.size());
+    return inputs.drawn(own);
 }
 
 /// The contact modulus of a particle whose Poisson ratio, unless mixed, and wall have the next values.
@@ -144,6 +142,31 @@ class Rereading {
     Eigen::MatrixXd to_coefficients_;
 };
 
+/// Draws a critical damping from a standard normal number. The logarithm is normal on each side of the value,
+/// so that the interval has its ends, or the standard uncertainty where an end is missing.
+class DampingSampler {
+  public:
+    explicit DampingSampler(const Interval& damping) : value_(damping.value) {
+        const auto width = [&](const std::optional<double>& end) {
+            return end && *end > 0 ? std::abs(std::log(*end / value_)) / confidence_quantile()
+                                   : damping.standard_uncertainty / value_;
+        };
+        below_ = width(damping.lower);
+        above_ = width(damping.upper);
+    }
+    [[nodiscard]] RandomInput input() const {
+        return {.name = fit_factor, .value = 0, .standard_uncertainty = below_ + above_ > 0 ? 1.0 : 0.0};
+    }
+    [[nodiscard]] double damping(double normal) const {
+        return value_ * std::exp(normal * (normal < 0 ? below_ : above_));
+    }
+
+  private:
+    double value_;
+    double below_;
+    double above_;
+};
+
 /// A curve of damping that was drawn, with its places in velocity.
 struct DrawnCurve {
     std::vector<double> key;
@@ -183,6 +206,7 @@ RandomContact random_contact(const SphereInContact& sphere) {
     add(sphere.diameter);
     add(sphere.density);
     add(sphere.work_of_adhesion);
+    add(sphere.roughness);
     add(sphere.contact_modulus);
     if (const auto& particle = sphere.particle) {
         for (const UncertainInput& input : particle->inputs.list()) add(random_input(input));
@@ -206,6 +230,7 @@ RandomContact random_contact(const SphereInContact& sphere) {
                          .work_of_adhesion = next(values),
                          .yield_pressure = sphere.yield_pressure,
                          .parameters = sphere.other_parameters};
+        const std::optional<double> rms = sphere.roughness ? std::optional(next(values)) : std::nullopt;
         if (sphere.particle) {
             const ParticleProperties properties = properties_at(sphere.particle->inputs, values);
             if (!sphere.density) density = properties.density;
@@ -221,6 +246,7 @@ RandomContact random_contact(const SphereInContact& sphere) {
             pair.mass =
                 effective_mass(pair.mass, sphere.partner->by_density ? sphere_mass(partner, given) : given);
         }
+        if (rms) pair.work_of_adhesion *= roughness_reduction(pair.effective_radius, {.rms = *rms});
         for (const auto& [parameter, input] : sphere.parameters)
             pair.parameters.set(parameter.name, next(values));
         return pair;
@@ -265,17 +291,21 @@ Propagation propagate_critical_velocity(const DampingCurveFit& fit, const Contac
     return propagate(inputs, critical, options);
 }
 
-Propagation propagate_critical_velocity(Law law, Detachment detachment, const RandomInput& critical_damping,
+Propagation propagate_critical_velocity(Law law, Detachment detachment, const Interval& critical_damping,
                                         const RandomContact& contact, const PropagationOptions& options) {
     const CriticalVelocity nominal = tabulated_critical_velocity(
         {law, detachment, {DampingLaw::constant, critical_damping.value}, contact.nominal()});
     if (!nominal.value)
         throw InputError("there is no finite critical velocity at the values of the inputs: " +
                          std::string(name_of(nominal.verdict)));
-    std::vector<RandomInput> inputs{critical_damping};
+    const DampingSampler sampler(critical_damping);
+    std::vector<RandomInput> inputs{sampler.input()};
     inputs.insert(inputs.end(), contact.inputs.begin(), contact.inputs.end());
     const auto problem_at = [&](std::span<const double> values) -> CriticalVelocityProblem {
-        return {law, detachment, {DampingLaw::constant, values[0]}, contact.contact(values.subspan(1))};
+        return {law,
+                detachment,
+                {DampingLaw::constant, sampler.damping(values[0])},
+                contact.contact(values.subspan(1))};
     };
     const auto critical = [&](std::span<const double> values) {
         return critical_velocity_of_many(problem_at(values)).value;

@@ -56,7 +56,8 @@ struct RandomPartner {
 struct SphereInContact {
     RandomInput diameter;                          ///< [m]
     std::optional<RandomInput> density{};          ///< none: that of the particle's inputs [kg/m3]
-    RandomInput work_of_adhesion;                  ///< [J/m2]
+    RandomInput work_of_adhesion;                  ///< of smooth surfaces [J/m2]
+    std::optional<RandomInput> roughness{};        ///< rms, see roughness_reduction(); none: smooth [m]
     std::optional<RandomParticle> particle{};      ///< XRD fractions and properties of the phases, or
     std::optional<RandomInput> contact_modulus{};  ///< E* itself [Pa]
     std::optional<RandomPartner> partner{};        ///< none: a flat wall
@@ -91,10 +92,11 @@ enum class DampingUnderChange {
                                                       DampingUnderChange change = DampingUnderChange::reread,
                                                       const PropagationOptions& options = {});
 
-/// The same from a critical damping that is known by itself, such as one of the paper's Table 3; of every
-/// law whose contact does not yield, by critical_velocity_of_many().
+/// The same from a critical damping that is known by itself, such as one of the paper's Table 3, drawn with
+/// the ends of its interval, or log-normal where they are missing; of every law whose contact does not yield,
+/// by critical_velocity_of_many().
 [[nodiscard]] Propagation propagate_critical_velocity(Law law, Detachment detachment,
-                                                      const RandomInput& critical_damping,
+                                                      const Interval& critical_damping,
                                                       const RandomContact& contact,
                                                       const PropagationOptions& options = {});
 

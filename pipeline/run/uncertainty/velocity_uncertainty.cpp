@@ -82,11 +82,8 @@ Interval from_estimate(const VelocityTask& task) {
 
 /// From a critical damping that is known by itself.
 PropagatedVelocity from_damping(const VelocityTask& task) {
-    const RandomInput damping{.name = fit_factor,
-                              .value = task.critical_damping(),
-                              .standard_uncertainty = task.critical_damping_uncertainty(),
-                              .distribution = lognormal_around};
-    std::vector<RandomInput> inputs{damping};
+    const Interval damping = task.critical_damping();
+    std::vector<RandomInput> inputs{{fit_factor, damping.value, damping.standard_uncertainty}};
     inputs.insert(inputs.end(), task.uncertain.inputs.begin(), task.uncertain.inputs.end());
     return propagated(task,
                       propagate_critical_velocity(task.choice.law, task.choice.detachment, damping,
@@ -163,25 +160,6 @@ RandomPartner partner_of(const Case& data, const SecondSphere& partner) {
     return {diameter, positive("density of the partner", density), true};
 }
 
-/// @param law whose parameters are inputs; those of other laws are only carried along
-SphereInContact sphere_of(const Case& data, const SampleContact& contact, Law law) {
-    const Quantity diameter = diameter_of(contact.radius);
-    SphereInContact sphere{
-        .diameter = positive("diameter", diameter),
-        .density = positive("density", contact.density.quantity),
-        .work_of_adhesion = positive("work of adhesion", contact.work_of_adhesion.quantity),
-        .yield_pressure = contact.pair.yield_pressure};
-    if (contact.partner) sphere.partner = partner_of(data, *contact.partner);
-    for (const auto& [parameter, value] : contact.parameters) {
-        const auto same = [&, &name = parameter.name](const LawParameter& own) { return own.name == name; };
-        if (std::ranges::any_of(law.parameters(), same))
-            sphere.parameters.emplace_back(parameter, positive(std::string(parameter.name), value.quantity));
-        else
-            sphere.other_parameters.set(parameter.name, value.value());
-    }
-    return sphere;
-}
-
 /// A value with the uncertainty to which all inputs lead, linearly.
 struct LinearResult {
     double value = 0;
@@ -197,6 +175,37 @@ struct LinearResult {
                near(standard_uncertainty, quantity.standard_uncertainty.value_or(0));
     }
 };
+
+/// Takes w of smooth surfaces and their roughness as inputs, where w of the artifact follows from them.
+void take_roughness(const SampleContact& contact, SphereInContact& sphere) {
+    const auto& smooth = contact.smooth_work_of_adhesion;
+    if (!smooth || !contact.roughness || !(contact.roughness->value() > 0)) return;
+    const Stated rough = rough_adhesion(*smooth, *contact.roughness, contact.effective_radius.value);
+    const Quantity& acting = contact.work_of_adhesion.quantity;
+    if (!LinearResult{rough.value(), rough.quantity.standard_uncertainty.value_or(0)}.is(acting)) return;
+    sphere.work_of_adhesion = positive("work of adhesion", smooth->quantity);
+    sphere.roughness = positive("roughness", contact.roughness->quantity);
+}
+
+/// @param law whose parameters are inputs; those of other laws are only carried along
+SphereInContact sphere_of(const Case& data, const SampleContact& contact, Law law) {
+    const Quantity diameter = diameter_of(contact.radius);
+    SphereInContact sphere{
+        .diameter = positive("diameter", diameter),
+        .density = positive("density", contact.density.quantity),
+        .work_of_adhesion = positive("work of adhesion", contact.work_of_adhesion.quantity),
+        .yield_pressure = contact.pair.yield_pressure};
+    if (contact.partner) sphere.partner = partner_of(data, *contact.partner);
+    take_roughness(contact, sphere);
+    for (const auto& [parameter, value] : contact.parameters) {
+        const auto same = [&, &name = parameter.name](const LawParameter& own) { return own.name == name; };
+        if (std::ranges::any_of(law.parameters(), same))
+            sphere.parameters.emplace_back(parameter, positive(std::string(parameter.name), value.quantity));
+        else
+            sphere.other_parameters.set(parameter.name, value.value());
+    }
+    return sphere;
+}
 
 /// E* and the mass of a contact.
 std::pair<LinearResult, LinearResult> linear_results(const RandomContact& random) {

@@ -29,12 +29,9 @@ struct VelocityTask {
 
     [[nodiscard]] bool from_impacts() const { return fit.estimate || fit.extrapolated; }
     /// eta_c that v_c follows from: what the impacts support, or else that of the polynomial [SI].
-    [[nodiscard]] double critical_damping() const {
-        return fit.estimate ? fit.estimate->critical_damping.value : fit.critical_damping;
-    }
-    [[nodiscard]] double critical_damping_uncertainty() const {
-        return fit.estimate ? fit.estimate->critical_damping.standard_uncertainty
-                            : fit.critical_damping_uncertainty.value_or(0);
+    [[nodiscard]] Interval critical_damping() const {
+        if (fit.estimate) return fit.estimate->critical_damping;
+        return {fit.critical_damping, fit.critical_damping_uncertainty.value_or(0)};
     }
 };
 

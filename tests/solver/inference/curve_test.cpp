@@ -471,15 +471,34 @@ TEST_CASE("Hertz: v_c goes with eta^5/(m^3 k^2), so relative uncertainties are k
                         .density = RandomInput{"density", 2158.5, 0.01 * 2158.5},
                         .work_of_adhesion = {"work of adhesion", 0.2959},
                         .contact_modulus = RandomInput{"contact modulus", 90e9, 1.8e9}});
-    const RandomInput damping{.name = "critical damping", .value = 0.0155, .standard_uncertainty = 0.000155};
+    const Interval damping{.value = 0.0155, .standard_uncertainty = 0.000155};
     const Propagation result =
         propagate_critical_velocity(Law::of<Hertz>(), Detachment::zero_overlap, damping, contact);
     // 5 x 1 %, 3 x 1 %, 2 x 2 %.
     const double relative = std::sqrt(25.0 + 9.0 + 16.0) / 100.0;
     CHECK(relative_difference(result.interval.standard_uncertainty / result.interval.value, relative) < 0.03);
-    CHECK(std::abs(influence_of(result, "critical damping").total.value - 0.5) < 0.03);
+    CHECK(std::abs(influence_of(result, fit_factor).total.value - 0.5) < 0.03);
     CHECK(std::abs(influence_of(result, "density").total.value - 0.18) < 0.03);
     CHECK(std::abs(influence_of(result, "contact modulus").total.value - 0.32) < 0.03);
+}
+
+TEST_CASE("a damping that is held is drawn with the ends of its interval, a roughness through its formula") {
+    const Interval damping{.value = 0.0155, .standard_uncertainty = 0.001, .lower = 0.0145, .upper = 0.0185};
+    RandomContact contact = random_contact({.diameter = {"diameter", 96e-6},
+                                            .density = RandomInput{"density", 2158.5},
+                                            .work_of_adhesion = {"work of adhesion", 0.3},
+                                            .roughness = RandomInput{"roughness", 2e-9, 0.5e-9},
+                                            .contact_modulus = RandomInput{"contact modulus", 90e9}});
+    const Propagation result =
+        propagate_critical_velocity(Law::of<Hertz>(), Detachment::zero_overlap, damping, contact);
+    const auto ratio = [&](double end) { return std::pow(end / damping.value, 5); };  // v_c ~ eta^5
+    CHECK(relative_difference(*result.interval.lower / result.interval.value, ratio(*damping.lower)) < 0.03);
+    CHECK(relative_difference(*result.interval.upper / result.interval.value, ratio(*damping.upper)) < 0.03);
+    for (const double rms : {1e-9, 2e-9, 4e-9}) {
+        const std::vector<double> values{96e-6, 2158.5, 0.3, rms, 90e9};
+        CHECK(relative_difference(contact.contact(values).work_of_adhesion,
+                                  0.3 * roughness_reduction(48e-6, {.rms = rms})) < 1e-14);
+    }
 }
 
 TEST_CASE("maugis-dugdale: draws are read from tables, that give each as the solver does") {
@@ -489,13 +508,15 @@ TEST_CASE("maugis-dugdale: draws are read from tables, that give each as the sol
          .work_of_adhesion = {"work of adhesion", 0.3, 0.02, lognormal_around},
          .contact_modulus = RandomInput{"contact modulus", 90e9, 5e9, lognormal_around},
          .parameters = {{cohesion_range, {"cohesion_range", 0.4e-9, 0.04e-9, lognormal_around}}}});
-    const RandomInput damping{
-        .name = fit_factor, .value = 2e-4, .standard_uncertainty = 1e-5, .distribution = lognormal_around};
+    const Interval damping{.value = 2e-4, .standard_uncertainty = 1e-5};
     const Law law = Law::of<MaugisDugdale>();
     const PropagationOptions few{.samples = 16, .replicates = 4};
     const Propagation tabulated =
         propagate_critical_velocity(law, Detachment::pull_off, damping, contact, few);
-    std::vector<RandomInput> inputs{damping};
+    std::vector<RandomInput> inputs{{.name = fit_factor,
+                                     .value = damping.value,
+                                     .standard_uncertainty = damping.standard_uncertainty,
+                                     .distribution = lognormal_around}};
     inputs.insert(inputs.end(), contact.inputs.begin(), contact.inputs.end());
     const auto solved = [&](std::span<const double> values) {
         return critical_velocity({law,
@@ -544,7 +565,7 @@ TEST_CASE(
     CHECK(relative_difference(moved.contact_modulus, 0.36 * 80e9 / (1 - 0.09)) < 1e-13);
 
     // Hertz: v_c ~ eta^5/(m^3 E*^2), here (1 - P)^-7, the density to -3, E to -2, nu as (1 - nu^2)^2.
-    const RandomInput damping{.name = "critical damping", .value = 0.0155};
+    const Interval damping{.value = 0.0155, .standard_uncertainty = 0};
     const Propagation result =
         propagate_critical_velocity(Law::of<Hertz>(), Detachment::zero_overlap, damping, contact);
     const auto power = [&](double porosity) { return std::pow((1 - porosity) / 0.8, -7); };
