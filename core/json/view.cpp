@@ -170,7 +170,7 @@ double View::number(Dimension dimension) const {
 
 double View::certain_number(Dimension dimension, const std::string& instead) const {
     const Quantity read = quantity(dimension);
-    if (read.standard_uncertainty) fail("states an uncertainty, which nothing here uses", instead);
+    at_place(pointer_, [&] { require_certain(read.standard_uncertainty, "", instead); });
     return read.value;
 }
 

@@ -108,10 +108,12 @@ Quantity read_text(const std::string& text, Dimension expected) {
                  : parse_quantity(right, expected) - parse_quantity("0" + right.substr(unit_at), expected);
     if (expected == Dimension::fraction && !left_has_unit && right.ends_with('%') && std::abs(value) < 0.01 &&
         uncertainty > std::abs(value))
-        throw InputError(
-            "in " + in_quotes(text) + " the value is " + left + " %, or " + left +
-                " with a relative uncertainty",
-            in_quotes(left + " % +- " + right) + ", or the uncertainty in the unit of the value");
+        throw InputError("in " + in_quotes(text) + " the value is " + left + " %, or " + left +
+                             " with a relative uncertainty",
+                         in_quotes(fmt::format("{} +- {}", shortest(value), shortest(uncertainty))) +
+                             ", or the uncertainty in the unit of the value");
+    if (expected == Dimension::fraction && left.ends_with('%') && right.ends_with('%'))
+        refuse_two_per_cents(text, 100 * value, 100 * uncertainty, "{} +- {} %");
     if (uncertainty < 0)
         throw InputError("the uncertainty of \"" + text + "\" is below zero", "zero or more");
     return make_quantity(value, expected, uncertainty);
@@ -199,6 +201,23 @@ void require_uncertainty(const Quantity& quantity, Dimension dimension) {
                         readable(*quantity.standard_uncertainty, quantity.unit),
                         *quantity.standard_uncertainty / quantity.value),
             "the unit of the value");
+}
+
+void require_certain(const std::optional<double>& uncertainty, const std::string& subject,
+                     const std::string& instead) {
+    if (uncertainty) throw InputError(subject + "states an uncertainty, which nothing here uses", instead);
+}
+
+void refuse_two_per_cents(std::string_view text, double value, double uncertainty, std::string_view form) {
+    const double of_whole = value * uncertainty / 100;
+    if (value == 0 || value == 100 || uncertainty == 0) return;
+    const auto written = [&](double u) {
+        return in_quotes(fmt::format(fmt::runtime(form), readable_number(value, 12), readable_number(u, 6)));
+    };
+    throw InputError(
+        fmt::format("in {} the uncertainty is {} % of the whole, or of the value, {} % of the whole",
+                    in_quotes(text), readable_number(uncertainty, 6), readable_number(of_whole, 6)),
+        written(uncertainty) + " or " + written(of_whole));
 }
 
 void refuse_thousands_point(std::string_view text, PointDigits digits) {

@@ -34,6 +34,16 @@ void refuse_thousands_point(std::string_view text, PointDigits digits);
 /// Refuses an uncertainty that makes the value meaningless. @throws InputError
 void require_uncertainty(const Quantity& quantity, Dimension dimension);
 
+/// Refuses "10 % +- 10 %" of a fraction, which may be 10 +- 10 % or 10 +- 1 %, unless both are the same.
+/// @param value [%] @param uncertainty [%] @param form of the two allowed texts: "{} +- {} %"
+/// @throws InputError with both readings
+void refuse_two_per_cents(std::string_view text, double value, double uncertainty, std::string_view form);
+
+/// Refuses an uncertainty that nothing uses. @param subject of the message with a blank behind it, or empty
+/// @throws InputError
+void require_certain(const std::optional<double>& uncertainty, const std::string& subject,
+                     const std::string& instead);
+
 /// A number in the notations of refinement programs and spreadsheets.
 struct PrintedNumber {
     double value = 0;

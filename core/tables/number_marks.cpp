@@ -118,7 +118,7 @@ std::string_view bracket_of(std::string_view cell) {
     return inside.find_first_not_of("0123456789.,") == std::string_view::npos ? inside : std::string_view{};
 }
 
-/// Reads a number, also "(12.3 ± 0.4) %". @throws InputError for "12.3 ± 3 %"
+/// Reads a number, also "(12.3 ± 0.4) %". @throws InputError for "12.3 ± 3 %" and "12.3 % ± 3 %"
 std::optional<PrintedNumber> read_with_uncertainty(std::string_view text) {
     text = trimmed(text);
     if (text.starts_with('(')) {
@@ -134,6 +134,8 @@ std::optional<PrintedNumber> read_with_uncertainty(std::string_view text) {
     const auto number = read_number(text);
     if (!number || !number->per_cent || !number->standard_uncertainty) return number;
     const auto sign = text.find('%');
+    if (sign + 1 < text.size() && text.ends_with('%'))
+        refuse_two_per_cents(text, number->value, *number->standard_uncertainty, "({} \u00b1 {}) %");
     if (sign + 1 < text.size() || text.find_first_of("+\xb1", 1) == std::string_view::npos) return number;
     const std::string uncertainty = shortest(*number->standard_uncertainty);
     throw InputError("in " + in_quotes(text) + " the uncertainty is " + uncertainty + " % of " +

@@ -52,7 +52,8 @@ class NumberMarks {
     /// Takes the numbers of a cell into account. @param column of the cell, any number
     void see(std::string_view cell, std::size_t column);
     /// Reads a cell as read_number(). @throws InputError with both readings where nothing decides, for a mark
-    /// other than the stated one, and for an uncertainty in per cent of a value that is not: "12.3 ± 3 %"
+    /// other than the stated one, and for an uncertainty in per cent of a value that is not: "12.3 ± 3 %", or
+    /// may be: "12.3 % ± 3 %"
     [[nodiscard]] std::optional<PrintedNumber> read(std::string_view cell, std::size_t column) const;
 
     /// A remark on the first number read as grouped because of other columns; none without one.

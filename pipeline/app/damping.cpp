@@ -35,7 +35,8 @@ double read_size_scatter(const CommandOptions& options) {
 double read_scale_uncertainty(const CommandOptions& options) {
     constexpr auto name = "--velocity-scale-uncertainty";
     const double uncertainty = options.number(name, Dimension::fraction);
-    at_place(name, [&] { require_scale_uncertainty(uncertainty); });
+    const bool is_bare = whole_decimal(options[name]).has_value();
+    at_place(name, [&] { require_scale_uncertainty(uncertainty, is_bare); });
     return uncertainty;
 }
 

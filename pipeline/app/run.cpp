@@ -53,10 +53,8 @@ std::optional<Stated> stated_temperature(const CommandOptions& options) {
         Stated stated{.quantity = quantity_of_text(options["--temperature"], Dimension::temperature),
                       .source = "--temperature"};
         require_positive("temperature", stated.value(), Dimension::temperature);
-        if (stated.quantity.standard_uncertainty)
-            throw InputError(
-                in_quotes(options["--temperature"]) + " states an uncertainty, which nothing here uses",
-                "the temperature alone");
+        require_certain(stated.quantity.standard_uncertainty, in_quotes(options["--temperature"]) + " ",
+                        "the temperature alone");
         return std::optional(stated);
     });
 }

@@ -195,18 +195,20 @@ MeasuredDampingOptions read_fit_options(const std::optional<View>& node) {
     const auto set_fraction = [&](const char* key, auto require, const auto& set) {
         const auto member = node->find(key);
         if (!member) return;
-        const Quantity quantity = member->quantity(Dimension::fraction);
-        if (quantity.standard_uncertainty) member->fail("has an uncertainty", "a number without one");
-        at_place(member->pointer(), [&] { require(quantity.value); });
-        set(quantity.value);
+        const double value = member->certain_number(Dimension::fraction, "a number without one");
+        const bool is_bare =
+            !member->is_string() ? member->json().is_number() : whole_decimal(member->text()).has_value();
+        at_place(member->pointer(), [&] { require(value, is_bare); });
+        set(value);
     };
     const auto set_number = [&](const char* key, auto& option) {
         if (const auto number = node->find(key)) option = number->number(Dimension::fraction);
     };
     if (const auto order = node->find("order")) options.extrapolated.order = order->integer();
     if (const auto robust = node->find("robust")) options.extrapolated.robust = robust->truth();
-    set_fraction("size_scatter", require_size_scatter,
-                 [&](double value) { options.estimate.size_scatter = value; });
+    set_fraction(
+        "size_scatter", [](double value, bool) { require_size_scatter(value); },
+        [&](double value) { options.estimate.size_scatter = value; });
     set_fraction("velocity_scale_uncertainty", require_scale_uncertainty,
                  [&](double value) { options.estimate.scale_uncertainty = value; });
     set_number("flatness", options.parts.flatness);
@@ -220,7 +222,14 @@ void require_size_scatter(double scatter) {
                          "a relative standard deviation above 0, at most 0.5");
 }
 
-void require_scale_uncertainty(double uncertainty) {
+void require_scale_uncertainty(double uncertainty, bool is_bare) {
+    constexpr double most_bare = 0.1;  // above it a % left out is likelier than velocities so wrong
+    const std::string as_fraction = readable_number(100 * uncertainty) + " %";
+    const std::string as_per_cent = shortest(uncertainty) + " %";
+    if (is_bare && uncertainty > most_bare)
+        throw InputError(shortest(uncertainty) + " without a unit is " + as_fraction + " or " + as_per_cent,
+                         in_quotes(uncertainty > 0.5 ? as_per_cent : as_fraction) +
+                             (uncertainty > 0.5 ? "" : " or " + in_quotes(as_per_cent)));
     if (!(uncertainty > 0 && uncertainty <= 0.5))
         throw InputError("is " + readable_number(uncertainty),
                          "a relative standard uncertainty above 0, at most 0.5");

@@ -387,7 +387,7 @@ static void fields(FieldWriter& io, const Case& data) {
         fit("outlier", data.fit.parts.outlier);
         fit.unless_empty("size_scatter", data.fit.estimate.size_scatter);
         if (data.fit.estimate.scale_uncertainty > 0)
-            fit("velocity_scale_uncertainty", data.fit.estimate.scale_uncertainty);
+            fit("velocity_scale_uncertainty", data.fit.estimate.scale_uncertainty, Dimension::fraction);
     });
     io.object("uncertainty", [&](FieldWriter& uncertainty) {
         uncertainty("samples", data.uncertainty.propagation.samples);

@@ -711,7 +711,10 @@ TEST_CASE("marks in numbers have one reading, by the other numbers of the table,
     const NumberMarks marks;
     CHECK(marks.read("12,3 \u00b1 0,4", 0)->standard_uncertainty == 0.4);
     CHECK(marks.read("(12.3 \u00b1 0.4) %", 0)->standard_uncertainty == 0.4);
-    CHECK(marks.read("12.3 % \u00b1 0.4 %", 0)->standard_uncertainty == 0.4);
+    CHECK(marks.read("0 % \u00b1 0.4 %", 0)->standard_uncertainty == 0.4);
+    CHECK(contains(input_error_of([&] { static_cast<void>(marks.read("20 % \u00b1 5 %", 0)); }),
+                   "the uncertainty is 5 % of the whole, or of the value, 1 % of the whole; allowed: \"(20 "
+                   "\u00b1 5) %\" or \"(20 \u00b1 1) %\""));
     CHECK(contains(input_error_of([&] { static_cast<void>(marks.read("12.3 \u00b1 3%", 0)); }),
                    "the uncertainty is 3 % of 12.3, or 3 in the unit of the value"));
     for (const char* junk : {"1.2.3", "1,2,3.4", "12.3 456", "2024 123", "1,23,4.5"}) {

@@ -156,11 +156,14 @@ TEST_CASE("the uncertainty of the scale of all velocities is a fraction, as on t
     };
     for (const char* stated : {"0.03", "\"3 %\""})
         CHECK(loaded(of_fit(stated)).data.fit.estimate.scale_uncertainty == 0.03);
-    for (const char* wrong : {"\"60 %\"", "0", "\"3 +- 1 %\"", "\"3 m/s\""}) {
+    for (const char* wrong : {"\"60 %\"", "0", "\"3 +- 1 %\"", "\"3 m/s\"", "0.3", "\"0.3\""}) {
         CAPTURE(wrong);
         CHECK(test::contains(test::input_error_of([&] { return loaded(of_fit(wrong)); }),
                              "/fit/velocity_scale_uncertainty: "));
     }
+    CHECK(loaded(of_fit("\"30 %\"")).data.fit.estimate.scale_uncertainty == 0.3);
+    CHECK(test::contains(test::input_error_of([&] { return loaded(of_fit("0.3")); }),
+                         "0.3 without a unit is 30 % or 0.3 %; allowed: \"30 %\" or \"0.3 %\""));
 }
 
 TEST_CASE("two sieves give evenly distributed diameters between their meshes, with a note") {

@@ -208,9 +208,8 @@ double CommandOptions::number(std::string_view name, Dimension dimension) const 
             throw InputError("is missing", with_article(dimension_name(dimension)) + " [" +
                                                std::string(si_unit(dimension)) + "]");
         const Quantity quantity = quantity_of_text(text, dimension);
-        if (quantity.standard_uncertainty)
-            throw InputError(in_quotes(text) + " has an uncertainty, and this command computes without one",
-                             "the value alone; a case takes uncertainties and carries them to v_c");
+        require_certain(quantity.standard_uncertainty, in_quotes(text) + " ",
+                        "the value alone; a case takes uncertainties and carries them to v_c");
         return quantity.value;
     });
 }

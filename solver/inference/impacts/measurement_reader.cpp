@@ -180,8 +180,10 @@ class TableCells {
     [[nodiscard]] double sideways(const TableRow& row, const std::string& allowed) const {
         const SidewaysColumn& column = *heading_.sideways;
         const double value = number(row, column.position, column.name) * column.to_si;
-        if (number_in(row, column.position)->standard_uncertainty)
-            fail(column, row, "states an uncertainty, which nothing here uses", allowed);
+        at_place(at_cell(row.line, column.position), [&] {
+            require_certain(number_in(row, column.position)->standard_uncertainty, subject(column, row) + " ",
+                            allowed);
+        });
         return value;
     }
 
@@ -197,10 +199,12 @@ class TableCells {
 
     [[noreturn]] static void fail(const TextColumn& column, const TableRow& row, const std::string& problem,
                                   const std::string& allowed) {
-        throw InputError(
-            in_quotes(row.cells[column.position]) + " in column " + in_quotes(column.name) + " " + problem,
-            allowed)
+        throw InputError(subject(column, row) + " " + problem, allowed)
             .at(at_cell(row.line, column.position));
+    }
+
+    static std::string subject(const TextColumn& column, const TableRow& row) {
+        return in_quotes(row.cells[column.position]) + " in column " + in_quotes(column.name);
     }
 
     [[nodiscard]] std::optional<PrintedNumber> number_in(const TableRow& row, std::size_t column) const {
