@@ -81,6 +81,7 @@ constexpr std::array summaries{
 bool is_rounded(double value, double exact) {
     constexpr double coarsest = 0.2;  // of the value; a number of one digit matches too easily
     constexpr double fine = 0.02;     // of the value
+    if (std::abs(value - exact) > coarsest * value) return false;
     const std::string digits = shortest(value);
     const auto point = std::min(digits.find('.'), digits.size() - 1);
     const double last = std::pow(10.0, static_cast<double>(point + 1) - static_cast<double>(digits.size()));
@@ -277,23 +278,24 @@ namespace {
 
 /// Rows that another one may sum up.
 struct Block {
-    std::array<std::vector<double>, 2> values;    ///< of all rows
-    std::array<std::vector<double>, 2> rebounds;  ///< of those without the captures
+    std::array<Moments, 2> values{};    ///< of all rows
+    std::array<Moments, 2> rebounds{};  ///< of those without the captures
 
     void take(const MeasuredRow& row) {
         for (std::size_t k = 0; k < values.size(); ++k) {
-            values[k].push_back(row.values[k]);
-            if (row.values[1] > 0.0) rebounds[k].push_back(row.values[k]);
+            const Moments one{
+                .count = 1, .mean = row.values[k], .minimum = row.values[k], .maximum = row.values[k]};
+            values[k].merge(one);
+            if (row.values[1] > 0.0) rebounds[k].merge(one);
         }
     }
     /// What a row holds of these: "means"; nothing if it sums up none.
     [[nodiscard]] std::optional<std::string_view> summed_up_in(const MeasuredRow& row) const {
         constexpr std::size_t fewest = 3;
         constexpr double least_spread = 0.05;  // so that equal rows are no mean
-        if (values[0].size() < fewest || !(row.values[1] > 0.0)) return std::nullopt;
-        for (const auto* rows : {&values, &rebounds}) {
-            if ((*rows)[0].size() < fewest) continue;
-            const std::array moments{Moments::of((*rows)[0]), Moments::of((*rows)[1])};
+        if (values[0].count < fewest || !(row.values[1] > 0.0)) return std::nullopt;
+        for (const std::array<Moments, 2>& moments : {values, rebounds}) {
+            if (moments[0].count < fewest) continue;
             for (const auto& [name, of] : summaries)
                 if (moments[0].maximum > (1.0 + least_spread) * moments[0].minimum &&
                     is_rounded(row.values[0], of(moments[0])) && is_rounded(row.values[1], of(moments[1])))
@@ -306,8 +308,8 @@ struct Block {
 }  // namespace
 
 void refuse_summaries(std::span<const MeasuredRow> rows, std::vector<Finding>& findings) {
-    constexpr std::size_t most_rows = 60;  // in longer files some rows equal such means by chance
-    const bool is_short = rows.size() <= most_rows;
+    constexpr std::size_t most_rows = 60;   // in longer files some rows equal such means by chance,
+    constexpr std::size_t most_group = 20;  // but not one behind each group of so many rows
     Block all;
     Block block;  // since the last blank line or row that sums up
     std::vector<std::pair<std::size_t, std::string_view>> doubtful;
@@ -318,7 +320,7 @@ void refuse_summaries(std::span<const MeasuredRow> rows, std::vector<Finding>& f
         const bool begins = i > 0 && is_apart(i);
         const bool stands_out = at_end || begins || is_apart(i + 1);
         const auto of_all = at_end ? all.summed_up_in(row) : std::nullopt;
-        const auto of_block = stands_out || is_short ? block.summed_up_in(row) : std::nullopt;
+        const auto of_block = block.summed_up_in(row);
         if (of_all || (of_block && stands_out))
             refuse_summary_row(row.line, "the " + std::string(of_all ? *of_all : *of_block));
         all.take(row);
@@ -328,7 +330,9 @@ void refuse_summaries(std::span<const MeasuredRow> rows, std::vector<Finding>& f
         else
             block.take(row);
     }
-    if (doubtful.empty()) return;
+    const bool is_short = rows.size() <= most_rows;
+    const bool is_regular = most_group * doubtful.size() >= rows.size();
+    if (doubtful.empty() || !(is_short || is_regular)) return;
     const auto& [line, holds] = doubtful.front();
     if (doubtful.size() > 1) refuse_summary_row(line, "the " + std::string(holds));
     findings.push_back({impacts_code, Severity::doubt,

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include "core/text/error.hpp"
 #include "solver/inference/impacts/angle_classes.hpp"
@@ -661,6 +662,18 @@ TEST_CASE("a last row without a label that holds the means of the others is refu
                        "the row holds the means of the rows above"));
     CHECK(contains(warnings_of(read_measurements(rows + "2,74;1,08\n" + second, "t.csv")),
                    "line 6 holds the means of the rows above: if it sums them up, it is no impact"));
+    const auto long_file = [](bool with_means) {  // 20 groups of 4 rows
+        std::string text = "v_in;v_r\n";
+        for (int group = 0; group < 20; ++group) {
+            for (int row = 0; row < 4; ++row)
+                text += fmt::format("{:.2f};{:.2f}\n", 1 + 0.1 * group + 0.04 * row * row, 0.4 + 0.06 * row);
+            if (with_means && group < 19) text += fmt::format("{:.2f};{:.2f}\n", 1.14 + 0.1 * group, 0.49);
+        }
+        return text;
+    };
+    CHECK(contains(input_error_of([&] { return read_measurements(long_file(true), "t.csv"); }),
+                   "line 6: the row holds the means of the rows above"));
+    CHECK(read_measurements(long_file(false), "t.csv").points.size() == 80);
     CHECK(read_measurements(rows + "\n" + second, "t.csv").points.size() == 8);
     CHECK(read_measurements(dense + "1.7;0.7\n", "t.csv").points.size() == 8);
     CHECK(read_measurements(rows + "2,74;1,02\n", "t.csv").points.size() == 5);
