@@ -378,6 +378,22 @@ Finding uncertainties_in_per_cent(std::string_view code) {
         "the uncertainties in % are taken as per cent of the sample, as the amounts are, not of the amounts"};
 }
 
+void SmallUncertainties::take(double amount, std::string_view text, double uncertainty) {
+    if (!(uncertainty > 0)) return;
+    if (first_.empty()) first_ = text;
+    greatest_ratio_ = std::max(greatest_ratio_, uncertainty / amount);
+}
+
+std::optional<Finding> SmallUncertainties::finding(std::string_view code) const {
+    constexpr double least = 0.005;
+    if (first_.empty() || greatest_ratio_ > least) return std::nullopt;
+    return Finding{
+        std::string(code), Severity::doubt,
+        "the uncertainties, such as " + in_quotes(first_) +
+            ", are taken as per cent of the sample: if they are fractions, they are a hundred times "
+            "larger (write their unit)"};
+}
+
 bool has_sign_of_bound(std::string_view text) {
     for (const std::string_view sign : {"<", ">", "~", "\u2264", "\u2265", "\u2248"})
         for (auto at = text.find(sign); at != std::string_view::npos; at = text.find(sign, at + 1)) {

@@ -116,6 +116,19 @@ void require_diameters(const std::vector<TextBeside>& texts);
 /// A remark on uncertainties with a per cent sign in their cells beside amounts in per cent.
 [[nodiscard]] Finding uncertainties_in_per_cent(std::string_view code);
 
+/// A doubt on uncertainties without a unit that are so small beside amounts in per cent that they may be
+/// fractions; none if one of them is above a 200th of its amount.
+class SmallUncertainties {
+  public:
+    /// @param amount [%] @param text of its uncertainty @param uncertainty the number in it
+    void take(double amount, std::string_view text, double uncertainty);
+    [[nodiscard]] std::optional<Finding> finding(std::string_view code) const;
+
+  private:
+    std::string first_{};
+    double greatest_ratio_ = 0;
+};
+
 /// Whether a name or heading has the sign of a bound or an estimate, "Quartz (<)", "v_r >" and "Na2O ~",
 /// unlike "ash < 63 um".
 [[nodiscard]] bool has_sign_of_bound(std::string_view text);

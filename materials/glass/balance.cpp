@@ -419,9 +419,9 @@ ChemicalGlass glass_from_chemistry(const OxideAnalysis& given, const Composition
     note_loss(analysis, volatiles, glass.notes);
 
     const ElasticBody body = makishima_mackenzie(amounts_of(glass.oxides), glass.density.value);
-    const double relative =
-        std::hypot(makishima_mackenzie_uncertainty, uncertainty_of(Listed::modulus()) / body.young_modulus,
-                   glass.density.standard_uncertainty.value_or(0) / glass.density.value);
+    const double of_composition = uncertainty_of(Listed::modulus()) / body.young_modulus;
+    const double relative = std::hypot(makishima_mackenzie_uncertainty, of_composition,
+                                       glass.density.standard_uncertainty.value_or(0) / glass.density.value);
     glass.young_modulus =
         make_quantity(body.young_modulus, Dimension::pressure, relative * body.young_modulus);
     glass.poisson_ratio = body.poisson_ratio;
@@ -431,6 +431,12 @@ ChemicalGlass glass_from_chemistry(const OxideAnalysis& given, const Composition
         glass.notes.push_back({glass_code, Severity::background,
                                "the density of the glass is not stated: 2.5 +- 0.1 g/cm3 is assumed, and its "
                                "modulus is proportional to it"});
+    constexpr double counts = 0.01;  // of E; the uncertainty of a mixture's is then off by some per cent
+    if (of_composition > counts)
+        glass.notes.push_back(
+            {glass_code, Severity::background,
+             "the modulus of the glass follows from the fractions of the phases: its errors "
+             "are counted as independent of theirs"});
     return glass;
 }
 

@@ -80,8 +80,10 @@ std::string unit_behind_name(const std::string& text) {
     return name.empty() ? name : name + unit;
 }
 
-/// The oxide in a text that does not name it as one: MgO in "MgO (corr.)", K2O in "K20".
+/// The oxide in a text that does not name it as one: MgO in "MgO (corr.)", K2O in "K20", CaO as "Lime".
 std::optional<NamedOxide> oxide_within(std::string text) {
+    static const WordLists names("oxide names");
+    if (const auto formula = names.list_of(text)) return named_oxide(*formula);
     text += ' ' + transliterated(text);
     static const std::regex word("[A-Za-z][A-Za-z0-9]+");
     for (std::sregex_iterator at(text.begin(), text.end(), word), end; at != end; ++at) {
@@ -817,6 +819,16 @@ std::optional<OxideNumber> number_of(const OxideCell& cell, const NumberMarks& m
     });
 }
 
+constexpr const char* all_iron_once =
+    "\"Fe2O3(t)\" for all iron, alone or beside \"FeO\", which then is not added";
+
+/// That two forms of iron, as Fe2O3, have two readings.
+std::string two_irons(const std::string& name, const OxideShare& one, const std::string& other_name,
+                      const OxideShare& other) {
+    return "iron is there as " + name + " and " + other_name + ": " + name + " may be all of it, " +
+           per_cent(one.fraction) + " as Fe2O3, or a part of " + per_cent(one.fraction + other.fraction);
+}
+
 /// Makes the analysis of one sample.
 class OxideSampleMaker {
   public:
@@ -830,6 +842,7 @@ class OxideSampleMaker {
         const auto in_per_cent = [](const OxideCell& cell) { return cell.uncertainty.ends_with('%'); };
         if (std::ranges::any_of(column_.cells, in_per_cent))
             sample_.warnings.push_back(uncertainties_in_per_cent(glass_code));
+        if (const auto doubt = small_.finding(glass_code)) sample_.warnings.push_back(*doubt);
         if (!missing_.empty()) note("no amount is given of " + joined(missing_) + ": not in the glass");
         merge_iron();
         check_total();
@@ -845,6 +858,7 @@ class OxideSampleMaker {
         OxideShare share;
         bool is_total;
         std::string name;
+        double listed;  ///< fraction of that form
     };
 
     void note(std::string text, Severity severity = Severity::remark) {
@@ -902,11 +916,15 @@ class OxideSampleMaker {
             return;
         }
         listed_ += share.fraction;
+        const bool is_bare = cell.error_heading != nullptr && !cell.uncertainty.ends_with('%') &&
+                             cell.error_heading->scale == xrd::Scale::not_stated;
+        if (is_bare && scale == 0.01 && number->uncertainty)
+            small_.take(number->value, cell.uncertainty, *number->uncertainty);
         share.oxide = oxides()[cell.what.oxide.index].formula;
         share.fraction *= cell.what.oxide.factor;
         if (share.standard_uncertainty) *share.standard_uncertainty *= cell.what.oxide.factor;
         if (share.oxide == "Fe2O3") {
-            iron_.push_back({share, cell.what.oxide.is_total, name});
+            iron_.push_back({share, cell.what.oxide.is_total, name, number->value * scale});
             return;
         }
         auto& oxides_listed = sample_.analysis.oxides;
@@ -922,19 +940,26 @@ class OxideSampleMaker {
                 .at(at_cell(cell.line, cell.column));
     }
 
-    /// FeO and Fe2O3 add up, unless one of them is the total iron.
+    /// Two forms of iron are its parts, or one of them is all of it. A name or the total of the table
+    /// decides.
     void merge_iron() {
         if (iron_.empty()) return;
-        const auto total = std::ranges::find_if(iron_, &Iron::is_total);
-        const std::size_t totals = static_cast<std::size_t>(std::ranges::count_if(iron_, &Iron::is_total));
+        const auto totals = std::ranges::count_if(iron_, &Iron::is_total);
         if (totals > 1 || (totals == 0 && iron_.size() > 2) ||
             (totals == 0 && iron_.size() == 2 && word_key(iron_[0].name) == word_key(iron_[1].name)))
             refuse_line(column_.cells.front().line, "iron is there more than once",
                         "FeO and Fe2O3, or one total such as \"Fe2O3(t)\"");
-        OxideShare sum = total != iron_.end() ? total->share : iron_.front().share;
-        if (total != iron_.end() && iron_.size() > 1)
-            note(total->name + " is the total iron: the other form is not added");
-        if (total == iron_.end() && iron_.size() == 2) {
+        if (totals == 1)
+            std::ranges::stable_partition(iron_, &Iron::is_total);
+        else
+            std::ranges::stable_sort(iron_, {},
+                                     [](const Iron& iron) { return iron.name.starts_with("FeO"); });
+        OxideShare sum = iron_.front().share;
+        if (iron_.size() > 1 && (totals == 1 || !are_parts(iron_[0], iron_[1]))) {
+            note(iron_.front().name + " is the total iron: the other form is not added");
+            for (std::size_t i = 1; i < iron_.size(); ++i) listed_ -= iron_[i].listed;
+        } else if (iron_.size() > 1) {
+            note(iron_[0].name + " and " + iron_[1].name + " are added, as in the total of the table");
             sum.fraction += iron_[1].share.fraction;
             const auto& a = iron_[0].share.standard_uncertainty;
             const auto& b = iron_[1].share.standard_uncertainty;
@@ -943,22 +968,38 @@ class OxideSampleMaker {
         sample_.analysis.oxides.push_back(sum);
     }
 
+    /// Whether the total of the table counts both forms. @throws InputError where it does not decide
+    [[nodiscard]] bool are_parts(const Iron& one, const Iron& other) const {
+        constexpr double near = 0.1;  // of the gap that the other reading leaves
+        const double both = total_ ? gap(listed_) : 0;
+        const double first = total_ ? gap(listed_ - other.listed) : 0;
+        if (both < near * first) return true;
+        if (first < near * both) return false;
+        refuse_line(column_.cells.front().line, two_irons(one.name, one.share, other.name, other.share),
+                    all_iron_once);
+    }
+
+    /// Between the stated total, with the loss or without, and some listed amounts [1].
+    [[nodiscard]] double gap(double listed) const {
+        const auto& loss = sample_.analysis.loss_on_ignition;
+        const double rest = *total_ - listed - traces_;
+        return std::min(std::abs(rest), std::abs(rest - (loss ? loss->fraction : 0)));
+    }
+
     void check_total() {
         constexpr double tolerance = 0.01;
-        if (!total_) return;
-        const double loss =
-            sample_.analysis.loss_on_ignition ? sample_.analysis.loss_on_ignition->fraction : 0;
-        const double gap =
-            std::min(std::abs(*total_ - listed_ - traces_), std::abs(*total_ - listed_ - traces_ - loss));
-        if (gap > tolerance)
-            note("the total is given as " + per_cent(*total_) + ", the oxides that are read add up to " +
-                     per_cent(listed_) + (loss > 0 ? ", with LOI to " + per_cent(listed_ + loss) : ""),
-                 Severity::doubt);
+        if (!total_ || gap(listed_) <= tolerance) return;
+        const auto& loss = sample_.analysis.loss_on_ignition;
+        note("the total is given as " + per_cent(*total_) + ", the oxides that are read add up to " +
+                 per_cent(listed_) +
+                 (loss && loss->fraction > 0 ? ", with LOI to " + per_cent(listed_ + loss->fraction) : ""),
+             Severity::doubt);
     }
 
     const OxideColumn& column_;
     const NumberMarks& marks_;
     OxideSample sample_{};
+    SmallUncertainties small_{};
     double scale_ = 0.01;
     double listed_ = 0;
     double traces_ = 0;
@@ -1029,12 +1070,10 @@ void add_share(const std::string& name, const View& node, OxideAnalysis& analysi
     share.fraction *= oxide->factor;
     if (share.standard_uncertainty) *share.standard_uncertainty *= oxide->factor;
     const auto same = std::ranges::find(analysis.oxides, share.oxide, &OxideShare::oxide);
-    if (same != analysis.oxides.end() && share.oxide != "Fe2O3")
-        node.fail(share.oxide + " is there twice", "each oxide once");
-    if (same == analysis.oxides.end())
-        analysis.oxides.push_back(share);
-    else
-        same->fraction += share.fraction;  // FeO and Fe2O3
+    if (same != analysis.oxides.end() && share.oxide == "Fe2O3")
+        node.fail(two_irons("one form", *same, "\"" + name + "\"", share), "all iron once, as \"Fe2O3\"");
+    if (same != analysis.oxides.end()) node.fail(share.oxide + " is there twice", "each oxide once");
+    analysis.oxides.push_back(share);
 }
 
 }  // namespace

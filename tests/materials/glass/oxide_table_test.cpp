@@ -233,8 +233,18 @@ TEST_CASE("what is below a limit, was not found, or was not determined") {
 
 TEST_CASE("iron as FeO, as both and as a total; other forms; traces") {
     CHECK(std::abs(per_cent_of(only("Sample,SiO2,Al2O3,FeO\nA,60,30,9\n"), "Fe2O3") - 10.00212) < 1e-4);
-    const OxideSample both = only("Sample,SiO2,Al2O3,Fe2O3,FeO\nA,60,30,5,4\n");
-    CHECK(std::abs(per_cent_of(both, "Fe2O3") - (5 + 4 * 1.111346)) < 1e-4);
+    const std::string two = "Sample,SiO2,Al2O3,Fe2O3,FeO";
+    for (const std::string& table : {two + "\nA,60,30,5,4\n", two + ",Total\nA,60,30,5,4,97\n"})
+        CHECK(
+            contains(input_error_of([&] { return only(table.c_str()).name; }),
+                     "iron is there as Fe2O3 and FeO: Fe2O3 may be all of it, 5 % as Fe2O3, or a part of "));
+    const OxideSample parts = only((two + ",LOI,Total\nA,60,30,5,4,1,99.98\n").c_str());
+    CHECK(std::abs(per_cent_of(parts, "Fe2O3") - (5 + 4 * 1.111346)) < 1e-4);
+    CHECK(tells(parts.warnings, "Fe2O3 and FeO are added, as in the total of the table"));
+    const OxideSample all = only((two + ",Total\nA,60,30,5,4,95\n").c_str());
+    CHECK(near(per_cent_of(all, "Fe2O3"), 5));
+    CHECK(tells(all.warnings, "Fe2O3 is the total iron"));
+    CHECK_FALSE(tells(all.warnings, "the total is given as"));
     const OxideSample total = only("Sample,SiO2,Al2O3,Fe2O3(t),FeO\nA,60,30,10,4\n");
     CHECK(near(per_cent_of(total, "Fe2O3"), 10));
     CHECK(tells(total.warnings, "Fe2O3(t) is the total iron"));
@@ -243,6 +253,18 @@ TEST_CASE("iron as FeO, as both and as a total; other forms; traces") {
     CHECK(near(per_cent_of(traces, "SrO"), 0.05));
     CHECK(tells(traces.warnings,
                 "elements in ppm are traces and left out, together 0.03 % of the sample: V, Cr"));
+}
+
+TEST_CASE("a phase named for an oxide, and uncertainties that may be fractions") {
+    CHECK(contains(input_error_of([&] { return only("Oxide,wt%\nSiO2,60\nAl2O3,30\nLime,5\n").name; }),
+                   "\"Lime\" is not read as an oxide, and nothing else gives CaO; allowed: \"CaO\" for it"));
+    CHECK(near(per_cent_of(only("Oxide,wt%\nSiO2,60\nAl2O3,30\nCaO,8\nLime,1\n"), "CaO"), 8));
+    const std::string amounts = "Oxid;Anteil [%];";
+    CHECK(tells(only((amounts + "Fehler\nSiO2;60;0.004\nAl2O3;38;0.003\n").c_str()).warnings,
+                "the uncertainties, such as \"0.004\", are taken as per cent of the sample"));
+    for (const char* clear :
+         {"Fehler\nSiO2;60;0.4\nAl2O3;38;0.003\n", "Fehler [%]\nSiO2;60;0.004\nAl2O3;38;0.003\n"})
+        CHECK_FALSE(tells(only((amounts + clear).c_str()).warnings, "the uncertainties, such as"));
 }
 
 TEST_CASE("a spreadsheet of an XRF laboratory, in both formats") {
@@ -419,6 +441,12 @@ TEST_CASE("the oxides of a case") {
     const OxideAnalysis list = read(R"([{"oxide": "SiO2", "weight_fraction": "60 %"},
                                         {"oxide": "Al2O3", "weight_fraction": "40 %"}])");
     CHECK(near(list.oxides[1].fraction, 0.4));
+    CHECK(contains(input_error_of([&] { return read(R"({"Fe2O3": "5 %", "FeO": "4 %"})").oxides; }),
+                   "iron is there as one form and \"FeO\""));
+    CHECK(
+        contains(input_error_of([&] { return read(R"({"SiO2": "50 % +- 2 %"})").oxides; }),
+                 "/SiO2: in \"50 % +- 2 %\" the uncertainty is 2 % of the whole, or of the value, 1 % of the "
+                 "whole; allowed: \"50 +- 2 %\" or \"50 +- 1 %\""));
     CHECK(input_error_of([&] { return read(R"({"SiO2": 52.1})").oxides; }) ==
           "/SiO2: the fraction is 5210 %; allowed: 0 % to 100 % (0 to 1), as \"52.1 %\"");
     for (const char* loss :
