@@ -26,8 +26,8 @@ struct Value {
 
 struct Block {
     std::string name;
-    std::optional<Value> weight{};    ///< GEWICHT; nothing if the block has no such line
-    std::optional<double> density{};  ///< [kg/m3]
+    std::optional<Value> weight{};           ///< GEWICHT; nothing if the block has no such line
+    std::optional<PrintedNumber> density{};  ///< [g/cm3]
     bool has_positions = false;
 };
 
@@ -96,7 +96,7 @@ void read_member(Block& block, std::string_view key, std::string_view value, std
         if (density.number && !(density.number->value > 0))
             refuse_line(line, "XrayDensity is " + shortest(density.number->value),
                         "a positive density [g/cm3]");
-        if (density.number) block.density = density.number->value * 1000;  // g/cm3
+        if (density.number) block.density = density.number;
     }
 }
 

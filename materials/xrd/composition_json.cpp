@@ -246,9 +246,10 @@ Analysis completed_by_json(Analysis analysis, const View& node) {
         standard->fail("an internal standard gives the amorphous part, which is stated too",
                        "one of the two");
     if (const auto densities = node.find("densities")) read_densities(*densities, analysis.phases);
-    if (amorphous)
-        at_place(amorphous->pointer(),
-                 [&] { analysis.state_amorphous(read_amorphous(*amorphous, analysis.basis)); });
+    if (amorphous) {
+        const Amorphous stated = read_amorphous(*amorphous, analysis.basis);
+        at_place(amorphous->pointer(), [&] { analysis.state_amorphous(stated); });
+    }
     if (const auto name = node.find("amorphous_phase")) analysis.amorphous_phase = name->text();
     return standard ? without_standard(analysis, *standard) : analysis;
 }

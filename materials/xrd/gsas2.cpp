@@ -45,8 +45,8 @@ PrintedNumber weight_in(std::string_view text, std::size_t line) {
 struct Scan {
     std::string phase{};
     std::string histogram{};
-    std::string described_phase{};              ///< under "Result for phase"
-    std::map<std::string, double> densities{};  ///< [kg/m3]
+    std::string described_phase{};                     ///< under "Result for phase"
+    std::map<std::string, PrintedNumber> densities{};  ///< [g/cm3]
     std::vector<XrdSample> samples{};
     std::map<std::string, std::size_t> places{};                  ///< of the samples, by histogram
     std::set<std::pair<std::string, std::string>> known_pairs{};  ///< histogram and phase
@@ -88,7 +88,7 @@ void read_density(Scan& scan, std::string_view text, std::size_t line) {
     const auto density = read_number(value);
     if (!density || !(density->value > 0))
         refuse_line(line, "cannot read the density " + in_quotes(value), "a positive number in g/cm**3");
-    scan.densities[scan.described_phase] = density->value * 1000;
+    scan.densities[scan.described_phase] = *density;
 }
 
 /// GSAS-II normalises the fractions of a histogram: any other sum means that blocks are missing.
@@ -130,7 +130,7 @@ XrdResult read_gsas2(const TextLines& file) {
         require_closed(sample, file);
         for (PhaseFraction& phase : sample.analysis.phases)
             if (const auto density = scan.densities.find(phase.name); density != scan.densities.end())
-                phase.density = density->second;
+                set_density(phase, density->second, sample.warnings);
     }
     return {.format = XrdFormat::gsas2_lst, .samples = std::move(scan.samples)};
 }

@@ -25,9 +25,12 @@ void normalise(std::vector<PhaseFraction>& phases, double total);
 struct ListedPhase {
     std::string name;
     std::size_t line = 0;
-    std::optional<PrintedNumber> amount{};  ///< not negative, in any unit that is the same for all
-    std::optional<double> density{};        ///< [kg/m3]
+    std::optional<PrintedNumber> amount{};   ///< not negative, in any unit that is the same for all
+    std::optional<PrintedNumber> density{};  ///< [g/cm3]
 };
+
+/// Gives a phase the density that a program printed, with a finding on an uncertainty, which is not used.
+void set_density(PhaseFraction& phase, const PrintedNumber& density, std::vector<Finding>& findings);
 
 /// Turns amounts into the fractions of a sample. A phase without an amount is left out, with a warning.
 /// @param amount what the amounts are, for messages: "weight"

@@ -347,6 +347,16 @@ XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) 
     if (std::ranges::any_of(entries, &Entry::uncertainty_in_per_cent))
         result.warnings.push_back(uncertainties_in_per_cent(xrd_code));
     const double scale = layout == Layout::peaks ? 1 : scale_of(table, entries, result.warnings);
+    constexpr double of_per_cent = 0.01;
+    const auto states_scale = [](const Heading& heading) {
+        return heading.role == Role::uncertainty && heading.scale != Scale::not_stated;
+    };
+    SmallUncertainties small;
+    if (layout != Layout::peaks && scale == of_per_cent && std::ranges::none_of(table.headings, states_scale))
+        for (const Entry& entry : entries)
+            if (entry.amount && entry.uncertainty && !entry.uncertainty_in_per_cent)
+                small.take(entry.amount->value, shortest(*entry.uncertainty), *entry.uncertainty);
+    if (const auto doubt = small.finding(xrd_code)) result.warnings.push_back(*doubt);
     if (layout != Layout::peaks) require_scale(table.texts, {named_scale(scale)});
     warn_of_ignored(table, layout, result.warnings);
     note_readings(table, layout, result.warnings);

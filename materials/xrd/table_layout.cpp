@@ -189,6 +189,9 @@ std::optional<PrintedNumber> number_in(const TableRow& row, std::size_t column, 
     return number;
 }
 
+constexpr const char* density_alone =
+    "the density alone, or the phase with its uncertainty under \"phases\" of a case";
+
 std::optional<double> density_in(const TableRow& row, std::size_t column, const Table& table) {
     const std::string& cell = row.cells[column];
     const Heading& heading = table.headings[column];
@@ -199,10 +202,8 @@ std::optional<double> density_in(const TableRow& row, std::size_t column, const 
                              "density [g/cm3] as the heading, or a unit in each cell");
         const auto number = heading.unit.empty() ? std::nullopt : number_in(row, column, table);
         const Quantity with_unit = number ? Quantity{} : quantity_of_text(cell, Dimension::density);
-        if (number ? number->standard_uncertainty : with_unit.standard_uncertainty)
-            throw InputError(
-                in_quotes(cell) + " states an uncertainty, which nothing here uses",
-                "the density alone, or the phase with its uncertainty under \"phases\" of a case");
+        require_certain(number ? number->standard_uncertainty : with_unit.standard_uncertainty,
+                        in_quotes(cell) + " ", density_alone);
         const double density =
             number ? at_place("column " + in_quotes(heading.written),
                               [&] { return to_si(number->value, heading.unit, Dimension::density); })
@@ -210,16 +211,6 @@ std::optional<double> density_in(const TableRow& row, std::size_t column, const 
         if (!(density > 0)) throw InputError("the density is not positive", "a positive density");
         return std::optional(density);
     });
-}
-
-/// Refuses "0.1 %" as the uncertainty of a fraction without that sign. @throws InputError
-void refuse_mixed_per_cent(const std::optional<PrintedNumber>& amount, const PrintedNumber& uncertainty,
-                           const TableRow& row, std::size_t column) {
-    if (!amount || amount->per_cent || !uncertainty.per_cent) return;
-    throw InputError(in_quotes(row.cells[column]) +
-                         " may be per cent of the whole, or of the value before it, which has no such sign",
-                     "the number alone, or the sign in both cells")
-        .at(at_cell(row.line, column));
 }
 
 }  // namespace
@@ -277,6 +268,30 @@ bool names_samples(const Table& table) {
         table.rows, [k = *table.column(Role::sample)](const TableRow& row) { return !row.cells[k].empty(); });
 }
 
+/// Gives an entry the uncertainty in a column of its own.
+/// @param of what it is of, read from @p of_text @throws InputError for one with two readings: "0.1 %" of a
+/// number without that sign, or a number without it beside "12.3 %"
+void take_uncertainty(Entry& entry, const std::optional<PrintedNumber>& of, const PrintedNumber& uncertainty,
+                      const TableRow& row, std::size_t column, const std::string& of_text,
+                      const Table& table) {
+    if (of && table.headings[column].scale == Scale::not_stated) {
+        if (!of->per_cent && uncertainty.per_cent)
+            throw InputError(in_quotes(row.cells[column]) +
+                                 " may be per cent of the whole, or of the value "
+                                 "before it, which has no such sign",
+                             "the number alone, or the sign in both cells")
+                .at(at_cell(row.line, column));
+        if (!uncertainty.per_cent)
+            refuse_bare_uncertainty(of_text, row.cells[column], *of, uncertainty.value, row.line, column);
+    }
+    if (uncertainty.value < 0) refuse_line(row.line, "the uncertainty is below zero", "zero or more");
+    if (uncertainty.value > 0 && !is_computable(uncertainty.value))
+        refuse_line(row.line, "the uncertainty is " + shortest(uncertainty.value),
+                    "0, or " + std::string(computable_range));
+    entry.uncertainty = uncertainty.value;
+    entry.uncertainty_in_per_cent = uncertainty.per_cent;
+}
+
 /// One row a phase: phase and weight, or phase, intensity and RIR.
 std::vector<Entry> long_entries(const Table& table, Layout layout) {
     std::vector<Entry> entries;
@@ -305,24 +320,13 @@ std::vector<Entry> long_entries(const Table& table, Layout layout) {
         entry.amount = number(amount);
         if (!entry.amount) entry.without_number = cell(amount);
         if (const auto uncertainty = number(Role::uncertainty)) {
-            if (table.headings[*table.column(Role::uncertainty)].scale == Scale::not_stated)
-                refuse_mixed_per_cent(table.has(Role::intensity) ? number(Role::intensity) : entry.amount,
-                                      *uncertainty, row, *table.column(Role::uncertainty));
             if (entry.amount && entry.amount->standard_uncertainty)
                 refuse_line(row.line, "the cell and a column state an uncertainty of the fraction",
                             "one of them");
-            const std::size_t column = *table.column(Role::uncertainty);
-            if (entry.amount && !uncertainty->per_cent && table.headings[column].scale == Scale::not_stated)
-                refuse_bare_uncertainty(cell(amount), row.cells[column], *entry.amount, uncertainty->value,
-                                        row.line, column);
-            entry.uncertainty = uncertainty->value;
-            entry.uncertainty_in_per_cent = uncertainty->per_cent;
+            const auto of = table.column(table.has(Role::intensity) ? Role::intensity : amount);
+            take_uncertainty(entry, of ? number_in(row, *of, table) : std::nullopt, *uncertainty, row,
+                             *table.column(Role::uncertainty), row.cells[of.value_or(0)], table);
         }
-        if (entry.uncertainty && *entry.uncertainty < 0)
-            refuse_line(row.line, "the uncertainty is below zero", "zero or more");
-        if (entry.uncertainty && *entry.uncertainty > 0 && !is_computable(*entry.uncertainty))
-            refuse_line(row.line, "the uncertainty is " + shortest(*entry.uncertainty),
-                        "0, or " + std::string(computable_range));
         if (layout == Layout::peaks) {
             entry.intensity = number(Role::intensity);
             entry.ratio = number(Role::ratio);
@@ -367,13 +371,8 @@ std::vector<Entry> wide_entries(const Table& table, Role row_role) {
                                     " holds uncertainties and follows no column of fractions",
                                 "the column of the fractions before it");
                 if (!number) continue;
-                refuse_mixed_per_cent(entries.back().amount, *number, row, i);
-                if (entries.back().amount && !number->per_cent &&
-                    table.headings[i].scale == Scale::not_stated)
-                    refuse_bare_uncertainty(row.cells[i - 1], row.cells[i], *entries.back().amount,
-                                            number->value, row.line, i);
-                entries.back().uncertainty = number->value;
-                entries.back().uncertainty_in_per_cent = number->per_cent;
+                take_uncertainty(entries.back(), entries.back().amount, *number, row, i, row.cells[i - 1],
+                                 table);
                 continue;
             }
             const MarkedPhase phase = read_phase_name(row_role == Role::sample ? name : row.cells[label]);

@@ -219,7 +219,7 @@ class TopasReader {
         } else if (word == "Phase_Density_g_on_cm3") {
             const auto arguments = arguments_after(token);
             if (arguments.front() && arguments.front()->value > 0)
-                phase(token).listed.density = arguments.front()->value * 1000;  // g/cm3
+                phase(token).listed.density = arguments.front();
         }
     }
 

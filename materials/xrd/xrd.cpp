@@ -30,6 +30,14 @@ std::string file_stem(std::string_view name) {
     return std::string(dot == 0 ? name : name.substr(0, dot));
 }
 
+void set_density(PhaseFraction& phase, const PrintedNumber& density, std::vector<Finding>& findings) {
+    phase.density = 1000 * density.value;  // g/cm3
+    if (density.standard_uncertainty)
+        findings.push_back({xrd_code, Severity::background,
+                            "the uncertainty of the density of " + in_quotes(phase.name) + ", " +
+                                readable_number(*density.standard_uncertainty) + " g/cm3, is not used"});
+}
+
 double add_fractions(XrdSample& sample, const std::vector<ListedPhase>& phases, const std::string& amount,
                      const std::string& needed, std::size_t line) {
     double total = 0;
@@ -47,8 +55,8 @@ double add_fractions(XrdSample& sample, const std::vector<ListedPhase>& phases, 
         sample.analysis.phases.push_back({.name = phase.name,
                                           .fraction = phase.amount->value,
                                           .standard_uncertainty = phase.amount->standard_uncertainty,
-                                          .density = phase.density,
                                           .place = at_line(phase.line)});
+        if (phase.density) set_density(sample.analysis.phases.back(), *phase.density, sample.warnings);
         total += phase.amount->value;
     }
     if (!(total > 0)) refuse_line(line, "no phase has a " + amount, needed);

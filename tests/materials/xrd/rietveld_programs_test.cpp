@@ -40,7 +40,7 @@ xdd "C:\data\Ash 7.raw"
   str
     phase_name "Quartz low"
     MVW( 180.252, 112.98`, 25.000`_0.300)
-    Phase_Density_g_on_cm3( 2.6490`)
+    Phase_Density_g_on_cm3( 2.6490`_0.0003)
   str
     phase_name Mullite ' without quotes
     weight_percent  wp2  75.000`_0.500
@@ -117,6 +117,9 @@ TEST_CASE("a TOPAS file: macros and keywords, comments, standard deviations, amo
     CHECK(close_to(phases[0].fraction, 0.25));
     CHECK(close_to(*phases[0].standard_uncertainty, 0.003));
     CHECK(close_to(*phases[0].density, 2649));
+    REQUIRE(sample.warnings.size() == 1);
+    CHECK(sample.warnings[0].text ==
+          "the uncertainty of the density of \"Quartz low\", 0.0003 g/cm3, is not used");
     CHECK(phases[1].name == "Mullite");
     CHECK(close_to(phases[1].fraction, 0.75));  // the keyword, not the macro
     CHECK(close_to(std::get<AmorphousFraction>(sample.analysis.amorphous).value, 0.4012));

@@ -179,6 +179,8 @@ TEST_CASE("malformed GSAS-II lists") {
     refuses(with(list, "Phase: Hematite in", "Phase: Quartz in"),
             "line 41: the phase \"Quartz\" is there twice in \"FA-07.xy Bank 1\"");
     refuses(with(list, "Density: 2.6489", "Density: x"), "line 18: cannot read the density \"x\"");
+    const XrdResult uncertain = read_xrd(with(list, "Density: 2.6489", "Density: 2.6489(3)"), "ash.lst");
+    CHECK(contains(uncertain.samples[0].warnings.at(0).text, "0.0003 g/cm3, is not used"));
     refuses(" GSAS-II Refinement\n wR = 7 %\n", "line 2: there is no refined weight fraction");
     refuses(" Phase fraction  :    1.0, sig 0.0 Weight fraction  :  1.0, sig 0.0\n",
             "line 1: a weight fraction stands before any phase heading");
@@ -260,7 +262,7 @@ TEST_CASE("malformed JSON results") {
     refuses(phases(quartz + R"(,{"name": "Glass", "volume_fraction": 0.4})"), "by weight and by volume");
     refuses(phases(R"({"name": "Quartz", "weight_fraction": "0.6 m"})"), "not one of fraction");
     refuses(R"({"samples": [{"name": "a", "phases": [)" + quartz + R"(], "amorphous": "some"}]})",
-            "/samples/0/amorphous: the amorphous part is \"some\"");
+            "line 1: /samples/0/amorphous: the amorphous part is \"some\"");
     refuses(R"({"samples": [{"name": "a", "phases": [)" + quartz +
                 R"(], "amorphous": {"weight_fraction": 0.4, "crystalline_total": 0.6}}]})",
             "/samples/0/amorphous: the amorphous part is stated 2 times");

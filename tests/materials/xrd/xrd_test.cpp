@@ -405,6 +405,13 @@ TEST_CASE("headings with two bases, or with what changes a number, hold no fract
     CHECK(contains(
         input_error_of([] { return read_xrd("phase;crystalline wt%\nQuartz;30\nMullite;15\n", "t.csv"); }),
         "the fractions of the crystalline part add up to 45 %"));
+    for (const auto& [mullite, tells] : {std::pair{"0.003", true}, {"0.3", false}}) {
+        const std::string rows = std::string("Quartz;60;0.004\nMullite;40;") + mullite + "\n";
+        const auto warnings = read_xrd("Phase;Anteil [%];Fehler\n" + rows, "t.csv").warnings;
+        CHECK(std::ranges::any_of(warnings, [](const Finding& each) {
+                  return contains(each.text, "the uncertainties, such as \"0.004\", are taken as per cent");
+              }) == tells);
+    }
     const XrdResult scaled = read_xrd("phase;wt%;esd x100\nQuartz;60;20\nMullite;40;30\n", "t.csv");
     CHECK_FALSE(scaled.samples[0].analysis.phases[0].standard_uncertainty);
     CHECK(contains(joined(texts_of(scaled.warnings)), "such a multiple is not plausible"));
