@@ -1100,10 +1100,7 @@ const OxideSample& oxide_sample(const OxideResult& result, const std::string& na
 }
 
 std::optional<Finding> other_sample_finding(const OxideSample& oxides, const std::string& sample) {
-    const bool unnamed = oxides.name == xrd::file_stem(oxides.analysis.source);
-    if (unnamed || word_key(oxides.name) == word_key(sample)) return std::nullopt;
-    return Finding{glass_code, Severity::remark,
-                   "the oxides are those of the sample " + in_quotes(oxides.name)};
+    return other_sample_finding(glass_code, "oxides", oxides.name, oxides.analysis.source, sample);
 }
 
 OxideAnalysis read_oxides_json(const View& node) {

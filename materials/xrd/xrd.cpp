@@ -136,6 +136,14 @@ XrdResult read_xrd(std::string_view text, std::string_view name, const TableOpti
     });
 }
 
+std::optional<Finding> other_sample_finding(std::string_view code, std::string_view data,
+                                            const std::string& named, std::string_view file,
+                                            const std::string& sample) {
+    if (named == xrd::file_stem(file) || word_key(named) == word_key(sample)) return std::nullopt;
+    return Finding{code, Severity::remark,
+                   fmt::format("the {} are those of the sample {}", data, in_quotes(named))};
+}
+
 XrdSample with_internal_standard(const XrdSample& sample, std::string_view standard, double added_fraction,
                                  std::optional<double> added_uncertainty) {
     if (!(added_fraction > 0 && added_fraction < 1))

@@ -55,6 +55,12 @@ struct XrdResult {
 [[nodiscard]] XrdResult read_xrd(std::string_view text, std::string_view name,
                                  const TableOptions& options = {});
 
+/// The remark that @p data, "phases", of a file are taken for a sample of another name than the file states
+/// for them; none where the file states none, or the same. @param named their name, else the stem of @p file
+[[nodiscard]] std::optional<Finding> other_sample_finding(std::string_view code, std::string_view data,
+                                                          const std::string& named, std::string_view file,
+                                                          const std::string& sample);
+
 /// Rescales a sample to which a known weight of a standard was added before the measurement: w_i = w_s
 /// c_i/c_s in the mixture, divided by 1 - w_s in the sample; the rest is amorphous. The standard is taken out
 /// of the phases. Source: Chung 1974a, J. Appl. Cryst. 7:519 (matrix flushing). `added_fraction` is the

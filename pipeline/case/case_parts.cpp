@@ -78,7 +78,7 @@ XrdSample chosen_sample(const View& node, const XrdResult& result) {
                         "xrd_sample, one of " + joined(names));
 }
 
-ReadAnalysis read_xrd_analysis(const View& node, InputFiles& files) {
+ReadAnalysis read_xrd_analysis(const View& node, const std::string& of_sample, InputFiles& files) {
     const View file = node.at("xrd");
     const std::string name = file.text();
     const XrdResult& result = at_place(file.pointer(), [&]() -> const XrdResult& {
@@ -89,6 +89,9 @@ ReadAnalysis read_xrd_analysis(const View& node, InputFiles& files) {
         if (!phase.place.empty()) phase.place.insert(0, files.shown(name) + ": ");
     ReadAnalysis read{.analysis = sample.analysis, .source = name, .warnings = result.warnings};
     read.warnings.insert(read.warnings.end(), sample.warnings.begin(), sample.warnings.end());
+    if (!node.has("xrd_sample"))
+        if (const auto other = other_sample_finding(xrd_code, "phases", sample.name, name, of_sample))
+            read.warnings.push_back(*other);
     return read;
 }
 
@@ -337,14 +340,14 @@ Porosity read_porosity(const View& node) {
     return porosity;
 }
 
-ReadAnalysis read_analysis(const View& node, InputFiles& files) {
+ReadAnalysis read_analysis(const View& node, const std::string& sample, InputFiles& files) {
     const int inline_ways = count_of(node, {"weight_fractions", "volume_fractions", "phases", "peaks"});
     if (inline_ways + count_of(node, {"xrd"}) != 1)
         node.fail("the composition is given in more than one way, or in none",
                   "weight_fractions, volume_fractions, phases, peaks or xrd");
     ReadAnalysis read;
     if (node.has("xrd")) {
-        read = read_xrd_analysis(node, files);
+        read = read_xrd_analysis(node, sample, files);
     } else {
         read.analysis = xrd::read_fractions_json(node);
         for (PhaseFraction& phase : read.analysis.phases) phase.place.erase(0, node.pointer().size());

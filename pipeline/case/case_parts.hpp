@@ -42,7 +42,7 @@ struct ReadAnalysis {
     std::string source;
     std::vector<Finding> warnings;
 };
-[[nodiscard]] ReadAnalysis read_analysis(const View& node, InputFiles& files);
+[[nodiscard]] ReadAnalysis read_analysis(const View& node, const std::string& sample, InputFiles& files);
 
 /// The keys of a case on glasses: "oxides", a file, and "glass".
 struct GlassDefaults {

@@ -75,7 +75,7 @@ Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files
     std::vector<Finding> notes;
     sample.diameter = read_diameter(node.at("diameter"), notes);
     add_findings(notes, sample.name, findings);
-    auto analysis = read_analysis(node.at("composition"), files);
+    auto analysis = read_analysis(node.at("composition"), sample.name, files);
     sample.glass = read_glass(node.at("composition"), defaults.glass, sample.name, files, analysis.warnings);
     add_findings(analysis.warnings, sample.name, findings);
     sample.analysis = std::move(analysis.analysis);

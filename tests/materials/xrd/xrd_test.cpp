@@ -273,6 +273,19 @@ TEST_CASE("tables with one column a phase or one column a sample") {
     CHECK(contains(samples.warnings[0].text, "by their size they are fractions"));
 }
 
+TEST_CASE("phases of a sample of another name are told") {
+    const auto remark = [](std::string_view table, const std::string& sample) {
+        const auto named = read_xrd(table, "folder/ash.csv").samples.front().name;
+        return other_sample_finding(xrd_code, "phases", named, "folder/ash.csv", sample);
+    };
+    for (const char* table : {"Sample,Quartz,Mullite,Glass\nFA 8,12,19,69\n",
+                              "Phase,FA 8 [wt%]\nQuartz,12\nMullite,19\nGlass,69\n"}) {
+        CHECK(remark(table, "FA 7")->text == "the phases are those of the sample \"FA 8\"");
+        CHECK_FALSE(remark(table, "fa8"));
+    }
+    CHECK_FALSE(remark("Phase,wt%\nQuartz,12\nMullite,19\nGlass,69\n", "FA 7"));
+}
+
 TEST_CASE("a coverage behind the name of a sample or phase divides uncertainties, never amounts") {
     const auto first = [](const std::string& text) { return read_xrd(text, "t.csv").samples.front(); };
     for (const char* heading : {"FA1 (\u00b1 2\u03c3)", "FA1 (k=2)", "FA1 [wt%] \u00b1 2\u03c3"}) {
