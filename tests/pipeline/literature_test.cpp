@@ -245,6 +245,8 @@ TEST_CASE(
           {"Velocities in cm/s\n" + four, "states cm/s, and column \"v_c [m/s]\" is taken in another unit"},
           {four + "3.75;0.052\n", "line 6: the row holds the means of the rows above"},
           {four + "15;0.208\n", "line 6: the row holds the sums of the rows above"},
+          {"d [um];v_c [m/s]\n20;0.42\n40;0.24\n60;0.17\n20;0.42\n40;0.24\n60;0.17\n",
+           "line 5: the rows to line 7 repeat those from line 2 to 4: they may be there twice"},
           {std::string("d [um];v_c [m/s];excluded\n1;0.1;\n2;0.06;x\n"),
            "\"excluded\" marks rows as valid or not"},
           {std::string("d [um];v_c [m/s];remark\n1;0.1;\n2;0.06;outlier\n"), "calls the row invalid"}}) {

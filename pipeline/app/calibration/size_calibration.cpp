@@ -110,8 +110,14 @@ std::vector<SizeHeading> size_headings_in(const TableRow& row) {
     return headings;
 }
 
+/// Position of a column; the number of columns if there is none.
+std::size_t place_of(const std::vector<SizeHeading>& headings, SizeColumn column) {
+    return static_cast<std::size_t>(std::ranges::find(headings, column, &SizeHeading::column) -
+                                    headings.begin());
+}
+
 bool holds_size(const std::vector<SizeHeading>& headings, SizeColumn column) {
-    return std::ranges::find(headings, column, &SizeHeading::column) != headings.end();
+    return place_of(headings, column) < headings.size();
 }
 
 /// Index of the heading: the first line that names a size or a velocity.
@@ -183,6 +189,7 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
     table.show(marks);
     std::vector<SizedVelocity> found;
     std::vector<MeasuredRow> measured;
+    RepeatedRows repeated;
     std::vector<TextLine> of_sizes;
     for (const TextLine& line : rows) {
         const std::string label = cut_row(line, separator).cells.front();
@@ -236,10 +243,13 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
             });
         if (relative) *sized.uncertainty *= sized.velocity;
         measured.push_back({row.line, {sized.diameter, sized.velocity}});
+        repeated.take(row, place_of(headings, SizeColumn::diameter),
+                      place_of(headings, SizeColumn::velocity));
         found.push_back(sized);
     }
     for (Finding& each : marks.findings(code)) findings.push_back(std::move(each));
     if (!row_labels.number_rows()) refuse_summaries(measured, findings);
+    repeated.refuse();
     if (found.empty()) refuse_line(file.last_line(), "there are no rows below the heading", size_headings);
     return found;
 }

@@ -6,8 +6,13 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
@@ -338,6 +343,88 @@ void refuse_summaries(std::span<const MeasuredRow> rows, std::vector<Finding>& f
     findings.push_back({impacts_code, Severity::doubt,
                         "line " + std::to_string(line) + " holds the " + std::string(holds) +
                             " of the rows above: if it sums them up, it is no impact"});
+}
+
+namespace {
+
+/// Whether a cell holds a number of two significant digits or more, other than zero.
+bool is_precise(std::string_view cell) {
+    const auto first = cell.find_first_of("123456789");
+    if (first == std::string_view::npos) return false;
+    if (cell.substr(0, first).find_first_not_of("+-.,0 ") != std::string_view::npos) return false;
+    const std::string_view number = cell.substr(first, cell.find_first_not_of("0123456789.,", first) - first);
+    return std::ranges::count_if(number, is_digit) >= 2;
+}
+
+}  // namespace
+
+void RepeatedRows::take(const TableRow& row, std::size_t first, std::size_t second) {
+    std::string all;
+    for (const std::string& cell : row.cells) (all += cell) += '\n';
+    const std::hash<std::string_view> hash;
+    rows_.push_back({row.line, hash(all), hash(row.cells[first]),
+                     is_precise(row.cells[first]) && is_precise(row.cells[second])});
+}
+
+/// For each row that is evidence, the last one before it with the same cells.
+std::vector<std::optional<std::size_t>> RepeatedRows::earlier() const {
+    std::vector<std::size_t> order(rows_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, {},
+                      [&](std::size_t i) { return std::tuple(rows_[i].number, rows_[i].cells, i); });
+    std::vector<std::optional<std::size_t>> found(rows_.size());
+    for (auto from = order.begin(); from != order.end();) {
+        const auto to = std::find_if(from, order.end(),
+                                     [&](std::size_t i) { return rows_[i].number != rows_[*from].number; });
+        const bool is_nominal = rows_[*from].cells != rows_[*(to - 1)].cells;
+        for (auto at = from; ++at != to;)
+            if (!is_nominal && rows_[*at].is_precise) found[*at] = *(at - 1);
+        from = to;
+    }
+    return found;
+}
+
+void RepeatedRows::refuse() const {
+    constexpr double chance_of_row = 1.0 / 200.0;  // that two rows of two digits are equal, or less
+    constexpr double chance_of_table = 1e-4;
+    constexpr std::size_t fewest_in_order = 3;
+    constexpr std::size_t fewest = 5;
+    constexpr const char* allowed =
+        "each row once; or, if they are other measurements, a first column that numbers all rows";
+    const auto before = earlier();
+    const auto count = static_cast<double>(rows_.size());
+    const double in_order = std::max(static_cast<double>(fewest_in_order),
+                                     std::log(chance_of_table / (count * count)) / std::log(chance_of_row));
+    std::size_t copies = 0;
+    for (std::size_t i = 0; i < rows_.size();) {
+        if (!before[i]) {
+            ++i;
+            continue;
+        }
+        const std::size_t distance = i - *before[i];
+        const std::size_t begin = i;
+        std::size_t evidence = 0;
+        for (; i < rows_.size() && i < begin + distance && rows_[i].cells == rows_[i - distance].cells; ++i)
+            evidence += before[i] == i - distance ? 1 : 0;
+        copies += evidence;
+        if (static_cast<double>(evidence) < in_order) continue;
+        refuse_line(
+            rows_[begin].line,
+            fmt::format("the rows to line {} repeat those from line {} to {}: they may be there twice, "
+                        "or be other measurements",
+                        rows_[i - 1].line, rows_[begin - distance].line, rows_[i - 1 - distance].line),
+            allowed);
+    }
+    const auto precise = static_cast<std::size_t>(std::ranges::count_if(rows_, &Row::is_precise));
+    if (copies < fewest || 3 * copies < precise) return;
+    const auto first = static_cast<std::size_t>(
+        std::ranges::find_if(before, [](const auto& row) { return row.has_value(); }) - before.begin());
+    refuse_line(
+        rows_[first].line,
+        fmt::format("the row repeats that of line {}, and {} of {} rows repeat others: they may be there "
+                    "twice, or be other measurements",
+                    rows_[*before[first]].line, copies, rows_.size()),
+        allowed);
 }
 
 std::string RowLabels::summary_in(const TableRow& row) const {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -95,6 +96,29 @@ struct MeasuredRow {
 /// those since a blank line or another such row: at the end, beside a blank line, or one of several. Doubts
 /// one elsewhere. @throws InputError at its line
 void refuse_summaries(std::span<const MeasuredRow> rows, std::vector<Finding>& findings);
+
+/// Finds rows that a table holds twice, as one to which a copy of itself was appended. A row of which all
+/// cells equal those of another is evidence if both of its numbers have two significant digits or more, the
+/// second is not zero, and no other row has the same first number beside another second one, as nominal
+/// velocities do.
+class RepeatedRows {
+  public:
+    /// Takes a row with a measurement, whose two numbers stand in these columns.
+    void take(const TableRow& row, std::size_t first, std::size_t second);
+
+    /// Refuses rows that repeat others in the same order, three or more, or that are a third of all evidence,
+    /// five or more. Fewer may be equal by chance. @throws InputError at the first such line
+    void refuse() const;
+
+  private:
+    struct Row {
+        std::size_t line;
+        std::size_t cells, number;  ///< hashes of all cells, and of the first number
+        bool is_precise;
+    };
+    [[nodiscard]] std::vector<std::optional<std::size_t>> earlier() const;
+    std::vector<Row> rows_;
+};
 
 /// What a remark of several words states: nothing where a word is negated in a way that is not known ("not
 /// really stuck"), or where it names both outcomes.

@@ -8,6 +8,8 @@
 #include <span>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "core/plausibility.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/tables/number_marks.hpp"
@@ -414,6 +416,45 @@ class StatedUncertainties {
     std::vector<std::size_t> of_reading_;   ///< lines in which that of the reading is alone
 };
 
+/// Readings of the rebound below zero, which are noise or show that v_r has the sign of its direction.
+class SignsOfReadings {
+  public:
+    /// @param point before noise below zero counts as zero
+    void take(const Measurement& point) {
+        if (point.outcome == NotedOutcome::capture) return;
+        if (point.rebound > 0.0) ++positive_;
+        if (point.rebound >= 0.0) return;
+        below_.push_back(point.line);
+        beyond_noise_ =
+            beyond_noise_ || !point.noise || -point.rebound > likely_noise * std::sqrt(point.noise->rebound);
+    }
+
+    /// Refuses readings of which more are below zero than above, unless some are above and noise of the
+    /// stated uncertainties explains all: noise around zero puts about half of them on either side. Remarks
+    /// those that count as zero. @throws InputError
+    void settle(const MeasurementHeading& heading, std::vector<Finding>& findings) const {
+        if (below_.empty()) return;
+        const std::string name = in_quotes(heading.reading().name);
+        if (below_.size() > positive_ && (positive_ == 0 || beyond_noise_))
+            refuse_line(
+                below_.front(),
+                fmt::format("{} of column {} below zero, {} above: they may be rebounds with the sign of "
+                            "their direction, or noise of impacts that read 0",
+                            counted(below_.size(), "reading"), name, positive_),
+                "magnitudes for rebounds; 0 for a capture");
+        findings.push_back(
+            {impacts_code, Severity::remark,
+             fmt::format("{} of column {} below zero ({}) {} as 0", counted(below_.size(), "reading"), name,
+                         numbered("line", below_), below_.size() == 1 ? "counts" : "count")});
+    }
+
+  private:
+    static constexpr double likely_noise = 3.0;  ///< of a reading [standard uncertainties]
+    std::size_t positive_ = 0;
+    std::vector<std::size_t> below_;  ///< lines
+    bool beyond_noise_ = false;       ///< some, or how uncertain they are is not stated
+};
+
 /// Reads the noise of a row, and its reading unless it is a capture without one.
 void read_rebound(Measurement& point, const MeasurementHeading& heading, const TableCells& cells,
                   const TableRow& row, bool has_reading, StatedUncertainties& stated) {
@@ -430,7 +471,7 @@ void read_rebound(Measurement& point, const MeasurementHeading& heading, const T
         throw InputError("the uncertainty in column " + in_quotes(column->name) +
                              " is relative to a reading of 0, and that of v_in is not stated",
                          "a column u(v_in), or uncertainties in the unit of the velocities");
-    if (has_reading && !share_of_zero) stated.take(row, velocity, reading);
+    stated.take(row, velocity, reading);
 }
 
 /// Refuses a remark of several words that speaks of another outcome than the reading. @throws InputError
@@ -473,7 +514,7 @@ void require_agreeing_marks(const MeasurementHeading& heading, const TableRow& r
 /// One row; none where its outcome is not known. @param remark the outcome in its remarks
 std::optional<Measurement> measurement_of(const MeasurementHeading& heading, const TableCells& cells,
                                           const TableRow& row, OutcomeWord remark,
-                                          StatedUncertainties& stated) {
+                                          StatedUncertainties& stated, SignsOfReadings& signs) {
     const Entry velocity = cells.normal_velocity(row);
     if (!(velocity.value > 0.0))
         throw InputError("v_in is " + shortest(velocity.value) + " m/s", "> 0 m/s, a magnitude");
@@ -504,6 +545,7 @@ std::optional<Measurement> measurement_of(const MeasurementHeading& heading, con
     if (remark == OutcomeWord::none && outcome == NotedOutcome::from_reading)
         require_agreeing_remarks(heading, row, point);
     require_near_zero(point);
+    signs.take(point);
     if (outcome == NotedOutcome::capture) point.rebound = 0.0;
     const bool rebounded = outcome == NotedOutcome::rebound;
     point.rebound = std::max(point.rebound, rebounded ? slow_rebound * point.velocity : 0.0);
@@ -758,6 +800,8 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
     const RowLabels labels(heading, rows, table.separator);
     Unread unread(heading);
     StatedUncertainties stated;
+    SignsOfReadings signs;
+    RepeatedRows repeated;
     for (const TextLine& line : rows) {
         TableRow row = cut_row(line, table.separator);
         at_place(at_line(row.line), [&] {
@@ -770,11 +814,13 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
                 for (const TextColumn& column : *columns)
                     require_agreeing_units({row.line, row.cells[column.position]}, heading);
             const OutcomeWord remark = remarked_outcome(heading, row);
-            if (auto point = measurement_of(heading, cells, row, remark, stated)) {
+            if (auto point = measurement_of(heading, cells, row, remark, stated, signs)) {
                 cells.require_agreement(row, *point);
                 require_agreeing_marks(heading, row, *point);
                 if (remark_counts(heading, row, remark, *point)) unread.take_remarked(row);
                 unread.take_impact(row);
+                repeated.take(row, heading.of(MeasuredQuantity::velocity)->position,
+                              heading.reading().position);
                 set.points.push_back(*point);
             } else {
                 ++set.unknown;
@@ -786,6 +832,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
     for (Finding& each : cells.marks().findings(impacts_code)) set.warnings.push_back(std::move(each));
     refuse_flags(heading, set);
     stated.settle(heading, set);
+    signs.settle(heading, set.warnings);
     const auto alone = stated.alone(heading);
     set.rebound_alone_uncertain = alone == MeasuredQuantity::rebound;
     if (alone && !set.rebound_alone_uncertain)
@@ -800,6 +847,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
                  {point.velocity, heading.reading().is_fraction ? point.restitution() : point.rebound}});
         refuse_summaries(measured, set.warnings);
     }
+    repeated.refuse();
     if (heading.correlation && !set.has_noise())
         throw InputError(
             "the correlation of two velocities is that of their uncertainties, which are not stated",

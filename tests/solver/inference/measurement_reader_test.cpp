@@ -7,11 +7,13 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
 #include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "solver/inference/impacts/angle_classes.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 #include "solver/motion/impact.hpp"
@@ -424,6 +426,91 @@ TEST_CASE("uncertainties of all readings or of none; a reading of 0 has the grea
             row);
     for (const char* unknown : {"n.a.", "\u2014", "k. A.", "NULL"})
         CHECK(read_measurements(table("0.9 \u00b1 0.05;" + std::string(unknown)), "t.csv").unknown == 1);
+}
+
+TEST_CASE("a per cent of a reading of 0 is no uncertainty of it, and neither is that of v_in") {
+    const auto table = [](const char* unit, const char* captured, const char* of_captured) {
+        return fmt::format(
+            "v_in [m/s];u(v_in) [%];v_r [m/s];u(v_r) [{}]\n0.9;2;{};{}\n1.9;2;0.4;5\n2.4;2;0.6;5\n", unit,
+            captured, of_captured);
+    };
+    for (const auto& [text, greatest] : {std::pair{table("%", "0", "5"), 0.03},
+                                         {table("%", "stuck", "5"), 0.03},
+                                         {table("mm/s", "stuck", "-"), 0.005}}) {
+        CAPTURE(text);
+        CHECK(noise_of_rebound(text) == doctest::Approx(greatest));
+        CHECK(
+            contains(warnings_of(read_measurements(text, "t.csv")),
+                     "readings of 0 without an uncertainty (line 2) are given the greatest of the others, " +
+                         shortest(greatest) + " m/s"));
+    }
+}
+
+TEST_CASE("readings below zero that noise around zero does not explain are refused, others are counted") {
+    const std::string stated = "v_in [m/s];v_r [m/s];outcome;u(v_in) [m/s];u(v_r) [m/s]\n";
+    const auto rows = [](const std::vector<double>& rebounds, const std::string& rest) {
+        std::string text;
+        double velocity = 0.7;
+        for (const double rebound : rebounds)
+            text += fmt::format("{:.1f};{}{}\n", velocity += 0.2, rebound, rest);
+        return text;
+    };
+    for (const auto& [rebounds, says] :
+         {std::pair{std::vector{0.0, 0.0, -0.05, -0.1, -0.14, -0.18, -0.21},
+                    "line 4: 5 readings of column \"v_r\" below zero, 0 above: they may be rebounds with the "
+                    "sign of their direction, or noise of impacts that read 0; allowed: magnitudes for "
+                    "rebounds; 0 for a capture"},
+          {{0.0, -0.05, -0.1, 0.02, -0.16}, "line 3: 3 readings of column \"v_r\" below zero, 1 above"}})
+        for (const auto& [heading, rest] : {std::pair{stated, ";;0.05;0.05"},
+                                            {stated, ";rebound;0.05;0.05"},
+                                            {std::string("v_in [m/s];v_r [m/s]\n"), ""}}) {
+            const std::string text = heading + rows(rebounds, rest);
+            CAPTURE(text);
+            CHECK(contains(input_error_of([&] { return read_measurements(text, "t.csv"); }), says));
+        }
+    const MeasurementSet noisy =
+        read_measurements(stated + rows({-0.04, 0.03, -0.09, -0.01, 0.4}, ";;0.05;0.05"), "t.csv");
+    CHECK(noisy.captures() == 3);
+    CHECK(contains(warnings_of(noisy), "3 readings of column \"v_r\" below zero (lines 2, 4, 5) count as 0"));
+    CHECK(contains(warnings_of(read_measurements("v_in;v_r\n0.9;-0.01\n1.4;0.2\n", "t.csv")),
+                   "1 reading of column \"v_r\" below zero (line 2) counts as 0"));
+    CHECK(read_measurements(stated + rows({-0.04, -0.03, -0.09}, ";capture;0.05;0.05"), "t.csv").captures() ==
+          3);
+}
+
+TEST_CASE("impacts that a table holds twice are refused, few equal ones are not") {
+    const std::string heading = "v_in [m/s];v_r [m/s];film\n";
+    const std::vector<std::string> block{"1.21;0.113;\n", "2.16;0.476;\n", "0.64;0;\n",
+                                         "1.24;0.118;\n", "2.73;0.69;\n",  "1.95;0.36;\n"};
+    std::string once;
+    std::string sorted;
+    for (const std::string& row : block) {
+        once += row;
+        sorted += row + row;
+    }
+    const auto refusal = [&](const std::string& rows) {
+        return input_error_of([&] { return read_measurements(heading + rows, "t.csv"); });
+    };
+    for (const std::string& rows : {once + once, once + "2.9;0.77;\n" + once, once + once + once})
+        CHECK_MESSAGE(contains(refusal(rows),
+                               "repeat those from line 2 to 7: they may be there twice, or be other "
+                               "measurements; allowed: each row once; or, if they are other "
+                               "measurements, a first column that numbers all rows"),
+                      refusal(rows));
+    CHECK(contains(
+        refusal(sorted),
+        "line 3: the row repeats that of line 2, and 5 of 12 rows repeat others: they may be there twice"));
+    CHECK(refusal(once + block[0] + block[4] + block[3]).empty());
+    std::string coarse;
+    std::string nominal;
+    std::string numbered;
+    for (int i = 0; i < 24; ++i) {
+        coarse += fmt::format("{};0.{};\n", 1 + i % 6, 1 + i % 6);
+        nominal += fmt::format("1.5;0.{};\n", 31 + i % 4);
+        numbered += fmt::format("{};{}", i + 1, block[static_cast<std::size_t>(i) % block.size()]);
+    }
+    for (const std::string& rows : {coarse, nominal}) CHECK(refusal(rows).empty());
+    CHECK(read_measurements("Nr;" + heading + numbered, "t.csv").points.size() == 24);
 }
 
 TEST_CASE("one uncertainty in the heading, and a correlation without uncertainties, are refused") {
