@@ -44,48 +44,39 @@ Impact impact_at(const RestitutionMap& map, double damping_number, double veloci
             .velocity = velocity};
 }
 
-CriticalVelocity critical_of(const Impact& impact) {
-    return critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
+CriticalVelocity critical_of(const Impact& impact, Precision precision = Precision::extended) {
+    return critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact}, precision);
 }
 
-/// First bracket of a search for a damping number; it is cut off at 0.
-struct FirstBracket {
+/// Start of a search for a damping number.
+struct SearchStart {
     double centre;
-    double half_width;
-    double slope = 0.0;  ///< of the function at the centre, roughly; 0 where it is not known
+    double half_width;  ///< of the first bracket, which is cut off at 0
+    double slope;       ///< of the function at the centre, roughly; 0 where it is not known
 };
 
-/// Where a function vanishes, and its slope there.
-struct Zero {
-    double place;
-    double slope;
-};
-
-/// Zero of a decreasing function of the damping number, by secants from the first bracket, which take three
-/// to five values where the function is smooth, else by Brent's method in a bracket that is widened until the
-/// sign changes.
-Zero zero_of_decreasing(const std::function<double(double)>& function, const FirstBracket& first) {
+/// Zero of a decreasing function of the damping number, by secants, which take two or three values where the
+/// function is smooth, else by Brent's method in a bracket that is widened until the sign changes.
+double zero_of_decreasing(const std::function<double(double)>& function, const SearchStart& first) {
     constexpr double tolerance = 1e-10;
     double before = first.centre;
     double miss_before = function(before);
     double move = (first.centre > first.half_width ? -0.1 : 0.1) * first.half_width;
     const double newton = -miss_before / first.slope;
     if (std::abs(newton) <= first.half_width && before + newton >= 0.0) move = newton;
-    if (std::abs(move) <= tolerance) return {before + move, first.slope};
+    if (std::abs(move) <= tolerance) return before + move;
     double at = before + move;
-    double farther = 0.0;  // the place before the last two
-    double slope = first.slope;
+    double farther = before - move;  // the place before the last two
     for (int i = 0; i < 8; ++i) {
         const double miss = function(at);
-        slope = (miss - miss_before) / (at - before);
-        const double step = -miss / slope;
+        const double step = -miss * (at - before) / (miss - miss_before);
         if (!(std::abs(step) <= 4.0 * first.half_width && at + step >= 0.0)) break;
         // Each error of secants is about the last two times a constant.
-        const double next_step = i == 0 ? step : step * step / (at + step - farther);
+        const double next_step = step * step / (at + step - farther);
         farther = before;
         before = std::exchange(at, at + step);
         miss_before = miss;
-        if (std::abs(step) <= tolerance || std::abs(next_step) <= 0.1 * tolerance) return {at, slope};
+        if (std::abs(step) <= tolerance || std::abs(next_step) <= 0.1 * tolerance) return at;
     }
     double lower = std::max(0.0, first.centre - first.half_width);
     double upper = first.centre + first.half_width;
@@ -98,27 +89,31 @@ Zero zero_of_decreasing(const std::function<double(double)>& function, const Fir
         lower = upper;
         upper += 4.0 * width;
     }
-    return {gsl::brent(function, lower, upper, {.relative = 0.0, .absolute = tolerance}).root, slope};
+    return gsl::brent(function, lower, upper, {.relative = 0.0, .absolute = tolerance}).root;
 }
 
 double solved_restitution(const RestitutionMap& map, double damping_number, double x) {
     return restitution_of(impact_at(map, damping_number, map.unit_velocity(x)));
 }
 
-/// Damping number that gives a restitution; for restitution 0 the smallest that captures [1].
-Zero solved_damping_number(const RestitutionMap& map, double restitution, double x,
-                           const FirstBracket& first) {
-    // Near capture the damping number is about linear in the cube root of the restitution.
-    if (restitution > 0.0)
-        return zero_of_decreasing(
-            [&](double number) {
-                return std::cbrt(solved_restitution(map, number, x)) - std::cbrt(restitution);
-            },
-            first);
+/// Damping number that gives a restitution above 0 [1].
+/// @param power of the restitution in which the damping number is about linear from capture to there
+double solved_damping_number(const RestitutionMap& map, double restitution, double x, double power,
+                             const SearchStart& first) {
+    return zero_of_decreasing(
+        [&](double number) {
+            return std::pow(solved_restitution(map, number, x) / restitution, power) - 1.0;
+        },
+        first);
+}
+
+/// The smallest damping number that captures [1].
+double solved_capturing_number(const RestitutionMap& map, double x, const SearchStart& first) {
     const double velocity = map.unit_velocity(x);
     return zero_of_decreasing(
         [&](double number) {
-            const CriticalVelocity critical = critical_of(impact_at(map, number, velocity));
+            const CriticalVelocity critical =
+                critical_of(impact_at(map, number, velocity), Precision::standard);
             return critical.value ? std::log(velocity / *critical.value) : 1.0;
         },
         first);
@@ -156,6 +151,7 @@ constexpr int root_degree = 26;          ///< of the damping numbers, root from 
 constexpr int time_degree = 14;          ///< of the contact times, root from least_timed to 1
 constexpr double least_timed = 0.3;      ///< root below which contact times are solved, not tabulated
 constexpr double least_in_batch = 0.3;   ///< root below which damping numbers are solved one by one
+constexpr double least_solved = 1e-6;    ///< e below which rounding of e^2 hides the damping number
 constexpr double capture_margin = 0.05;  ///< distance in x from where every impact is captured
 
 /// Degree along x, by the length of the range: the tables are smooth over factors of velocity.
@@ -185,6 +181,17 @@ struct NodePlaces {
         }
     }
 };
+
+/// The value at @p x of the parabola through three points.
+double parabola(double x, const std::array<double, 3>& places, const std::array<double, 3>& values) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double one = places[(i + 1) % 3];
+        const double other = places[(i + 2) % 3];
+        sum += values[i] * (x - one) * (x - other) / ((places[i] - one) * (places[i] - other));
+    }
+    return sum;
+}
 
 constexpr int most_iterations = 60;
 
@@ -253,26 +260,30 @@ void RestitutionMap::tabulate_damping() {
     numbers.middleRows(weak, root.degree - weak) = batch_damping_numbers(*this, restitution, places.x)
                                                        .reshaped(root.degree - weak, along.degree + 1)
                                                        .matrix();
-    // From fast to slow impacts. Between e = 0 and the first root in the batch the numbers are about linear
-    // in the square of the root; how far they are not is guessed from the faster impact.
-    std::vector<double> slopes(static_cast<std::size_t>(weak), 0.0);  // of the faster impact's searches
+    // From fast to slow impacts. Towards e = 0 the numbers rise to that of capture, about with a power of the
+    // root that varies slowly: the power of the next roots continues, and what that misses is about what it
+    // missed at the faster impact.
+    std::vector<double> misses(static_cast<std::size_t>(weak), 0.0);
     for (int j = along.degree; j >= 0; --j) {
-        const bool first = j == along.degree;
-        for (int i = 0; i < weak; ++i) {
-            const auto chord = [&](int column) {
-                const double share = std::pow(root.node(i) / root.node(weak), 2);
-                return i == 0 ? numbers(weak, column)
-                              : std::lerp(numbers(0, column), numbers(weak, column), share);
-            };
-            const double guess = chord(j) + (first ? 0.0 : numbers(i, j + 1) - chord(j + 1));
-            const double width = i == 0 ? 0.1 : std::max(2e-4, 0.9 * (numbers(0, j) - guess));
-            const double e = cube(root.node(i)) * greatest_restitution(along.node(j));
-            double& slope = slopes[static_cast<std::size_t>(i)];
-            const Zero zero =
-                solved_damping_number(*this, e, along.node(j),
-                                      {.centre = std::max(0.0, guess), .half_width = width, .slope = slope});
-            numbers(i, j) = zero.place;
-            slope = zero.slope;
+        const double x = along.node(j);
+        const double rise = j == along.degree ? 0.0 : numbers(0, j + 1) - numbers(weak, j + 1);
+        numbers(0, j) = solved_capturing_number(*this, x, {numbers(weak, j) + rise, 0.1, 0.0});
+        const auto log_root = [&](int row) { return std::log(root.node(row)); };
+        const auto log_fall = [&](int row) { return std::log(numbers(0, j) - numbers(row, j)); };
+        for (int i = weak - 1; i > 0; --i) {
+            double& miss = misses[static_cast<std::size_t>(i)];
+            const double continued =
+                parabola(log_root(i), {log_root(i + 1), log_root(i + 2), log_root(i + 3)},
+                         {log_fall(i + 1), log_fall(i + 2), log_fall(i + 3)});
+            const double guess = std::exp(continued + miss);
+            if (!(guess < numbers(0, j))) throw ConvergenceError("damping does not rise towards capture");
+            numbers(i, j) = numbers(0, j) - guess;
+            const double e = cube(root.node(i)) * greatest_restitution(x);
+            if (e < least_solved) continue;
+            const double power = (continued + miss - log_fall(i + 1)) / (log_root(i) - log_root(i + 1)) / 3.0;
+            numbers(i, j) =
+                solved_damping_number(*this, e, x, power, {numbers(i, j), 0.3 * guess, -1.0 / guess});
+            miss = log_fall(i) - continued;
         }
     }
     damping_ = ChebyshevSurface(root, along, numbers);
