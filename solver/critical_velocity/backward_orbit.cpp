@@ -30,24 +30,31 @@ constexpr Extended escape = 1e25_ext;
 
 constexpr int backward = -1;  ///< sense of time
 
+/// The turning point of an orbit followed backward in time.
+template <class Real>
+struct TurnBefore {
+    std::optional<MotionState<Real>> state{};  ///< none if the orbit escapes
+    bool within_numbers = true;                ///< the orbit escapes while its series still have numbers
+};
+
 /// Follows the outward leg on a branch backward in time to its turning point; none if the orbit escapes, so
 /// that no velocity is high enough to rebound.
 /// @param equilibrium coordinate of static equilibrium. @throws ConvergenceError
 template <class Branch, class Real>
-std::optional<MotionState<Real>> back_to_turn(const Branch& branch, MotionState<Real> state,
-                                              Real equilibrium) {
+TurnBefore<Real> back_to_turn(const Branch& branch, MotionState<Real> state, Real equilibrium) {
     const Real farthest = static_cast<Real>(escape) * std::max({Real(1), equilibrium, state.position});
     int steps = 0;
     while (state.position < farthest) {
         const MotionExpansion<Real> x = counted_expansion(branch, state, steps, backward);
-        if (!std::isfinite(x.position.back()) || !std::isfinite(x.velocity.back())) return std::nullopt;
+        if (!std::isfinite(x.position.back()) || !std::isfinite(x.velocity.back()))
+            return {.within_numbers = false};
         const auto turn = event_within(x, x.step, [](const MotionState<Real>& s) { return -s.velocity; });
         state = x.at(turn.value_or(x.step));
         if (!turn) continue;
         state.velocity = 0;
-        return state;
+        return {.state = state};
     }
-    return std::nullopt;
+    return {};
 }
 
 /// Follows the inward leg on a branch backward in time to the coordinate @p place; or to rest, where rounding
@@ -384,7 +391,7 @@ class PlasticCapture {
         unloading.arrival = critical_arrival(unloading.motion);
         if (unloading.arrival)
             unloading.turn =
-                back_to_turn(unloading.motion, unloading.arrival->state, unloading.motion.equilibrium);
+                back_to_turn(unloading.motion, unloading.arrival->state, unloading.motion.equilibrium).state;
         return unloading;
     }
 
@@ -414,8 +421,8 @@ template <class Real>
 CriticalImpacts critical_impacts(const Motion<Real>& motion) {
     const std::optional<Arrival<Real>> arrival = critical_arrival(motion);
     if (!arrival) return {.verdict = CaptureVerdict::never_captured};
-    const auto turn = back_to_turn(motion, arrival->state, motion.equilibrium);
-    if (!turn) return {.verdict = CaptureVerdict::always_captured};
+    const auto [turn, certain] = back_to_turn(motion, arrival->state, motion.equilibrium);
+    if (!turn) return {.verdict = CaptureVerdict::always_captured, .certain = certain};
     return {.impacts = {critical_impact(*arrival, back_to(motion, *turn, motion.touch), 0,
                                         motion.potential(*motion.end) - motion.potential(motion.touch),
                                         motion.overlap(turn->position))}};
@@ -427,8 +434,8 @@ template CriticalImpacts critical_impacts(const Motion<long double>&);
 CriticalImpacts critical_impacts(const CohesiveMotion& motion) {
     const TouchingBranch& branch = motion.touching();
     const Arrival<Extended> arrival = arrival_of(motion);
-    const auto turn = back_to_turn(branch, arrival.state, motion.rest().position);
-    if (!turn) return {.verdict = CaptureVerdict::always_captured};
+    const auto [turn, certain] = back_to_turn(branch, arrival.state, motion.rest().position);
+    if (!turn) return {.verdict = CaptureVerdict::always_captured, .certain = certain};
     const bool begins_in_gap = !motion.begin().touching();
     const CohesiveState first = begins_in_gap ? motion.zone().join() : motion.begin();
     MotionState<Extended> state = back_to(branch, *turn, branch.coordinate(first));

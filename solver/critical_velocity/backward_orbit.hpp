@@ -24,6 +24,7 @@ struct CriticalImpact {
 /// The critical impacts of a contact by ascending greatest contact, or the verdict if there is none.
 struct CriticalImpacts {
     CaptureVerdict verdict = CaptureVerdict::finite;
+    bool certain = true;  ///< false: series of the orbit left the range of numbers, so that others may decide
     std::vector<CriticalImpact> impacts{};
 };
 

@@ -14,6 +14,7 @@
 #include "solver/damping/registry.hpp"
 #include "solver/motion/regime.hpp"
 #include "solver/motion/scaled_impact.hpp"
+#include "solver/numeric/gsl/solvers.hpp"
 
 namespace ashimpact {
 
@@ -58,7 +59,9 @@ struct Search {
     }
 };
 
-CriticalVelocity in_si_units(const CriticalImpacts& found, const Scale& scale) {
+/// The critical impacts, or the verdict without one, in SI units.
+CriticalVelocity result_of(const CriticalImpacts& found, const Scale& scale) {
+    if (found.impacts.empty()) return {.verdict = found.verdict};
     const auto joule = [&](Extended energy) { return static_cast<double>(energy) * scale.energy(); };
     const CriticalImpact& first = found.impacts.front();
     CriticalVelocity result;
@@ -73,9 +76,9 @@ CriticalVelocity in_si_units(const CriticalImpacts& found, const Scale& scale) {
     return result;
 }
 
-/// Whether there is an impact within the range of numbers. Without one only extended precision decides.
-bool is_finite(const CriticalImpacts& found) {
-    return !found.impacts.empty() && std::isfinite(found.impacts.front().velocity);
+/// Whether double precision decides: by an impact within the range of numbers, or a verdict reached there.
+bool is_certain(const CriticalImpacts& found) {
+    return found.impacts.empty() ? found.certain : std::isfinite(found.impacts.front().velocity);
 }
 
 bool captured_at(const CriticalVelocityProblem& problem, double velocity) {
@@ -150,14 +153,26 @@ CriticalVelocity critical_velocity(const CriticalVelocityProblem& problem, Preci
         const Search search{problem, scale};
         const CriticalImpacts found = cohesive ? search(scaled_cohesive_motion(impact, precision))
                                                : search(scaled_motion<double>(impact, scale));
-        if (is_finite(found)) return in_si_units(found, scale);
+        if (is_certain(found)) return result_of(found, scale);
     }
     const auto [scale, velocity, branches] = scaled_impact<Extended>(impact, Precision::extended);
     const CriticalImpacts found = std::visit(Search{problem, scale}, branches);
-    if (found.impacts.empty()) return {.verdict = found.verdict};
-    CriticalVelocity result = in_si_units(found, scale);
-    if (yields) confirm(problem, result);
+    CriticalVelocity result = result_of(found, scale);
+    if (yields && result.value) confirm(problem, result);
     return result;
+}
+
+std::optional<double> capturing_damping(CriticalVelocityProblem problem, double velocity) {
+    constexpr double reach = 1.3;
+    const double guess = problem.damping.coefficient;
+    const auto excess = [&](double damping) {
+        problem.damping.coefficient = damping;
+        const CriticalVelocity critical = critical_velocity(problem, Precision::standard);
+        if (critical.value) return std::log(*critical.value / velocity);
+        return critical.verdict == CaptureVerdict::never_captured ? -1.0 : 1.0;
+    };
+    if (!(guess > 0) || excess(guess / reach) >= 0 || excess(guess * reach) <= 0) return std::nullopt;
+    return gsl::brent(excess, guess / reach, guess * reach).root;
 }
 
 }  // namespace ashimpact

@@ -61,6 +61,10 @@ struct CriticalVelocity {
 [[nodiscard]] CriticalVelocity critical_velocity(const CriticalVelocityProblem& problem,
                                                  Precision precision = Precision::extended);
 
+/// The damping coefficient whose v_c is @p velocity, the least that captures there, to 1e-12; none if it is
+/// not within 30 % of that of the problem. Errors: as critical_velocity().
+[[nodiscard]] std::optional<double> capturing_damping(CriticalVelocityProblem problem, double velocity);
+
 /// v_c m^3 k^2 / eta^5 of Hertz with constant damping and zero-overlap detachment [1].
 inline constexpr double hertz_critical_constant = 0.54761752963804861;
 
