@@ -13,9 +13,8 @@
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
+#include "pipeline/run/dampings.hpp"
 #include "pipeline/run/stage.hpp"
-#include "solver/batch/batch.hpp"
-#include "solver/batch/kernels/kernel.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/inference/calibration/published_damping.hpp"
 #include "solver/motion/damping_inversion.hpp"
@@ -41,41 +40,6 @@ InvertedImpact solved(const Measurement& point, std::size_t index, const Damping
             {problem.law, problem.detachment, {problem.damping_law, 0}, problem.contact, problem.velocity});
     }
     return inverted;
-}
-
-/// Dampings of impacts of one contact by the batch solver, to its accuracy; NaN where it has none.
-Eigen::ArrayXd near_dampings(const std::vector<DampingProblem>& problems) {
-    Eigen::ArrayXd all =
-        Eigen::ArrayXd::Constant(std::ssize(problems), std::numeric_limits<double>::quiet_NaN());
-    std::vector<Eigen::Index> places;
-    std::vector<Impact> impacts;
-    for (std::size_t i = 0; i < problems.size(); ++i) {
-        const DampingProblem& problem = problems[i];
-        const bool in_lanes =
-            batch::has_kernels(problem.law, problem.damping_law) && !can_yield(problem.law, problem.contact);
-        if (!in_lanes || !(problem.restitution > 0 && problem.restitution < 1)) continue;
-        places.push_back(static_cast<Eigen::Index>(i));
-        impacts.push_back(
-            {problem.law, problem.detachment, {problem.damping_law, 0}, problem.contact, problem.velocity});
-    }
-    if (impacts.empty()) return all;
-    Eigen::ArrayXd restitution(std::ssize(places));
-    for (std::size_t k = 0; k < places.size(); ++k)
-        restitution[static_cast<Eigen::Index>(k)] = problems[static_cast<std::size_t>(places[k])].restitution;
-    try {
-        const ImpactList list(impacts);
-        const ImpactBatch batch = list.batch();
-        all(places) = dampings_from_restitutions({.law = batch.law,
-                                                  .detachment = batch.detachment,
-                                                  .damping_law = batch.damping_law,
-                                                  .contact = batch.contact,
-                                                  .velocity = batch.velocity,
-                                                  .restitution = restitution})
-                          .damping;
-    } catch (const InputError&) {  // each impact says why
-        return all;
-    }
-    return all;
 }
 
 std::vector<InvertedImpact> solved_all(const MeasurementSet& set, const LawChoice& choice,

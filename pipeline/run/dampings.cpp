@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
+#include "solver/batch/batch.hpp"
+#include "solver/batch/kernels/kernel.hpp"
 #include "solver/batch/parallel.hpp"
+#include "solver/motion/regime.hpp"
 #include "solver/surrogate/rebound_table.hpp"
 
 namespace ashimpact {
@@ -50,7 +54,54 @@ DampedSample damped_sample(const LawChoice& choice, const FittedDamping& fitted,
     return damped;
 }
 
+/// The damping that captures, searched from that of a contact without adhesion; NaN where that is far off.
+double near_capturing_damping(const DampingProblem& problem) {
+    const double unit = velocity_of_damping({DampingLaw::constant, 1.0}, problem.contact);
+    const double guess = std::pow(problem.velocity / (hertz_critical_constant * unit), 0.2);
+    return capturing_damping(
+               {problem.law, problem.detachment, {DampingLaw::constant, guess}, problem.contact},
+               problem.velocity)
+        .value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
 }  // namespace
+
+Eigen::ArrayXd near_dampings(const std::vector<DampingProblem>& problems) {
+    Eigen::ArrayXd all =
+        Eigen::ArrayXd::Constant(std::ssize(problems), std::numeric_limits<double>::quiet_NaN());
+    std::vector<Eigen::Index> places;
+    std::vector<Impact> impacts;
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+        const DampingProblem& problem = problems[i];
+        const bool in_lanes =
+            batch::has_kernels(problem.law, problem.damping_law) && !can_yield(problem.law, problem.contact);
+        if (!in_lanes || !(problem.restitution < 1)) continue;
+        if (problem.restitution == 0 && problem.damping_law == DampingLaw::constant)
+            all[static_cast<Eigen::Index>(i)] = near_capturing_damping(problem);
+        if (!(problem.restitution > 0)) continue;
+        places.push_back(static_cast<Eigen::Index>(i));
+        impacts.push_back(
+            {problem.law, problem.detachment, {problem.damping_law, 0}, problem.contact, problem.velocity});
+    }
+    if (impacts.empty()) return all;
+    Eigen::ArrayXd restitution(std::ssize(places));
+    for (std::size_t k = 0; k < places.size(); ++k)
+        restitution[static_cast<Eigen::Index>(k)] = problems[static_cast<std::size_t>(places[k])].restitution;
+    try {
+        const ImpactList list(impacts);
+        const ImpactBatch batch = list.batch();
+        all(places) = dampings_from_restitutions({.law = batch.law,
+                                                  .detachment = batch.detachment,
+                                                  .damping_law = batch.damping_law,
+                                                  .contact = batch.contact,
+                                                  .velocity = batch.velocity,
+                                                  .restitution = restitution})
+                          .damping;
+    } catch (const InputError&) {  // each impact says why
+        return all;
+    }
+    return all;
+}
 
 std::optional<DampingStudy> study_dampings(const LawChoice& choice,
                                            const std::vector<ImpactsOfSample>& samples,

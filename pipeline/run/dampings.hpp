@@ -5,12 +5,19 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "pipeline/case/case.hpp"
 #include "pipeline/run/results/contact.hpp"
 #include "pipeline/run/results/sizes.hpp"
 #include "solver/inference/damping_laws.hpp"
+#include "solver/motion/damping_inversion.hpp"
 
 namespace ashimpact {
+
+/// Dampings of impacts of one contact, laws and detachment by the batch solver, to its accuracy; NaN where it
+/// has none.
+[[nodiscard]] Eigen::ArrayXd near_dampings(const std::vector<DampingProblem>& problems);
 
 /// A comparison of damping laws with what it was made of.
 struct DampingStudy {

@@ -117,14 +117,28 @@ bool reaches_zero(const DampingProblem& problem) {
             std::isfinite(overdamped_squared(problem.damping_law)));
 }
 
+struct Bracket {
+    double lower, upper;
+};
+
+/// A bracket about a damping that captures nearly alone, or from nothing to more than captures.
+Bracket capturing_bracket(RestitutionByDamping& curve, const std::optional<double>& guess) {
+    for (double margin = 1e-14; guess && margin < 1e-2; margin *= 8) {
+        const Bracket bracket{*guess * (1 - margin), *guess * (1 + margin)};
+        if (curve.at<Extended>(bracket.lower) > 0.0 && !(curve.at<Extended>(bracket.upper) > 0.0))
+            return bracket;
+    }
+    return {0.0, too_much(curve, std::numeric_limits<double>::min())};
+}
+
 /// Smallest damping that captures, by bisection down to neighbouring numbers.
-double smallest_capturing(const DampingProblem& problem, RestitutionByDamping& curve) {
+double smallest_capturing(const DampingProblem& problem, RestitutionByDamping& curve,
+                          const std::optional<double>& guess) {
     const double limit = overdamped_squared(problem.damping_law);
     const bool known =
         std::isfinite(limit) && !is_adhesive(problem) && !can_yield(problem.law, problem.contact);
     if (known) return std::sqrt(limit);  // exactly; just below, rebounds are too slow for any arithmetic
-    double lower = 0.0;
-    double upper = too_much(curve, std::numeric_limits<double>::min());
+    auto [lower, upper] = capturing_bracket(curve, guess);
     while (true) {
         const double middle = lower + (upper - lower) / 2.0;
         if (middle <= lower || middle >= upper) return upper;
@@ -141,21 +155,22 @@ double solution_within(RestitutionByDamping& curve, double target, double lower,
     return gsl::brent(miss, lower, upper, {.relative = spacing}).root;
 }
 
-/// A root in double precision, improved to the spacing of numbers by one step of Newton's method in extended
-/// precision; none if one step is not enough, since restitution is too steep or too flat there.
-std::optional<double> mended(RestitutionByDamping& curve, double target, double root) {
-    const double step = 1e-6 * root;
-    const double slope = (target - curve.at<double>(root - step)) / step;
+/// A damping next to the root, improved to the spacing of numbers by a step of Newton's method in double
+/// precision and, where that leaves more, one in extended precision; none if they are not enough, since
+/// restitution is too steep or too flat there.
+std::optional<double> mended(RestitutionByDamping& curve, double target, double near) {
+    const double step = 1e-6 * near;
+    const double at_near = curve.at<double>(near);
+    const double slope = (at_near - curve.at<double>(near - step)) / step;
     if (!(slope < 0.0)) return std::nullopt;
-    const auto miss = [&](double number) { return static_cast<double>(curve.at<Extended>(number) - target); };
-    const double next = root - miss(root) / slope;
-    if (!(std::abs(miss(next)) <= -slope * spacing * next)) return std::nullopt;
-    return next;
+    double number = near - (at_near - target) / slope;
+    for (int i = 0; i < 2; ++i) {
+        const auto miss = static_cast<double>(curve.at<Extended>(number) - target);
+        if (std::abs(miss) <= -slope * spacing * number) return number;
+        number -= miss / slope;
+    }
+    return std::nullopt;
 }
-
-struct Bracket {
-    double lower, upper;
-};
 
 /// A narrow bracket of the damping for law maugis-dugdale, whose impacts take a hundred times as long as
 /// those of law jkr, and mostly need nearly the same damping; none for other laws, or where it does not.
@@ -182,7 +197,7 @@ std::optional<Bracket> bracket_by_jkr(const DampingProblem& problem, Restitution
 double scaled_solution(const DampingProblem& problem, RestitutionByDamping& curve,
                        const std::optional<double>& guess) {
     const double target = problem.restitution;
-    if (target == 0.0) return smallest_capturing(problem, curve);
+    if (target == 0.0) return smallest_capturing(problem, curve, guess);
     if (guess)
         if (const auto solution = mended(curve, target, *guess)) return *solution;
     const auto near = bracket_by_jkr(problem, curve);

@@ -11,6 +11,7 @@
 
 #include "core/text/error.hpp"
 #include "materials/contact_properties.hpp"
+#include "pipeline/run/dampings.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/inference/calibration/published_damping.hpp"
@@ -43,20 +44,36 @@ std::optional<PublishedDamping> published_for(const VariedLaw& law) {
     return PublishedDamping{source, law.data.detachment_of(source), law.contact, *fit};
 }
 
-/// A restitution with the damping that gives it at the velocity of the published fit.
-std::optional<DampingPoint> point_at(const VariedLaw& law, const PublishedDamping& published, double e) {
-    try {
-        const double velocity = reconstructed_velocity(published, e);
-        const DampingInversion found = damping_from_restitution({.law = law.choice.law,
-                                                                 .detachment = law.choice.detachment,
-                                                                 .damping_law = DampingLaw::constant,
-                                                                 .contact = law.contact,
-                                                                 .velocity = velocity,
-                                                                 .restitution = e});
-        return DampingPoint{e, found.damping.coefficient, 0};
-    } catch (const InputError&) {  // no velocity or no damping has this restitution, as in the run itself
-        return std::nullopt;
+/// Restitutions of a range with the dampings that give them at the velocities of the published fit; without
+/// those that have no velocity or no damping, as in the run itself.
+std::vector<DampingPoint> points_of(const VariedLaw& law, const PublishedDamping& published, double from,
+                                    double to) {
+    std::vector<DampingProblem> problems;
+    for (int i = 0; i < law.plan.points; ++i) {
+        const double e = from + (to - from) * i / (law.plan.points - 1);
+        try {
+            problems.push_back({.law = law.choice.law,
+                                .detachment = law.choice.detachment,
+                                .damping_law = DampingLaw::constant,
+                                .contact = law.contact,
+                                .velocity = reconstructed_velocity(published, e),
+                                .restitution = e});
+        } catch (const InputError&) {
+            continue;
+        }
     }
+    const Eigen::ArrayXd near = near_dampings(problems);
+    std::vector<DampingPoint> points;
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+        double damping = near[static_cast<Eigen::Index>(i)];
+        try {
+            if (std::isnan(damping)) damping = damping_from_restitution(problems[i]).damping.coefficient;
+        } catch (const InputError&) {
+            continue;
+        }
+        points.push_back({problems[i].restitution, damping, 0});
+    }
+    return points;
 }
 
 /// Damping at restitution 0 of the polynomial of least squares through points; none for too few.
@@ -75,17 +92,16 @@ std::optional<double> critical_damping_of(const std::vector<DampingPoint>& point
 
 std::optional<double> velocity_at(const LawChoice& choice, const ContactPair& contact, double damping) {
     if (!(damping > 0)) return std::nullopt;
-    return critical_velocity({choice.law, choice.detachment, {DampingLaw::constant, damping}, contact}).value;
+    return critical_velocity({choice.law, choice.detachment, {DampingLaw::constant, damping}, contact},
+                             Precision::standard)
+        .value;
 }
 
 /// The velocities of one range of restitution, by every order.
 std::vector<double> velocities_by_order(const VariedLaw& law, double from, double to) {
     const auto published = published_for(law);
     if (!published) return {};
-    std::vector<DampingPoint> points;
-    for (int i = 0; i < law.plan.points; ++i)
-        if (const auto point = point_at(law, *published, from + (to - from) * i / (law.plan.points - 1)))
-            points.push_back(*point);
+    const std::vector<DampingPoint> points = points_of(law, *published, from, to);
     std::vector<double> velocities;
     for (const int order : orders)
         if (const auto damping = critical_damping_of(points, order))
