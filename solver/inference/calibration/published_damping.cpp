@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <set>
 #include <string>
 
@@ -73,8 +74,8 @@ double least_argument(const std::function<double(double)>& function, double a, d
 
 /// v_c at the impact's damping [m/s]. @throws InputError for @p restitution if there is none
 double finite_critical_velocity(const Impact& impact, double restitution) {
-    const CriticalVelocity critical =
-        critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
+    const CriticalVelocity critical = critical_velocity(
+        {impact.law, impact.detachment, impact.damping, impact.contact}, Precision::standard);
     if (critical.verdict != CaptureVerdict::finite)
         not_reached(restitution, "a damping with a finite critical velocity; here: " +
                                      std::string(name_of(critical.verdict)));
@@ -119,19 +120,20 @@ double velocity_of_restitution(const Impact& impact, double restitution) {
                          "a contact without yield pressure");
     if (!(restitution > 0.0 && restitution < 1.0)) not_reached(restitution, "0 < e < 1");
     const double critical = finite_critical_velocity(impact, restitution);
-    const auto miss = [&](double log_velocity) {
+    // Over the root of ln(v/v_c) restitution rises about linearly.
+    const auto velocity_at = [&](double root) { return critical * std::exp(root * root); };
+    const auto miss = [&](double root) {
         Impact at = impact;
-        at.velocity = std::exp(log_velocity);
+        at.velocity = velocity_at(root);
         return restitution_of(at) - restitution;
     };
-    const double lower = std::log(critical);
-    if (miss(lower) >= 0.0) return critical;  // v_c itself, to rounding
+    if (miss(0.0) >= 0.0) return critical;  // v_c itself, to rounding
     double width = 1.0;
-    while (miss(lower + width) < 0.0) {
-        width *= 2.0;
-        if (width > 256.0) not_reached(restitution, "a smaller restitution for this damping law");
+    while (miss(width) < 0.0) {
+        width *= std::numbers::sqrt2;
+        if (width > 16.0) not_reached(restitution, "a smaller restitution for this damping law");
     }
-    return std::exp(gsl::brent(miss, lower, lower + width, {.relative = 0.0, .absolute = 1e-13}).root);
+    return velocity_at(gsl::brent(miss, 0.0, width, {.relative = 1e-14, .absolute = 1e-14}).root);
 }
 
 double reconstructed_velocity(const PublishedDamping& published, double e) {
