@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/run/dampings.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/inference/calibration/published_damping.hpp"
 #include "solver/inference/measured_damping.hpp"
 #include "solver/motion/damping_inversion.hpp"
-#include "solver/numeric/gsl/solvers.hpp"
 
 namespace ashimpact {
 
@@ -26,7 +26,16 @@ struct FitTask {
     const RestitutionSeries& measured;
     const DampingSeries& inverted;
     std::optional<double> rising_to;  ///< end of the rising branch; none: there is none [m/s]
+    const OnsetEstimate* velocity;    ///< of the impacts, if it depends on no law
     ContactModels& models;
+
+    [[nodiscard]] MeasuredDampingOptions options() const {
+        MeasuredDampingOptions options = data.fit;
+        // Without a rising branch nothing is extrapolated; the estimate takes every impact all the same.
+        options.rising_to = rising_to.value_or(0.0);
+        options.velocity = velocity;
+        return options;
+    }
 };
 
 /// The result of a fit, or the reasons why there is none.
@@ -99,11 +108,8 @@ void set_constant_part(const Interval& critical_damping, LawFit& fit) {
 
 /// By analyse_impacts(), through the dynamic model.
 Fitted fit_through_model(const FitTask& task) {
-    MeasuredDampingOptions options = task.data.fit;
-    // Without a rising branch nothing is extrapolated; the estimate takes every impact all the same.
-    options.rising_to = task.rising_to.value_or(0.0);
     const ContactModel model = task.models.model_for(task.choice, task.contact, task.measured.impacts);
-    const MeasuredDamping found = analyse_impacts(model, task.measured.impacts, options);
+    const MeasuredDamping found = analyse_impacts(model, task.measured.impacts, task.options());
     Fitted fitted{{}, found.findings};
     if (!found.extrapolated && !found.estimate) return fitted;
     LawFit& fit = fitted.value.emplace();
@@ -134,31 +140,24 @@ Fitted fit_through_model(const FitTask& task) {
 /// Most velocities of a curve whose dampings are solved one by one.
 constexpr std::size_t most_solved_dampings = 13;
 
-/// The damping of a law at which an impact of the task has a restitution; for 0 the least that captures.
-double damping_at(const FitTask& task, double velocity, double restitution) {
-    return damping_from_restitution({.law = task.choice.law,
-                                     .detachment = task.choice.detachment,
-                                     .damping_law = DampingLaw::constant,
-                                     .contact = task.contact,
-                                     .velocity = velocity,
-                                     .restitution = restitution})
-        .damping.coefficient;
+/// An impact of the task whose damping by its law is sought.
+DampingProblem damping_problem(const FitTask& task, double velocity, double restitution) {
+    return {.law = task.choice.law,
+            .detachment = task.choice.detachment,
+            .damping_law = DampingLaw::constant,
+            .contact = task.contact,
+            .velocity = velocity,
+            .restitution = restitution};
 }
 
 /// The least damping that captures at a velocity: the one whose v_c it is. @param guess of it, or 0 [kg/s]
 double capturing_damping(const FitTask& task, double velocity, double guess) {
-    constexpr double reach = 1.3;
-    const auto excess = [&](double damping) {
-        const CriticalVelocity critical = critical_velocity({.law = task.choice.law,
-                                                             .detachment = task.choice.detachment,
-                                                             .damping = {DampingLaw::constant, damping},
-                                                             .contact = task.contact});
-        if (critical.value) return std::log(*critical.value / velocity);
-        return critical.verdict == CaptureVerdict::never_captured ? -1.0 : 1.0;
-    };
-    if (!(guess > 0) || excess(guess / reach) >= 0 || excess(guess * reach) <= 0)
-        return damping_at(task, velocity, 0);
-    return gsl::brent(excess, guess / reach, guess * reach).root;
+    const auto found = ashimpact::capturing_damping({.law = task.choice.law,
+                                                     .detachment = task.choice.detachment,
+                                                     .damping = {DampingLaw::constant, guess},
+                                                     .contact = task.contact},
+                                                    velocity);
+    return found ? *found : damping_from_restitution(damping_problem(task, velocity, 0)).damping.coefficient;
 }
 
 /// Critical dampings at a critical velocity and the ends of its interval. @param similar those of a similar
@@ -184,17 +183,25 @@ Interval capturing_dampings(const FitTask& task, const Interval& velocity, const
 std::optional<EstimatedDamping> translated(const FitTask& task, const ContactModel& model,
                                            const EstimatedDamping& curve, double critical_damping) {
     if (curve.velocity.size() < 2) return std::nullopt;
-    EstimatedDamping own{{curve.velocity.front()}, {critical_damping}};
     const std::size_t stride = 1 + (curve.velocity.size() - 2) / most_solved_dampings;
+    std::vector<DampingProblem> problems;
     for (std::size_t i = curve.velocity.size() - 1; i > 0; i -= std::min(i, stride)) {
         const double restitution = model.restitution(curve.velocity[i], curve.damping[i]);
         if (!(restitution > 0)) break;
+        problems.push_back(damping_problem(task, curve.velocity[i], restitution));
+    }
+    const Eigen::ArrayXd near = near_dampings(problems);
+    EstimatedDamping own{{curve.velocity.front()}, {critical_damping}};
+    for (std::size_t i = problems.size(); i-- > 0;) {
+        const double guess = near[static_cast<Eigen::Index>(i)];
         try {
-            own.damping.insert(own.damping.begin() + 1, damping_at(task, curve.velocity[i], restitution));
+            own.damping.push_back(
+                damping_from_restitution(problems[i], std::isnan(guess) ? std::nullopt : std::optional(guess))
+                    .damping.coefficient);
         } catch (const InputError&) {
             return std::nullopt;
         }
-        own.velocity.insert(own.velocity.begin() + 1, curve.velocity[i]);
+        own.velocity.push_back(problems[i].velocity);
     }
     return own;
 }
@@ -206,10 +213,8 @@ std::optional<Fitted> fit_by_similar_law(const FitTask& task) {
     const LawChoice similar{task.choice.law.similar(), task.choice.detachment};
     if (similar.law == task.choice.law || !has_contact_model(similar, task.data.damping_law, task.contact))
         return std::nullopt;
-    MeasuredDampingOptions options = task.data.fit;
-    options.rising_to = task.rising_to.value_or(0.0);
     const ContactModel model = task.models.model_for(similar, task.contact, task.measured.impacts);
-    const MeasuredDamping found = analyse_impacts(model, task.measured.impacts, options);
+    const MeasuredDamping found = analyse_impacts(model, task.measured.impacts, task.options());
     if (!found.estimate) return std::nullopt;
     DampingEstimate estimate = summary_of(*found.estimate);
     estimate.critical_damping =
@@ -235,6 +240,24 @@ Fitted fit_law(const FitTask& task) {
     return task.rising_to ? fit_by_least_squares(task) : Fitted{};
 }
 
+/// v_c as the impacts of a series tell it to every law that is fitted through a model; none if it depends on
+/// the law, or if it does not exist, which each law then reports.
+std::optional<OnsetEstimate> estimate_without_law_of(const Case& data, const ContactPair& contact,
+                                                     const RestitutionSeries& series) {
+    const bool used = series.origin == Origin::measured && series.impacts.rebounds() > 0 &&
+                      std::ranges::any_of(data.laws, [&](const LawChoice& choice) {
+                          return has_contact_model(choice, data.damping_law, contact);
+                      });
+    if (!used) return std::nullopt;
+    try {
+        return estimate_without_law(series.impacts, data.fit.estimate);
+    } catch (const InputError&) {
+        return std::nullopt;
+    } catch (const ConvergenceError&) {
+        return std::nullopt;
+    }
+}
+
 }  // namespace
 
 FitResult fit_stage(const Case& data, const ContactResult& contacts, const RestitutionResult& restitutions,
@@ -243,12 +266,18 @@ FitResult fit_stage(const Case& data, const ContactResult& contacts, const Resti
     FitResult result;
     for (std::size_t i = 0; i < dampings.samples.size(); ++i) {
         const SampleDamping& sample = dampings.samples[i];
+        const SampleRestitution& restitution = restitutions.samples[i];
+        const auto velocities = in_parallel(restitution.series, [&](const RestitutionSeries& series) {
+            return estimate_without_law_of(data, contacts.samples[i].pair, series);
+        });
         const auto fit = [&](const LawChoice& choice) -> Fitted {
             const DampingSeries* inverted = sample.laws.find(choice.law);
-            const RestitutionSeries* measured = restitutions.samples[i].of(choice.law);
+            const RestitutionSeries* measured = restitution.of(choice.law);
             if (inverted == nullptr || measured == nullptr) return {};
+            const auto& velocity = velocities[static_cast<std::size_t>(measured - restitution.series.data())];
             const auto rising_to = inverted->rising ? std::optional(inverted->rising->to) : std::nullopt;
-            return fit_law({data, choice, contacts.samples[i].pair, *measured, *inverted, rising_to, models});
+            return fit_law({data, choice, contacts.samples[i].pair, *measured, *inverted, rising_to,
+                            velocity ? &*velocity : nullptr, models});
         };
         result.samples.push_back({sample.name, results_by_law<LawFit>(data, sample.name, record, fit)});
     }

@@ -187,8 +187,9 @@ MeasuredDamping analyse_impacts(const ContactModel& model, const MeasurementSet&
         note_parts(result, set, options.parts);
     }
     if (set.rebounds() == 0) return result;
-    result.estimate = attempt("estimate of v_c", "no-estimate", Severity::doubt, result.findings,
-                              [&] { return estimate_critical_velocity(model, set, options.estimate); });
+    result.estimate = attempt("estimate of v_c", "no-estimate", Severity::doubt, result.findings, [&] {
+        return estimate_critical_velocity(model, set, options.estimate, options.velocity);
+    });
     if (result.estimate) {
         std::ranges::copy(result.estimate->findings, std::back_inserter(result.findings));
         note_outcomes(result);

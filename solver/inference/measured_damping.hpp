@@ -27,6 +27,7 @@ struct MeasuredDampingOptions {
     EstimateOptions estimate{};
     /// End of the rising branch, if known: the impacts are then not inverted again [m/s].
     std::optional<double> rising_to{};
+    const OnsetEstimate* velocity = nullptr;  ///< estimate_without_law() of the set, if it is known
 };
 
 /// Results of the impacts of one sample under one law. Results that the data do not allow are missing; the

@@ -142,6 +142,11 @@ std::pair<double, double> range_of(const std::vector<RecordedImpact>& impacts) {
     return {slowest - below_slowest, upper + 0.1};
 }
 
+/// v_in of the fastest impact [m/s].
+double fastest_of(const std::vector<RecordedImpact>& impacts) {
+    return std::ranges::max_element(impacts, {}, &RecordedImpact::velocity)->velocity;
+}
+
 /// Refuses rebounds that are too few for a curve. @throws InputError
 void require_enough(const std::vector<RecordedImpact>& impacts, bool noise_known) {
     const std::size_t needed = noise_known ? 3 : 5;
@@ -269,23 +274,23 @@ std::optional<Finding> rising_note(const EstimatedDamping& curve) {
     return std::nullopt;
 }
 
-}  // namespace
-
-CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, const MeasurementSet& set,
-                                                    const EstimateOptions& options) {
+/// @param model for the scatter of sizes, if that is given
+OnsetEstimate estimated_velocity(const MeasurementSet& set, const EstimateOptions& options,
+                                 const ContactModel* model) {
     std::vector<RecordedImpact> impacts = recorded_impacts(set);
     bool noise_known = set.has_noise();
     require_enough(impacts, noise_known);
     const double neighbours = noise_known ? 0.0 : noise_of_neighbours(impacts);
     std::optional<double> slow_noise;
     if (!noise_known) slow_noise = std::min(neighbours, noise_of_neighbours(impacts, 0.2));
-    if (impacts.size() > few_impacts) {
+    const bool is_grouped = impacts.size() > few_impacts;
+    if (is_grouped) {
         if (!noise_known)
             for (RecordedImpact& impact : impacts) impact.incident_u = impact.rebound_u = neighbours;
         noise_known = true;
         impacts = grouped(std::move(impacts));
     }
-    const double fastest = std::ranges::max_element(impacts, {}, &RecordedImpact::velocity)->velocity;
+    const double fastest = fastest_of(impacts);
     const std::pair<double, double> range = range_of(impacts);
     CurvePrior prior{.noise_known = noise_known,
                      .noise = std::clamp(neighbours, 1e-6 * fastest, 0.2 * fastest),
@@ -293,7 +298,7 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
     if (options.size_scatter) {
         const double near = std::exp(range.second);
         const double by_damping =
-            std::log(1.2) / std::log(capture_damping(model, near) / capture_damping(model, near / 1.2));
+            std::log(1.2) / std::log(capture_damping(*model, near) / capture_damping(*model, near / 1.2));
         prior.scatter = std::max(1e-4, 2.0 * by_damping * *options.size_scatter);
     }
     const CurvePosterior posterior(impacts, prior);
@@ -311,9 +316,24 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
     add_velocities(velocities, outcomes, common, outcomes_share);
     const MarginalSample velocity(std::move(velocities));
     const double tail = 0.5 * (1.0 - confidence);
-    const Interval found_velocity{velocity.mean(), velocity.standard_deviation(), velocity.quantile(tail),
-                                  velocity.quantile(1.0 - tail)};
-    const LikeliestCurve likeliest = posterior.at(std::log(found_velocity.value));
+    const Interval found{velocity.mean(), velocity.standard_deviation(), velocity.quantile(tail),
+                         velocity.quantile(1.0 - tail)};
+    const LikeliestCurve likeliest = posterior.at(std::log(found.value));
+    return {std::move(impacts), is_grouped, neighbours, slow_noise, found, likeliest};
+}
+
+}  // namespace
+
+std::optional<OnsetEstimate> estimate_without_law(const MeasurementSet& set, const EstimateOptions& options) {
+    if (options.size_scatter) return std::nullopt;
+    return estimated_velocity(set, options, nullptr);
+}
+
+CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, const MeasurementSet& set,
+                                                    const EstimateOptions& options,
+                                                    const OnsetEstimate* known) {
+    const OnsetEstimate own = known ? *known : estimated_velocity(set, options, &model);
+    const auto& [impacts, is_grouped, neighbours, slow_noise, found_velocity, likeliest] = own;
     const OnsetCurve& curve = likeliest.curve;
     const double slope = (capture_damping(model, 1.001 * found_velocity.value) -
                           capture_damping(model, 0.999 * found_velocity.value)) /
@@ -324,7 +344,7 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
                   .critical_damping = {damping, slope * found_velocity.standard_uncertainty,
                                        capture_damping(model, *found_velocity.lower),
                                        capture_damping(model, *found_velocity.upper)},
-                  .damping = damping_along(model, curve, fastest),
+                  .damping = damping_along(model, curve, fastest_of(impacts)),
                   .scatter = likeliest.scatter,
                   .damping_scatter =
                       damping > 0.0 ? likeliest.scatter.threshold * slope * found_velocity.value / damping
@@ -338,7 +358,7 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
         throw InputError("the impacts bound v_c no closer than " + shortest(*v.lower) + " to " +
                              shortest(*v.upper) + " m/s",
                          "impacts closer to v_c");
-    const bool grouped_without_noise = noise_known && !set.has_noise();
+    const bool grouped_without_noise = is_grouped && !set.has_noise();
     for (const auto& note :
          {slow_rebound_note(estimate.curve, curve, impacts),
           misfit_note(estimate.curve.scatter, set.has_noise()), particles_note(estimate.curve.scatter),

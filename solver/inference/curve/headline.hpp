@@ -46,6 +46,21 @@ struct EstimateOptions {
     double scale_uncertainty = 0.0;
 };
 
+/// v_c as the impacts tell it whatever the law of contact.
+struct OnsetEstimate {
+    std::vector<RecordedImpact> impacts;  ///< as used: in groups where there are many
+    bool grouped;
+    double noise;                      ///< of velocities, where it is estimated [m/s]
+    std::optional<double> slow_noise;  ///< that of slow rebounds
+    Interval velocity;                 ///< v_c: mean and 95 % interval [m/s]
+    LikeliestCurve likeliest;          ///< at the mean
+};
+
+/// The part of estimate_critical_velocity() that laws have in common; none if size_scatter is given, which
+/// acts by the damping of a law. Errors: as there.
+[[nodiscard]] std::optional<OnsetEstimate> estimate_without_law(const MeasurementSet& set,
+                                                                const EstimateOptions& options = {});
+
 /// Name of the method, for artifacts.
 inline constexpr const char* estimate_method =
     "posterior of v_c with a smooth curve of restitution over velocity, captures by their probability";
@@ -55,9 +70,11 @@ inline constexpr const char* estimate_method =
 /// computed on even places in ln v_c, without random draws, and averaged with that of the outcomes alone,
 /// captures and rebounds whatever the curve. More than few_impacts impacts are merged into groups narrower
 /// than their noise, weighted by their numbers. A common error of scale multiplies v_c.
+/// @param known estimate_without_law() of the set, if it is known
 /// @throws InputError with the reason if the impacts allow no estimate; ConvergenceError
 [[nodiscard]] CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model,
                                                                   const MeasurementSet& set,
-                                                                  const EstimateOptions& options = {});
+                                                                  const EstimateOptions& options = {},
+                                                                  const OnsetEstimate* known = nullptr);
 
 }  // namespace ashimpact
