@@ -102,15 +102,16 @@ double ReboundTable::position(double log_velocity) const {
 
 void ReboundTable::add_piece(const Impact& impact, double slowest, double fastest, int degree) {
     const ChebyshevAxis axis{position(slowest), position(fastest), fastest > slowest ? degree : 0};
+    const int captured = slowest == log_critical_ ? 1 : 0;  // the impact at v_c itself
     std::vector<double> velocities;
-    for (int i = 0; i <= axis.degree; ++i) {
+    for (int i = captured; i <= axis.degree; ++i) {
         const double node = axis.node(i);
         velocities.push_back(std::exp(std::isfinite(log_critical_) ? log_critical_ + node * node : node));
     }
-    Eigen::VectorXd values = restitutions_at(impact, velocities).matrix();
-    if (slowest == log_critical_) values[0] = 0;
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(axis.degree + 1);
+    if (!velocities.empty()) values.tail(std::ssize(velocities)) = restitutions_at(impact, velocities);
     pieces_.push_back({axis, axis.analysis() * values});
-    if (slowest != log_critical_ || axis.degree == 0) return;
+    if (captured == 0 || axis.degree == 0) return;
     const double by_root = ChebyshevBasis(axis, 0).slope.dot(pieces_.back().coefficients);
     slope_at_capture_ = std::max(slope_at_capture_, by_root * by_root);
 }
