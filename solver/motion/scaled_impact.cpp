@@ -45,8 +45,7 @@ ScaledImpact<Real> scaled_impact(const Impact& impact, Precision precision) {
 template <class Real>
 Real scaled_restitution(const Impact& impact) {
     constexpr auto precision = std::is_same_v<Real, double> ? Precision::standard : Precision::extended;
-    auto scaled = scaled_impact<Real>(impact, precision);
-    if (auto* motion = std::get_if<Motion<Real>>(&scaled.branches)) motion->accounts = false;
+    const auto scaled = scaled_impact<Real>(impact, precision);
     return std::visit(
         [&]<class Branches>(const Branches& branches) {
             const auto velocity = static_cast<typename Branches::Number>(scaled.velocity);
