@@ -272,7 +272,7 @@ Answer read(PieceState state, double value) {
 /// The answer of the table of one problem, if there is one.
 Answer from_table(const CriticalVelocityProblem& problem) {
     const auto& [law, detachment, damping, contact] = problem;
-    if (!has_tables(law, damping.law)) return std::nullopt;
+    if (!has_tables(law, damping.law) || law.is_plastic()) return std::nullopt;
     Inputs inputs = batch::inputs_of(law, damping.law, contact);
     inputs.damping = {&damping.coefficient, 1};
     PieceState state = PieceState::undecided;
@@ -296,12 +296,16 @@ Answer closed_form(const CriticalVelocityProblem& problem) {
 }  // namespace
 
 bool has_tables(Law law, DampingLaw damping_law) {
-    return batch::has_kernels(law, damping_law) && !law.is_plastic();
+    return batch::has_kernels(law, damping_law);
 }
 
 BatchMethod method_of_many(Law law, DampingLaw damping_law, std::uint64_t impacts) {
     constexpr std::uint64_t zone_table_pays = 2'000'000;
-    const bool pays = !law.has_cohesive_zone() || impacts >= zone_table_pays;
+    constexpr std::uint64_t yield_table_pays = 500'000;
+    const std::uint64_t least = law.has_cohesive_zone() ? zone_table_pays
+                                : law.is_plastic()      ? yield_table_pays
+                                                        : 0;
+    const bool pays = impacts >= least;
     return pays && has_tables(law, damping_law) ? BatchMethod::table : BatchMethod::integration;
 }
 

@@ -11,7 +11,7 @@ namespace ashimpact {
 SingleImpacts::SingleImpacts(Law law, Detachment detachment, DampingLaw damping_law)
     : law_(law), detachment_(detachment), damping_law_(damping_law) {
     batch::require_admissible(law, detachment);
-    if (!law.self_similar() || !has_tables(law, damping_law))
+    if (!law.self_similar() || law.is_plastic() || !has_tables(law, damping_law))
         return;  // others: squares too dear for one impact
     table_ = &batch::restitution_table(law, detachment, damping_law);
     kernels_ = batch::kernels_of(law, damping_law);

@@ -50,6 +50,15 @@ struct ThorntonNing : Jkr<Real> {
                root<2>(pair.effective_radius / length);
     }
 
+    /// Third number of scaled impacts beside adhesion and damping [1], free of the velocity: c =
+    /// A^(1/3)/Y^(1/2) of adhesion and yield number. 0 without adhesion; sqrt(2) where adhesion alone yields
+    /// the contact.
+    [[nodiscard]] static Real yield_adhesion(const BasicContactPair<Real>& pair) {
+        const Real& any_length = pair.effective_radius;
+        return root<3>(Jkr<Real>::adhesion_number(pair, any_length)) /
+               root<2>(yield_number(pair, any_length));
+    }
+
     /// State u at which the elastic branch ends by that rule. None for zero overlap, to which a flattened
     /// sphere does not return.
     [[nodiscard]] std::optional<Real> detachment_point(Detachment detachment) const {

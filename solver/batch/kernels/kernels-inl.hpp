@@ -20,6 +20,7 @@
 #include "solver/batch/kernels/damping_search.hpp"
 #include "solver/batch/kernels/kernel.hpp"
 #include "solver/batch/kernels/scaled_task-inl.hpp"
+#include "solver/batch/kernels/yield_lookup-inl.hpp"
 #include "solver/batch/lanes/follow-inl.hpp"
 #include "solver/batch/lanes/number_task.hpp"
 #include "solver/batch/tables/lookup-inl.hpp"
@@ -75,7 +76,7 @@ class TablePlaces {
         if constexpr (!layered) return law;
         const double lambda = scaled_.zones.lambda(i);
         if (of_lambda_ == nullptr || lambda != lambda_) {  // one size has one
-            of_lambda_ = &law.at_transition(lambda);
+            of_lambda_ = &law.at_number<batch::ZoneSpans>(lambda);
             lambda_ = lambda;
             z_ = of_lambda_->z(lambda);
         }
@@ -93,10 +94,11 @@ class TablePlaces {
     HWY_ALIGN double y_[ScaledTask::capacity];
 };
 
-/// Reads the results of a task from its table. @return impacts that have to be integrated
+/// Reads the results of impacts of one branch from the table of a task.
+/// @param open gets impacts that have to be integrated
 template <bool with_time, class F>
-HWY_NOINLINE PlaceList look_up(const batch::ImpactTask& task, const ScaledTask& scaled,
-                               const PlaceList& all) {
+HWY_NOINLINE void look_up_whole(const batch::ImpactTask& task, const ScaledTask& scaled, const PlaceList& all,
+                                PlaceList& open) {
     TablePlaces<F> places(scaled, task.count);
     const batch::RestitutionPiece* pieces[batch::most_impacts];
     TablePlace at[batch::most_impacts];
@@ -105,13 +107,26 @@ HWY_NOINLINE PlaceList look_up(const batch::ImpactTask& task, const ScaledTask& 
         at[i] = places.at(i);
         pieces[i] = table.at(at[i].x, at[i].y);
     }
-    PlaceList open;
     for (const std::size_t i : all.places()) {
         const TableEntry impact = entry_at<with_time, TablePlaces<F>::layered>(pieces[i], at[i]);
         if (impact.end == batch::LaneEnd::undecided) open.add(i);
         task.end[i] = impact.end;
         task.restitution[i] = impact.speed;
         task.contact_time[i] = impact.time * scaled.time[i];
+    }
+}
+
+/// Reads the results of a task from its table. @return impacts that have to be integrated
+template <bool with_time, class F>
+[[nodiscard]] HWY_INLINE PlaceList look_up(const batch::ImpactTask& task, const ScaledTask& scaled,
+                                           const PlaceList& all) {
+    PlaceList open;
+    if constexpr (F::yields) {
+        PlaceList elastic;
+        open = look_up_yielding<with_time, F>(task, scaled, all, elastic);
+        look_up_whole<with_time, F>(task, scaled, elastic, open);
+    } else {
+        look_up_whole<with_time, F>(task, scaled, all, open);
     }
     return open;
 }
@@ -248,9 +263,30 @@ HWY_NOINLINE void solve_task(const batch::ImpactTask& task) {
     if (task.turning_point) follow_to(Goal::turn, all);
 }
 
-/// Solves impacts given by their numbers.
+/// Solves the returns of contacts at rest, given by their numbers.
+template <class F>
+HWY_NOINLINE void release_numbers(const batch::NumberTask& task) {
+    for (std::size_t first = 0; first < task.count; first += block_size) {
+        Block block;
+        for (std::size_t lane = 0; lane < block_size; ++lane) {
+            const std::size_t i = std::min(first + lane, task.count - 1);
+            block.adhesion[lane] = task.adhesion[i];
+            block.damping[lane] = task.damping[i];
+        }
+        follow_release<F>(block, task.detachment);
+        for (std::size_t i = first; i < std::min(first + block_size, task.count); ++i) {
+            task.end[i] = block.end(i - first);
+            task.speed[i] = block.speed[i - first];
+            task.time[i] = block.time[i - first];
+        }
+    }
+}
+
+/// Solves impacts, or a part of them, given by their numbers.
 template <class F>
 HWY_NOINLINE void solve_numbers(const batch::NumberTask& task) {
+    if constexpr (F::yields)
+        if (task.part == batch::ImpactPart::release) return release_numbers<F>(task);
     const PlaceList all = PlaceList::all(task.count);
     batch::ZoneCurve own;  // of this thread
     if (task.curve != nullptr) {
@@ -258,12 +294,15 @@ HWY_NOINLINE void solve_numbers(const batch::NumberTask& task) {
         own.keep_pieces();
     }
     const std::vector<const batch::ZoneCurve*> curves(task.curve != nullptr ? task.count : 0, &own);
-    follow_all<F>({task.adhesion, task.damping, task.damping_law, curves.data()}, all.places(),
-                  task.detachment, Goal::end,
+    const bool whole = task.part == batch::ImpactPart::whole;
+    follow_all<F>({task.adhesion, task.damping, task.damping_law, curves.data(), task.yield_number},
+                  all.places(), task.detachment, whole ? Goal::end : Goal::turn,
                   [&](std::size_t i, const Block& block, std::size_t lane) HWY_ATTR {
-                      task.end[i] = block.end(lane);
-                      task.speed[i] = block.speed[lane];
-                      task.time[i] = block.time[lane];
+                      const bool turns = block.turns(lane) && !std::isnan(block.turn_time[lane]);
+                      const batch::LaneEnd turn = turns ? batch::LaneEnd::rebound : batch::LaneEnd::undecided;
+                      task.end[i] = whole ? block.end(lane) : turn;
+                      task.speed[i] = whole ? block.speed[lane] : block.turn_place[lane];
+                      task.time[i] = whole ? block.time[lane] : block.turn_time[lane];
                   });
 }
 

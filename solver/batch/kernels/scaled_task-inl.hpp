@@ -95,10 +95,11 @@ struct ScaledTask {
     static constexpr std::size_t capacity = batch::most_impacts + lane_count;
     HWY_ALIGN double adhesion[capacity];
     HWY_ALIGN double damping[capacity];
-    HWY_ALIGN double length[capacity];        ///< [m]
-    HWY_ALIGN double time[capacity];          ///< [s]
-    HWY_ALIGN double yield_number[capacity];  ///< of a law that yields
-    ZoneCurves zones;                         ///< of a law with a cohesive zone
+    HWY_ALIGN double length[capacity];          ///< [m]
+    HWY_ALIGN double time[capacity];            ///< [s]
+    HWY_ALIGN double yield_number[capacity];    ///< of a law that yields
+    HWY_ALIGN double yield_adhesion[capacity];  ///< the same
+    ZoneCurves zones;                           ///< of a law with a cohesive zone
 
     template <class F>
     [[nodiscard]] batch::NumberColumns numbers(DampingLaw damping_law) const {
@@ -137,6 +138,7 @@ HWY_FLATTEN inline void scale_task(const batch::Inputs& in, std::size_t count, D
         if constexpr (F::yields) {
             using Law = typename F::template ContactLaw<LaneNumber>;
             Law::yield_number(pair, scale.length).lanes().store(out.yield_number + i);
+            Law::yield_adhesion(pair).lanes().store(out.yield_adhesion + i);
         }
     }
 }

@@ -39,6 +39,37 @@ HWY_INLINE void follow_to_turn(Groups<LaneOrbit<F>>& orbits, Block& block, Goal 
         orbits[group].store_turn(block, group * lane_count);
 }
 
+/// The return of lanes that are at rest at a place, in a contact of this equation.
+/// @param places speed_squared is that of the impact so far, at least
+template <class F>
+[[nodiscard]] HWY_FLATTEN inline LaneOrbit<F> released(const Equation<F>& equation, Places places,
+                                                       Lanes place, Mask active) {
+    places.touch = place;
+    places.touch_speed = 0.0;
+    places.yield = 0.0;
+    const Lanes fall = equation.potential(place) - equation.potential(places.equilibrium);
+    places.speed_squared = max(places.speed_squared, fall + fall);
+    const Lanes drag = equation.damping * value_of<F::drag>(equation.numbers, place);
+    const Lanes stiffness = value_of<F::stiffness_slope>(equation.numbers, place);
+    return {equation, places, Lanes(1.3) / sqrt(multiply_add(drag, drag, stiffness)), none(), active};
+}
+
+/// Integrates the impacts of a block from rest at q = 1 on.
+template <class F>
+HWY_NOINLINE void follow_release(Block& block, Detachment detachment) {
+    Groups<LaneOrbit<F>> orbits;
+    block.rebound = block.capture = block.turn = 0;
+    for (std::size_t group = 0; group < group_count; ++group) {
+        const Equation<F> equation = equation_of<F>(block, group * lane_count);
+        Places places = places_of(equation, detachment);
+        places.speed_squared = 0.0;
+        orbits[group] = released(equation, places, Lanes(1.0), every());
+    }
+    integrate<F>(orbits);
+    for (std::size_t group = 0; group < group_count; ++group)
+        orbits[group].store_end(block, group * lane_count);
+}
+
 /// Contact laws of a form that yields, and of its plastic branch, on the lanes.
 template <class F>
 using YieldedLaw = typename F::template ContactLaw<double>::template Yielded<LaneNumber>;
@@ -102,6 +133,7 @@ class YieldedImpacts {
             if (goal != Goal::end) {
                 write(turn_[group].time * time_unit_[group], block.turn_time);
                 write(turn_[group].overlap * length_unit_[group], block.turn_overlap);
+                write(turn_[group].position / time_unit_[group], block.turn_place);
                 mark(loading_[group].turns(turn_[group]), block.turn);
             }
             if (goal == Goal::turn) continue;
@@ -167,18 +199,11 @@ class YieldedImpacts {
         const Equation<F> equation({elastic.equation().numbers.adhesion / flattening_[group]},
                                    elastic.equation().damping * share);
         Places places = places_of(equation, detachment);
-        places.touch = greatest.lanes() * sqrt(yield_number);
-        places.touch_speed = 0.0;
         places.touch_time = turn_[group].time * time_unit_[group];
-        places.yield = 0.0;
         places.incident = Lanes(1.0) / (flattening_[group] * flattening_[group]);
-        const Lanes fall = equation.potential(places.touch) - equation.potential(places.equilibrium);
-        places.speed_squared = max(elastic.places().speed_squared * places.incident, fall + fall);
-        const Lanes drag = equation.damping * value_of<F::drag>(equation.numbers, places.touch);
-        const Lanes stiffness = value_of<F::stiffness_slope>(equation.numbers, places.touch);
-        unloading_[group] =
-            LaneOrbit<F>(equation, places, Lanes(1.3) / sqrt(multiply_add(drag, drag, stiffness)), none(),
-                         both(yielded_[group], loading_[group].found().turned));
+        places.speed_squared = elastic.places().speed_squared * places.incident;
+        unloading_[group] = released(equation, places, greatest.lanes() * sqrt(yield_number),
+                                     both(yielded_[group], loading_[group].found().turned));
     }
 
     bool any_ = false;

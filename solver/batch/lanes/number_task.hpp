@@ -28,17 +28,26 @@ inline constexpr std::size_t most_impacts = 2048;
 
 class ZoneCurve;
 
+/// Part of an impact.
+enum class ImpactPart : std::uint8_t {
+    whole,
+    approach,  ///< up to the turn, on the plastic branch where the contact yields
+    release,   ///< from rest at u = 1 on, in units in which Hertz stiffness and mass are 1
+};
+
 /// A chunk of scaled impacts for one thread, given by adhesion and damping number; results are scaled.
 struct NumberTask {
     DampingLaw damping_law;
     Detachment detachment;
+    ImpactPart part;  ///< whole, unless the law yields
     std::size_t count;
     const double* adhesion;
     const double* damping;
-    const ZoneCurve* curve;  ///< of a law with a cohesive zone
-    LaneEnd* end;
-    double* speed;  ///< at the end of contact, where it is a rebound
-    double* time;   ///< of contact, where it is a rebound
+    const double* yield_number;  ///< of a law that yields; none: the contacts do not
+    const ZoneCurve* curve;      ///< of a law with a cohesive zone
+    LaneEnd* end;                ///< of an approach: rebound if its turn is certain, else undecided
+    double* speed;  ///< at the end of contact, where it is a rebound; of an approach u at the turn
+    double* time;   ///< of the part, where it is a rebound
 };
 
 /// Integrates a task: one function for each contact law and instruction set.

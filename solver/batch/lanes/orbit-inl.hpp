@@ -31,6 +31,7 @@ struct Block {
     HWY_ALIGN double time[block_size];          ///< of contact
     HWY_ALIGN double turn_time[block_size];     ///< NaN where it never turns
     HWY_ALIGN double turn_overlap[block_size];  ///< or its supremum
+    HWY_ALIGN double turn_place[block_size];    ///< q
     std::uint64_t rebound;                      ///< one bit a lane; set only if certain
     std::uint64_t capture;                      ///< one bit a lane; set only if certain
     std::uint64_t turn;                         ///< one bit a lane; turning point known
@@ -188,6 +189,7 @@ class LaneOrbit {
         block.turn |= bits_of(turns(turn)) << first;
         turn.time.store(block.turn_time + first);
         turn.overlap.store(block.turn_overlap + first);
+        turn.position.store(block.turn_place + first);
     }
 
     /// Outside of contact.

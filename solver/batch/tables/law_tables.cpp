@@ -16,6 +16,7 @@
 #include "solver/motion/regime.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/numeric/chebyshev.hpp"
+#include "solver/numeric/number.hpp"
 
 namespace ashimpact::batch {
 
@@ -60,7 +61,8 @@ struct Tolerances {
     double square = 2e-13;
     double time = 1e-12;
 };
-constexpr Tolerances of_zones{.square = 2e-10, .time = 1e-9};  ///< impacts are integrated to that
+constexpr Tolerances of_zones{.square = 2e-10, .time = 1e-9};        ///< impacts are integrated to that
+constexpr Tolerances of_approaches{.square = 2e-13, .time = 2e-12};  ///< of u at the turn
 
 /// Adhesion or damping number at a coordinate of the table; infinite at 1.
 double number_at(double place) {
@@ -68,31 +70,6 @@ double number_at(double place) {
 }
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Impacts given by their numbers, with their results, scaled.
-struct NumberedImpacts {
-    std::vector<double> adhesion{};
-    std::vector<double> damping{};
-    std::vector<LaneEnd> end{};
-    std::vector<double> speed{};
-    std::vector<double> time{};
-
-    void solve(NumberKernel kernel, Detachment detachment, DampingLaw damping_law, const ZoneCurve* curve) {
-        const std::size_t count = adhesion.size();
-        end.resize(count);
-        speed.resize(count);
-        time.resize(count);
-        kernel({.damping_law = damping_law,
-                .detachment = detachment,
-                .count = count,
-                .adhesion = adhesion.data(),
-                .damping = damping.data(),
-                .curve = curve,
-                .end = end.data(),
-                .speed = speed.data(),
-                .time = time.data()});
-    }
-};
 
 /// Transforms along one coordinate of a piece, from values at Chebyshev nodes to coefficients of powers.
 template <int terms>
@@ -148,9 +125,8 @@ Layers across(const Eigen::MatrixXd& transform, const Layers& values) {
 /// Fits values at the nodes. @return whether what the polynomial leaves out is below @p allowed
 bool fit(const Layers& values, double allowed, SquarePolynomial RestitutionPolynomials::*which,
          RestitutionContent& out) {
-    static const Eigen::MatrixXd analysis =
-        ChebyshevAxis{-1.0, 1.0, RestitutionTable::zone_layers - 1}.analysis();
-    static const Eigen::MatrixXd layer_powers = chebyshev_by_powers(RestitutionTable::zone_layers);
+    static const Eigen::MatrixXd analysis = ChebyshevAxis{-1.0, 1.0, RestitutionTable::layers - 1}.analysis();
+    static const Eigen::MatrixXd layer_powers = chebyshev_by_powers(RestitutionTable::layers);
     const auto& t = Coordinate<rows>::the();
     const auto& u = Coordinate<columns>::the();
     const bool layered = values.size() > 1;
@@ -171,6 +147,16 @@ bool fit(const Layers& values, double allowed, SquarePolynomial RestitutionPolyn
 }
 
 }  // namespace
+
+/// Impacts given by their numbers, with their results, scaled.
+struct NumberedImpacts {
+    std::vector<double> adhesion{};
+    std::vector<double> damping{};
+    std::vector<double> yield_number{};  ///< of approaches that yield
+    std::vector<LaneEnd> end{};
+    std::vector<double> result{};
+    std::vector<double> time{};
+};
 
 template class PieceTree<CriticalPiece, 64, 5, 16>;
 
@@ -224,58 +210,109 @@ PieceState CriticalTable::judge(const CriticalPiece& piece, int /*depth*/,
 template class PieceTree<RestitutionPiece, 1, 6, 9>;
 
 RestitutionTable& RestitutionTable::of(NumberKernel kernel, Detachment detachment, DampingLaw damping_law) {
-    return table_of<RestitutionTable>(std::tuple(kernel, detachment, damping_law), kernel, detachment,
-                                      damping_law);
+    return table_of<RestitutionTable>(std::tuple(kernel, detachment, damping_law, ImpactPart::whole), kernel,
+                                      detachment, damping_law);
 }
 
-RestitutionTable::RestitutionTable(NumberKernel kernel, Detachment detachment, DampingLaw damping_law)
-    : kernel_(kernel), detachment_(detachment), damping_law_(damping_law) {
+RestitutionTable::RestitutionTable(NumberKernel kernel, Detachment detachment, DampingLaw damping_law,
+                                   ImpactPart part)
+    : kernel_(kernel), detachment_(detachment), damping_law_(damping_law), part_(part) {
     roots_[0].span({0.5, 0.5}, 0.5);
 }
 
 RestitutionTable::RestitutionTable(NumberKernel kernel, Detachment detachment, DampingLaw damping_law,
-                                   const ZoneSpan& span)
-    : RestitutionTable(kernel, detachment, damping_law) {
+                                   ImpactPart part, const NumberSpan& span)
+    : RestitutionTable(kernel, detachment, damping_law, part) {
     span_ = span;
-    const ChebyshevAxis axis{-1.0, 1.0, zone_layers - 1};
-    for (std::size_t k = 0; k < zone_layers; ++k)
-        layers_.emplace_back(span.lambda_at(axis.node(static_cast<int>(k))), damping_law, detachment);
-    for (const double end : {-1.0, 1.0}) layers_.emplace_back(span.lambda_at(end), damping_law, detachment);
+    const ChebyshevAxis axis{-1.0, 1.0, static_cast<int>(layers) - 1};
+    for (std::size_t k = 0; k < layers; ++k)
+        numbers_.push_back(span.number_at(axis.node(static_cast<int>(k))));
+    if (part == ImpactPart::approach) {
+        onset_ = YieldOnset(kernel, damping_law, span);
+        return;
+    }
+    for (const double lambda : numbers_) curves_.emplace_back(lambda, damping_law, detachment);
+    for (const double end : {-1.0, 1.0}) curves_.emplace_back(span.number_at(end), damping_law, detachment);
 }
 
-RestitutionTable& RestitutionTable::make_span(double lambda, std::atomic<RestitutionTable*>& known) {
-    const ZoneSpan span = ZoneSpan::of(lambda);
-    RestitutionTable& made =
-        table_of<RestitutionTable>(std::tuple(kernel_, detachment_, damping_law_, ZoneSpan::index(lambda)),
-                                   kernel_, detachment_, damping_law_, span);
-    known.store(&made, std::memory_order_release);
-    return made;
+RestitutionTable& RestitutionTable::of_release() const {
+    return table_of<RestitutionTable>(std::tuple(kernel_, detachment_, damping_law_, ImpactPart::release),
+                                      kernel_, detachment_, damping_law_, ImpactPart::release);
 }
 
 double RestitutionTable::adhesion_at(double x) const {
-    return layers_.empty() ? number_at(x) : std::exp2(zone_powers * x + zone_least_power);
+    if (part_ == ImpactPart::release) return power<3>(release_root * x);
+    return curves_.empty() ? number_at(x) : std::exp2(zone_powers * x + zone_least_power);
+}
+
+void RestitutionTable::add(double x, double y, std::size_t layer, NumberedImpacts& impacts) const {
+    if (part_ != ImpactPart::approach) {
+        impacts.adhesion.push_back(adhesion_at(x));
+        impacts.damping.push_back(number_at(y));
+        return;
+    }
+    const double square = onset_.velocity_squared_at(x, y, span_.z(numbers_[layer]));
+    const auto [adhesion, damping, yield_number] =
+        impact_numbers({square, number_at(y), numbers_[layer]}, damping_law_);
+    impacts.adhesion.push_back(adhesion);
+    impacts.damping.push_back(damping);
+    impacts.yield_number.push_back(yield_number);
+}
+
+void RestitutionTable::solve(std::size_t layer, NumberedImpacts& impacts) const {
+    const std::size_t count = impacts.adhesion.size();
+    impacts.end.resize(count);
+    impacts.result.resize(count);
+    impacts.time.resize(count);
+    kernel_({.damping_law = damping_law_,
+             .detachment = detachment_,
+             .part = part_,
+             .count = count,
+             .adhesion = impacts.adhesion.data(),
+             .damping = impacts.damping.data(),
+             .yield_number = impacts.yield_number.empty() ? nullptr : impacts.yield_number.data(),
+             .curve = curves_.empty() ? nullptr : &curves_[layer],
+             .end = impacts.end.data(),
+             .speed = impacts.result.data(),
+             .time = impacts.time.data()});
+    for (std::size_t i = 0; i < count; ++i) {
+        if (part_ != ImpactPart::approach) {
+            impacts.result[i] *= impacts.result[i];
+            continue;
+        }
+        const double root = std::sqrt(impacts.yield_number[i]);  // into units of yield
+        impacts.result[i] /= root;
+        impacts.time[i] *= root;
+    }
 }
 
 bool RestitutionTable::all_end(LaneEnd end, double x, double y, double more) const {
-    constexpr ZoneCurve* without_zone = nullptr;
-    const auto ends = [&](const ZoneCurve* curve, double adhesion) {
+    const auto ends = [&](std::size_t layer, double adhesion) {
         NumberedImpacts corner{.adhesion = {adhesion}, .damping = {number_at(y)}};
-        corner.solve(kernel_, detachment_, damping_law_, curve);
+        solve(layer, corner);
         return corner.end.front() == end;
     };
-    if (layers_.empty()) return ends(without_zone, adhesion_at(x));
-    return std::ranges::all_of(
-        layers_, [&](const ZoneCurve& curve) { return ends(&curve, adhesion_at(x) * (1.0 + more)); });
+    if (curves_.empty()) return ends(0, adhesion_at(x));
+    for (std::size_t layer = 0; layer < curves_.size(); ++layer)
+        if (!ends(layer, adhesion_at(x) * (1.0 + more))) return false;
+    return true;
 }
 
 PieceState RestitutionTable::judge(const RestitutionPiece& piece, int depth,
                                    RestitutionContent& content) const {
     constexpr double margin = 1e-3;
-    if (!std::ranges::all_of(layers_, &ZoneCurve::admissible)) return PieceState::undecided;
-    if (all_end(LaneEnd::capture, piece.lower(0), piece.lower(1), -margin)) return PieceState::captured;
-    const bool bounded = adhesion_at(piece.upper(0)) < infinity && piece.upper(1) < 1.0;
-    if (!bounded || depth < least_depth || !all_end(LaneEnd::rebound, piece.upper(0), piece.upper(1), margin))
-        return PieceState::unknown;
+    if (part_ == ImpactPart::approach) {
+        if (!onset_.known() || depth > most_approach_depth) return PieceState::undecided;
+        if (depth < least_approach_depth || piece.upper(1) > YieldOnset::greatest_place)
+            return PieceState::unknown;
+    } else {
+        if (!std::ranges::all_of(curves_, &ZoneCurve::admissible)) return PieceState::undecided;
+        if (all_end(LaneEnd::capture, piece.lower(0), piece.lower(1), -margin)) return PieceState::captured;
+        const bool bounded = adhesion_at(piece.upper(0)) < infinity && piece.upper(1) < 1.0;
+        if (!bounded || depth < least_depth ||
+            !all_end(LaneEnd::rebound, piece.upper(0), piece.upper(1), margin))
+            return PieceState::unknown;
+    }
     content = fitted(piece);
     return content ? PieceState::tabulated : PieceState::unknown;
 }
@@ -283,34 +320,38 @@ PieceState RestitutionTable::judge(const RestitutionPiece& piece, int depth,
 RestitutionContent RestitutionTable::fitted(const RestitutionPiece& piece) const {
     const ChebyshevAxis x{piece.lower(0), piece.upper(0), rows - 1};
     const ChebyshevAxis y{piece.lower(1), piece.upper(1), columns - 1};
-    const std::size_t count = layers_.empty() ? 1 : zone_layers;
-    NumberedImpacts nodes;
-    for (int i = 0; i < rows; ++i) {
-        for (int j = 0; j < columns; ++j) {
-            nodes.adhesion.push_back(adhesion_at(x.node(i)));
-            nodes.damping.push_back(number_at(y.node(j)));
-        }
-    }
-    Layers squared(count);
+    const std::size_t count = std::max<std::size_t>(numbers_.size(), 1);
+    Layers result(count);
     Layers time(count);
     for (std::size_t layer = 0; layer < count; ++layer) {
-        nodes.solve(kernel_, detachment_, damping_law_, layers_.empty() ? nullptr : &layers_[layer]);
+        NumberedImpacts nodes;
+        for (int i = 0; i < rows; ++i)
+            for (int j = 0; j < columns; ++j) add(x.node(i), y.node(j), layer, nodes);
+        solve(layer, nodes);
         std::size_t k = 0;
         for (int i = 0; i < rows; ++i) {
             for (int j = 0; j < columns; ++j, ++k) {
                 if (nodes.end[k] != LaneEnd::rebound) return nullptr;
-                squared[layer](i, j) = nodes.speed[k] * nodes.speed[k];
+                result[layer](i, j) = nodes.result[k];
                 time[layer](i, j) = nodes.time[k];
             }
         }
     }
-    const Tolerances tolerances = layers_.empty() ? Tolerances{} : of_zones;
+    const Tolerances tolerances = part_ == ImpactPart::approach ? of_approaches
+                                  : curves_.empty()             ? Tolerances{}
+                                                                : of_zones;
     RestitutionContent polynomials(new RestitutionPolynomials[count]);
     const bool accurate =
-        fit(squared, tolerances.square, &RestitutionPolynomials::restitution_squared, polynomials) &&
-        fit(time, tolerances.time * time.front().maxCoeff(), &RestitutionPolynomials::contact_time,
-            polynomials);
+        fit(result, tolerances.square, &RestitutionPolynomials::result, polynomials) &&
+        fit(time, tolerances.time * time.front().maxCoeff(), &RestitutionPolynomials::time, polynomials);
     return accurate ? std::move(polynomials) : nullptr;
+}
+
+RestitutionTable& RestitutionTable::make_span(std::size_t index, const NumberSpan& span, ImpactPart part) {
+    RestitutionTable& made = table_of<RestitutionTable>(std::tuple(kernel_, detachment_, damping_law_, index),
+                                                        kernel_, detachment_, damping_law_, part, span);
+    of_spans_[index].store(&made, std::memory_order_release);
+    return made;
 }
 
 }  // namespace ashimpact::batch

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "solver/batch/lanes/number_task.hpp"
+#include "solver/batch/tables/number_span.hpp"
 #include "solver/batch/tables/piece_tree.hpp"
+#include "solver/batch/tables/yield_onset.hpp"
 #include "solver/batch/tables/zone_curve.hpp"
 
 namespace ashimpact {
@@ -94,14 +96,15 @@ struct alignas(64) SquarePolynomial {
     std::array<float, low_rows * columns> high;
 };
 
-/// What a table contains of a square in which every impact rebounds.
+/// What a table contains of a square in which every impact rebounds, scaled.
 struct RestitutionPolynomials {
-    SquarePolynomial restitution_squared;
-    SquarePolynomial contact_time;  ///< in units of the scale's time
+    SquarePolynomial result;  ///< square of the speed at the end; of an approach u at the turn
+    SquarePolynomial time;    ///< of the part of the impact
 };
 
-/// One set; of a law with a cohesive zone one for each power of the place in a band of transition parameters.
+/// One set; of a law with a third number one for each power of the place in a span of it.
 using RestitutionContent = std::unique_ptr<RestitutionPolynomials[]>;
+struct NumberedImpacts;
 using RestitutionPiece = Piece<2, RestitutionContent>;
 using RestitutionTree = PieceTree<RestitutionPiece, 1, 6, 9>;
 extern template class PieceTree<RestitutionPiece, 1, 6, 9>;
@@ -112,14 +115,21 @@ extern template class PieceTree<RestitutionPiece, 1, 6, 9>;
 /// integrates. Squares are quartered until the last coefficients are negligible. The values of a square do
 /// not depend on when it is computed.
 ///
-/// With a cohesive zone impacts have a third number, the transition parameter lambda: there is a table for
-/// each ZoneSpan of it, whose polynomials' coefficients are polynomials in the place z in the span.
+/// Where impacts have a third number there is a table for each span of it, whose polynomials' coefficients
+/// are polynomials in the place z in the span. It is the transition parameter lambda with a cohesive zone
+/// (ZoneSpans), and the adhesion at yield c where contacts yield (YieldSpans). In the latter case those
+/// tables contain approaches that yield, over x, which rises with the velocity beyond the onset (YieldOnset),
+/// and the place y of the damping number in units of yield; of_release() contains what follows, over x that
+/// rises with the third root of the adhesion number and y. The table itself contains the impacts that do not
+/// yield.
 ///
 /// More adhesion and more damping capture more. So two opposite corners show whether a whole square rebounds
-/// or is captured. docs/decisions/0010-tables.md, 0014-cohesive-lanes.md
+/// or is captured. docs/decisions/0010-tables.md, 0014-cohesive-lanes.md, 0015-plastic-lanes.md
 class RestitutionTable final : public RestitutionTree {
   public:
-    static constexpr std::size_t zone_layers = 8;  ///< powers of z
+    static constexpr std::size_t layers = 8;  ///< powers of z
+    /// A contact released at rest pulls back below this third root of the adhesion number: x = 1.
+    static constexpr double release_root = 0.87358046473629887;  // (2/3)^(1/3)
     /// x of a law with a cohesive zone goes from 0 to 1 over these powers of two of A; others have A/(1 + A).
     static constexpr double zone_least_power = -16.5;
     static constexpr double zone_powers = 23.0;
@@ -129,18 +139,26 @@ class RestitutionTable final : public RestitutionTree {
     [[nodiscard]] static RestitutionTable& of(NumberKernel kernel, Detachment detachment,
                                               DampingLaw damping_law);
 
-    RestitutionTable(NumberKernel kernel, Detachment detachment, DampingLaw damping_law);
     RestitutionTable(NumberKernel kernel, Detachment detachment, DampingLaw damping_law,
-                     const ZoneSpan& span);
+                     ImpactPart part = ImpactPart::whole);
+    /// Of a span of the third number of a law: whole impacts with a cohesive zone, or approaches that yield.
+    RestitutionTable(NumberKernel kernel, Detachment detachment, DampingLaw damping_law, ImpactPart part,
+                     const NumberSpan& span);
 
-    /// Of a law with a cohesive zone: the table of the span of a transition parameter within the range that
-    /// the law computes, made when it is first needed. Thread-safe.
-    [[nodiscard]] RestitutionTable& at_transition(double lambda) {
-        auto& known = of_spans_[ZoneSpan::index(lambda)];
-        RestitutionTable* const table = known.load(std::memory_order_acquire);
-        return table != nullptr ? *table : make_span(lambda, known);
+    /// The table of a span of Spans, in which a third number must be, made when it is first needed.
+    /// Thread-safe.
+    template <class Spans>
+    [[nodiscard]] RestitutionTable& at_number(double number) {
+        static_assert(Spans::count <= most_spans);
+        const std::size_t index = Spans::index(number);
+        RestitutionTable* const table = of_spans_[index].load(std::memory_order_acquire);
+        return table != nullptr ? *table : make_span(index, Spans::of(number), Spans::part);
     }
-    [[nodiscard]] double z(double lambda) const { return span_.z(lambda); }
+    [[nodiscard]] double z(double number) const { return span_.z(number); }
+    /// Of a law that yields: what follows the turn.
+    [[nodiscard]] RestitutionTable& of_release() const;
+    /// Of approaches that yield.
+    [[nodiscard]] const YieldOnset& onset() const { return onset_; }
 
     /// The piece that contains a place 0 <= x, y <= 1; none outside.
     [[nodiscard]] const RestitutionPiece* at(double x, double y) {
@@ -149,7 +167,10 @@ class RestitutionTable final : public RestitutionTree {
     }
 
   private:
-    static constexpr int least_depth = 4;  ///< quarterings before the first polynomials
+    static constexpr int least_depth = 4;           ///< quarterings before the first polynomials
+    static constexpr int least_approach_depth = 1;  ///< of approaches, which no edge of capture cuts
+    static constexpr int most_approach_depth = 6;
+    static constexpr std::size_t most_spans = ZoneSpans::count;
     static constexpr std::size_t index_size = std::size_t{1} << index_depth;
 
     [[nodiscard]] static std::size_t index_of(double x) {
@@ -157,7 +178,7 @@ class RestitutionTable final : public RestitutionTree {
         return place < index_size ? place : index_size - 1;
     }
 
-    [[nodiscard]] RestitutionTable& make_span(double lambda, std::atomic<RestitutionTable*>& known);
+    [[nodiscard]] RestitutionTable& make_span(std::size_t index, const NumberSpan& span, ImpactPart part);
     [[nodiscard]] double adhesion_at(double x) const;
     [[nodiscard]] PieceState judge(const RestitutionPiece& piece, int depth,
                                    RestitutionContent& content) const override;
@@ -166,14 +187,19 @@ class RestitutionTable final : public RestitutionTree {
     [[nodiscard]] bool all_end(LaneEnd end, double x, double y, double more) const;
     /// The polynomials of a square; none if they do not represent it within the tolerances.
     [[nodiscard]] RestitutionContent fitted(const RestitutionPiece& piece) const;
+    /// Adds the numbers of an impact, at one place of the third.
+    void add(double x, double y, std::size_t layer, NumberedImpacts& impacts) const;
+    void solve(std::size_t layer, NumberedImpacts& impacts) const;
 
     NumberKernel kernel_;
     Detachment detachment_;
     DampingLaw damping_law_;
-    ZoneSpan span_{};
-    std::vector<ZoneCurve>
-        layers_{};  ///< at Chebyshev nodes of the span, and at its ends; none without a zone
-    std::array<std::atomic<RestitutionTable*>, ZoneSpan::count> of_spans_{};
+    ImpactPart part_ = ImpactPart::whole;
+    NumberSpan span_{};
+    std::vector<double> numbers_{};    ///< the third number at Chebyshev nodes of the span; none without
+    std::vector<ZoneCurve> curves_{};  ///< at those, and at the ends; none without a cohesive zone
+    YieldOnset onset_{};
+    std::array<std::atomic<RestitutionTable*>, most_spans> of_spans_{};
 };
 
 }  // namespace batch

@@ -109,7 +109,7 @@ struct TableEntry {
 HWY_INLINE void contract(const batch::RestitutionPolynomials* layers,
                          batch::SquarePolynomial batch::RestitutionPolynomials::*which, double z,
                          batch::SquarePolynomial& out) {
-    constexpr std::size_t last = batch::RestitutionTable::zone_layers - 1;
+    constexpr std::size_t last = batch::RestitutionTable::layers - 1;
     const auto sum_all = [&](auto tag, auto part) HWY_ATTR {
         auto& sums = out.*part;
         const auto factor = hn::Set(tag, static_cast<hn::TFromD<decltype(tag)>>(z));
@@ -135,13 +135,12 @@ template <bool with_time>
         double z = 0.0;
         Polynomials polynomials;
     };
-    thread_local std::vector<Slot> kept(512);  // megabytes: in the storage of threads, none of them would start
+    thread_local std::vector<Slot> kept(
+        512);  // megabytes: in the storage of threads, none of them would start
     Slot& slot = kept[reinterpret_cast<std::uintptr_t>(&piece) / sizeof(piece) % kept.size()];
     if (slot.piece != &piece || slot.z != z) {
-        contract(piece.content().get(), &Polynomials::restitution_squared, z,
-                 slot.polynomials.restitution_squared);
-        if (with_time)
-            contract(piece.content().get(), &Polynomials::contact_time, z, slot.polynomials.contact_time);
+        contract(piece.content().get(), &Polynomials::result, z, slot.polynomials.result);
+        if (with_time) contract(piece.content().get(), &Polynomials::time, z, slot.polynomials.time);
         slot.piece = &piece;
         slot.z = z;
     }
@@ -167,9 +166,9 @@ template <bool with_time, bool layered>
     const PlaceInPiece place(piece->local(0, at.x), piece->local(1, at.y));
     const batch::RestitutionPolynomials* polynomials = piece->content().get();
     if constexpr (layered) polynomials = &contracted<with_time>(*piece, at.z);
-    const double square = place.value(polynomials->restitution_squared);
+    const double square = place.value(polynomials->result);
     if (square < least_square) return {batch::LaneEnd::undecided, 0.0, nothing};
-    const double time = with_time ? place.value(polynomials->contact_time) : nothing;
+    const double time = with_time ? place.value(polynomials->time) : nothing;
     return {batch::LaneEnd::rebound, std::sqrt(std::min(square, 1.0)), time};
 }
 

@@ -123,35 +123,22 @@ double band_of(double lambda) {
 
 }  // namespace
 
-ZoneSpan ZoneSpan::of(double lambda) {
+NumberSpan ZoneSpans::of(double lambda) {
     constexpr double rooted_up_to = 1.4;
-    ZoneSpan span{};
-    span.lower = std::exp2(band_of(lambda) / bands_per_octave);
-    span.upper = span.lower * std::exp2(1.0 / bands_per_octave);
+    double lower = std::exp2(band_of(lambda) / bands_per_octave);
+    double upper = lower * std::exp2(1.0 / bands_per_octave);
     for (const double border : {least_touching(), least_folded()}) {
-        if (lambda < border) span.upper = std::min(span.upper, border);
-        if (lambda >= border) span.lower = std::max(span.lower, border);
+        if (lambda < border) upper = std::min(upper, border);
+        if (lambda >= border) lower = std::max(lower, border);
     }
-    span.rooted = span.lower >= least_touching() && span.lower < rooted_up_to;
-    const auto coordinate = [&](double x) { return span.rooted ? std::sqrt(x - least_touching()) : x; };
-    span.middle = 0.5 * (coordinate(span.lower) + coordinate(span.upper));
-    span.stretch = 2.0 / (coordinate(span.upper) - coordinate(span.lower));
-    return span;
+    if (lower >= least_touching() && lower < rooted_up_to) return {lower, upper, least_touching()};
+    return {lower, upper};
 }
 
-std::size_t ZoneSpan::index(double lambda) {
+std::size_t ZoneSpans::index(double lambda) {
     static const double first = band_of(least_transition);
     return static_cast<std::size_t>(band_of(lambda) - first) + (lambda >= least_touching() ? 1U : 0U) +
            (lambda >= least_folded() ? 1U : 0U);
-}
-
-double ZoneSpan::z(double lambda) const {
-    return ((rooted ? std::sqrt(lambda - least_touching()) : lambda) - middle) * stretch;
-}
-
-double ZoneSpan::lambda_at(double z) const {
-    const double x = middle + z / stretch;
-    return std::clamp(rooted ? least_touching() + x * x : x, lower, std::nextafter(upper, lower));
 }
 
 ZoneBand::ZoneBand(double lower, double upper, DampingLaw damping_law)
@@ -241,9 +228,10 @@ ZoneBand::ZoneBand(double lower, double upper, DampingLaw damping_law)
 const ZoneBand& ZoneBand::of(double lambda, DampingLaw damping_law) {
     static std::mutex access;
     static std::map<std::pair<double, DampingLaw>, ZoneBand> bands;  // by the lower end
-    const ZoneSpan span = ZoneSpan::of(lambda);
+    const NumberSpan span = ZoneSpans::of(lambda);
     const std::scoped_lock lock(access);
-    return bands.try_emplace({span.lower, damping_law}, span.lower, span.upper, damping_law).first->second;
+    return bands.try_emplace({span.lower(), damping_law}, span.lower(), span.upper(), damping_law)
+        .first->second;
 }
 
 double ZoneBand::place(double lambda) const {

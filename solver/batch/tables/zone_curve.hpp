@@ -5,6 +5,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "solver/batch/lanes/number_task.hpp"
+#include "solver/batch/tables/number_span.hpp"
+
 namespace ashimpact {
 
 enum class DampingLaw;
@@ -12,23 +15,16 @@ enum class Detachment;
 
 namespace batch {
 
-/// A range of transition parameters within which all numbers of a law are smooth in a coordinate z from -1 to
-/// 1: linear in lambda, or, next to the least lambda whose first touch is in touch, in the root of the
-/// distance to it.
-struct ZoneSpan {
-    static constexpr std::size_t count = 140;  ///< of all spans
-    double lower;
-    double upper;
-    double middle;
-    double stretch;
-    bool rooted;
+/// Spans of the transition parameter lambda; next to the least lambda whose first touch is in touch, z is
+/// linear in the root of the distance to it.
+struct ZoneSpans {
+    static constexpr std::size_t count = 140;
+    static constexpr ImpactPart part = ImpactPart::whole;  ///< that a table of a span contains
 
     /// The span of a parameter within the range that the law computes.
-    [[nodiscard]] static ZoneSpan of(double lambda);
+    [[nodiscard]] static NumberSpan of(double lambda);
     /// Its place among all of them.
     [[nodiscard]] static std::size_t index(double lambda);
-    [[nodiscard]] double z(double lambda) const;
-    [[nodiscard]] double lambda_at(double z) const;
 };
 
 /// The static laws of cohesive zones (CohesiveZone) over a band of transition parameters, in units of Maugis:

@@ -35,14 +35,14 @@ CriticalImpacts critical_orbit(const CohesiveZone& zone, Detachment detachment, 
 
 template class PieceTree<ZoneVelocityPiece, 16, 2, 7>;
 
-ZoneVelocityTable::ZoneVelocityTable(const ZoneSpan& span, Detachment detachment, DampingLaw damping_law)
+ZoneVelocityTable::ZoneVelocityTable(const NumberSpan& span, Detachment detachment, DampingLaw damping_law)
     : span_(span), detachment_(detachment), damping_law_(damping_law) {
     const double half = 0.5 * octaves / static_cast<double>(roots_.size());
     for (std::size_t i = 0; i < roots_.size(); ++i)
         roots_[i].span({lowest + half * static_cast<double>(2 * i + 1)}, half);
     const ChebyshevAxis axis{-within, within, layers - 1};
     for (int k = 0; k < layers; ++k) {
-        zones_.emplace_back(span.lambda_at(axis.node(k)));
+        zones_.emplace_back(span.number_at(axis.node(k)));
         if (!cohesive_refusal(zones_.back(), detachment)) continue;
         zones_.clear();
         return;
@@ -130,9 +130,9 @@ ZoneVelocities& ZoneVelocities::of(Detachment detachment, DampingLaw damping_law
 }
 
 ZoneVelocity ZoneVelocities::at(double lambda, double beta) {
-    Span& span = spans_[ZoneSpan::index(lambda)];
+    Span& span = spans_[ZoneSpans::index(lambda)];
     std::call_once(span.made, [&] {
-        span.table = std::make_unique<ZoneVelocityTable>(ZoneSpan::of(lambda), detachment_, damping_law_);
+        span.table = std::make_unique<ZoneVelocityTable>(ZoneSpans::of(lambda), detachment_, damping_law_);
     });
     return span.table->at(lambda, beta);
 }

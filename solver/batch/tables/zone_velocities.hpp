@@ -39,15 +39,16 @@ struct ZoneVelocity {
     double value;      ///< v_c, where tabulated, in units of Maugis
 };
 
-/// Critical velocities of law maugis-dugdale with one detachment and damping law, over one ZoneSpan. In units
-/// of Maugis they depend on two numbers, the damping number beta and the transition parameter lambda. The
-/// table contains the work of damping at v_c over beta as polynomials of ln(beta), whose coefficients are
-/// polynomials in the place of lambda in the span, through backward orbits (critical_impacts()). Intervals of
-/// four octaves of beta are halved until the last coefficients are below 1e-10; at the edge of beta from
-/// which on everything is captured the table has no value. The relative error of v_c is below 1e-9.
+/// Critical velocities of law maugis-dugdale with one detachment and damping law, over one of the ZoneSpans.
+/// In units of Maugis they depend on two numbers, the damping number beta and the transition parameter
+/// lambda. The table contains the work of damping at v_c over beta as polynomials of ln(beta), whose
+/// coefficients are polynomials in the place of lambda in the span, through backward orbits
+/// (critical_impacts()). Intervals of four octaves of beta are halved until the last coefficients are below
+/// 1e-10; at the edge of beta from which on everything is captured the table has no value. The relative error
+/// of v_c is below 1e-9.
 class ZoneVelocityTable final : public ZoneVelocityTree {
   public:
-    ZoneVelocityTable(const ZoneSpan& span, Detachment detachment, DampingLaw damping_law);
+    ZoneVelocityTable(const NumberSpan& span, Detachment detachment, DampingLaw damping_law);
 
     /// @param lambda within the span; @param beta >= 0
     [[nodiscard]] ZoneVelocity at(double lambda, double beta);
@@ -65,7 +66,7 @@ class ZoneVelocityTable final : public ZoneVelocityTree {
     [[nodiscard]] PieceState judge(const ZoneVelocityPiece& piece, int depth,
                                    ZoneVelocityContent& content) const override;
 
-    ZoneSpan span_;
+    NumberSpan span_;
     Detachment detachment_;
     DampingLaw damping_law_;
     std::vector<CohesiveZone> zones_;  ///< at Chebyshev nodes of the span; none that may not end so
@@ -92,7 +93,7 @@ class ZoneVelocities {
 
     Detachment detachment_;
     DampingLaw damping_law_;
-    std::array<Span, ZoneSpan::count> spans_{};
+    std::array<Span, ZoneSpans::count> spans_{};
 };
 
 }  // namespace batch

@@ -180,10 +180,10 @@ TEST_CASE("a piece of a table is the same, in every bit, whoever asked for it fi
             REQUIRE(a.local(0, x) == b.local(0, x));
             REQUIRE(a.local(1, y) == b.local(1, y));
             if (a.state() != batch::PieceState::tabulated) continue;
-            REQUIRE(a.content()[0].restitution_squared.low == b.content()[0].restitution_squared.low);
-            REQUIRE(a.content()[0].restitution_squared.high == b.content()[0].restitution_squared.high);
-            REQUIRE(a.content()[0].contact_time.low == b.content()[0].contact_time.low);
-            REQUIRE(a.content()[0].contact_time.high == b.content()[0].contact_time.high);
+            REQUIRE(a.content()[0].result.low == b.content()[0].result.low);
+            REQUIRE(a.content()[0].result.high == b.content()[0].result.high);
+            REQUIRE(a.content()[0].time.low == b.content()[0].time.low);
+            REQUIRE(a.content()[0].time.high == b.content()[0].time.high);
         }
         rebounds += a.state() == batch::PieceState::tabulated ? 1 : 0;
         captures += a.state() == batch::PieceState::captured ? 1 : 0;
