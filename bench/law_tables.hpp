@@ -11,8 +11,8 @@ namespace ashimpact::bench {
 /// velocities. @param unit impacts/s of GSL
 void print_tabulated_laws(const Options& options, double unit);
 
-/// Prints the same of impacts in a cohesive zone, of one size and of many.
-void print_cohesive_zone(const Options& options, double unit);
+/// Prints the same of laws whose scaled impacts have three numbers, of one size and of many.
+void print_laws_of_three_numbers(const Options& options, double unit);
 
 /// Prints the same of laws and damping laws without kernels, whose impacts go one by one, turns included.
 void print_single_laws(const Options& options, double unit);

@@ -129,11 +129,11 @@ void run_seams(const Options& options) {
     print_seams(options);
 }
 
-/// The cohesive zone, for who works on it.
+/// The laws of three numbers, for who works on them.
 void run_zone(const Options& options) {
     pin_to_one_core();
     const double unit = gsl_rate(options);
-    print_cohesive_zone(options, unit);
+    print_laws_of_three_numbers(options, unit);
 }
 
 void run(const Options& options) {
@@ -143,7 +143,7 @@ void run(const Options& options) {
     pin_to_one_core();
     const double unit = gsl_rate(options);
     print_tabulated_laws(options, unit);  // while there are no tables
-    print_cohesive_zone(options, unit);
+    print_laws_of_three_numbers(options, unit);
     print_single_laws(options, unit);
     compare_methods(options);
     print_integrated_laws(options);
