@@ -141,9 +141,9 @@ HWY_INLINE void find_turns(batch::RestitutionTable& law, const ScaledTask& scale
         }
         // More damping only delays yield.
         beyond[i] = square[i] - onset.velocity_squared(std::min(at[i].y, Onset::greatest_place));
-        if (beyond[i] < -Onset::margin) {
+        if (beyond[i] < 0.0) {
             elastic.add(i);
-        } else if (beyond[i] >= Onset::margin && at[i].y < Onset::greatest_place) {
+        } else if (at[i].y < Onset::greatest_place) {
             tables[i] = &onset.table();
             at[i].z = onset.z();
             yielding.add(i);
@@ -153,12 +153,12 @@ HWY_INLINE void find_turns(batch::RestitutionTable& law, const ScaledTask& scale
     }
     for (std::size_t i = 0; i < count; i += lane_count) {
         HWY_ALIGN double x[lane_count];
-        const Lanes distance = max(Lanes::load(beyond + i) - Lanes(Onset::margin), 0.0);
+        const Lanes distance = max(Lanes::load(beyond + i), 0.0) - Lanes(Onset::margin);
         const Lanes ratio = multiply_add(distance, 1.0 / Onset::unit, 1.0);
         (Lanes(hn::Log2(Tag(), ratio.v)) * Lanes(1.0 / Onset::powers)).store(x);
         for (std::size_t k = 0; k < lane_count; ++k) at[i + k].x = x[k];
     }
-    for (const std::size_t i : yielding.places()) pieces[i] = tables[i]->at(at[i].x, at[i].y);
+    for (const std::size_t i : yielding.places()) pieces[i] = tables[i]->at(std::max(at[i].x, 0.0), at[i].y);
     for (const std::size_t i : yielding.places()) {
         const batch::RestitutionPiece* piece = pieces[i];
         if (piece == nullptr || piece->state() != batch::PieceState::tabulated) {

@@ -366,12 +366,24 @@ template <class F>
     return turn;
 }
 
+/// Pseudo-time from a state of an approach to a place that it may hardly reach, to second order: a start for
+/// Newton's method, which from the state itself does not come close to a turn.
+template <class F>
+[[nodiscard]] HWY_INLINE Lanes time_to_place(const Equation<F>& equation, Lanes place,
+                                             const LaneState& near) {
+    const Lanes way = place - near.position;
+    const Lanes v = equation.velocity(near);
+    const Lanes pull = rates_of(equation, near.position, v).acceleration;
+    const Lanes square = multiply_add(v, v, Lanes(2.0) * pull * way);
+    return Lanes(2.0) * way / (v + sqrt(max(square, 0.0)));
+}
+
 /// Outward speed and time of arrival at a place, or at no total force, from a state next to it.
+/// @param h first guess of the pseudo-time
 template <class F>
 [[nodiscard]] HWY_INLINE LaneArrival arrival_at(const Equation<F>& equation, Lanes place, Mask by_force,
-                                                const LaneState& near) {
+                                                const LaneState& near, Lanes h = 0.0) {
     const LaneSeries<F, landing_order> x(equation, near);
-    Lanes h = 0.0;
     Lanes move = 0.0;
     for (int i = 0; i < newton_steps; ++i) {
         move = (x.position_at(h) - place) / x.velocity_at(h);

@@ -162,8 +162,9 @@ class YieldedImpacts {
                                            LaneNumber(length), LaneNumber(yield_number)};
         const Equation<Loading> equation({contact.adhesion.lanes(), law_[group].offset.lanes()},
                                          elastic.equation().damping / Damping::units(scale)[0].lanes());
-        const LaneArrival arrival =
-            arrival_at(elastic.equation(), before.yield, none(), elastic.found().turn);
+        const LaneState& near = elastic.found().turn;
+        const LaneArrival arrival = arrival_at(elastic.equation(), before.yield, none(), near,
+                                               time_to_place(elastic.equation(), before.yield, near));
         yielded_[group] = both(left_[group], arrival.found);
         Places places;
         places.touch = before.yield / root;

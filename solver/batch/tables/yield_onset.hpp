@@ -56,8 +56,9 @@ class YieldOnset {
     static constexpr std::size_t terms = 16;        ///< powers of the place
     static constexpr std::size_t layers = 8;        ///< powers of z in the span
     static constexpr double greatest_place = 0.75;  ///< y; hardly anything rebounds beyond
-    /// Distance of v^2 from the onset at x = 0. Impacts nearer to it, on either side, are integrated.
-    static constexpr double margin = 0x1p-10;
+    /// Distance of v^2 from the onset at x = 0. Nearer to it turns are hard to integrate; the table's
+    /// polynomials continue there, as the turn has three derivatives at the onset.
+    static constexpr double margin = 0x1p-13;
     /// x of the distance d beyond that is log2(1 + d/unit)/powers, from 0 to 1: the square is 0.2 to 0.8 at
     /// the onset of undamped impacts.
     static constexpr double unit = 0.5;
