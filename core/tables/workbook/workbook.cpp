@@ -156,12 +156,21 @@ void Sheet::comment(std::size_t row, std::size_t column, std::string text) {
 
 void Sheet::see_formula(std::size_t row, std::size_t column, const std::string& formula) {
     constexpr std::size_t longest = 200;  // a regular expression needs stack for each byte
+    constexpr const char* range =
+        R"(\((?:[^():]*[;,])?\[?\.?(\$?[A-Z]+)\$?(\d{1,7}):\.?(\$?[A-Z]+)\$?(\d{1,7}))";
     static const std::regex summary(
-        R"((?:SUM(?:ME)?|AVERAGE|MITTELWERT|MEDIAN|STDEV[A-Z.]*|STABW[A-Z.]*|MAX|MIN)\(\[?\.?(\$?[A-Z]+)\$?(\d{1,7}):\.?(\$?[A-Z]+)\$?(\d{1,7}))",
+        "(?:SUM(?:ME)?|SUBTOTAL|AGGREGATE|AVERAGE[A-Z]*|MITTELWERT|TRIMMEAN|GEOMEAN|HARMEAN|MEDIAN|"
+        "MODE[A-Z.]*|QUARTILE[A-Z.]*|PERCENTILE[A-Z.]*|STDEV[A-Z.]*|STABW[A-Z.]*|VAR[A-Z.]*|COUNT[A-Z]*|MAX|"
+        "MIN)" +
+            std::string(range),
+        std::regex::icase);
+    static const std::regex regression(
+        "(?:SLOPE|INTERCEPT|RSQ|CORREL|PEARSON|STEYX|LINEST|LOGEST|TREND|GROWTH|FORECAST[A-Z.]*)" +
+            std::string(range),
         std::regex::icase);
     std::smatch match;
     if (formula.size() > longest || formula.find(':') == std::string::npos ||
-        !std::regex_search(formula, match, summary))
+        (!std::regex_search(formula, match, summary) && !std::regex_search(formula, match, regression)))
         return;
     const auto cell = [](std::string letters, const std::string& digits) {
         std::erase(letters, '$');
@@ -170,8 +179,8 @@ void Sheet::see_formula(std::size_t row, std::size_t column, const std::string& 
     const std::size_t last = std::stoul(match.str(4));
     const bool above = std::stoul(match.str(2)) < last && last <= row;
     const std::string own = cell_name(last - 1, column);
-    if (above && cell(match.str(1), match.str(4)) == own && cell(match.str(3), match.str(4)) == own)
-        summaries_.insert(row + 1);
+    const bool of_column = cell(match.str(1), match.str(4)) == own && cell(match.str(3), match.str(4)) == own;
+    if (above && (of_column || std::regex_search(formula, regression))) summaries_.insert(row + 1);
 }
 
 std::size_t Sheet::hidden_columns() const {

@@ -120,6 +120,11 @@ void RowLabels::Column::take(std::string_view cell) {
             ++empty;
         else
             ++(read_number(cell) || read_number(cell, true) ? measures : texts);
+        const std::string_view own = cell.substr(0, cell.find_first_of("0123456789"));
+        if (!own.empty() && row_number(cell.substr(own.size()))) {
+            if (stemmed == 0) stem = own;
+            stemmed += own == stem ? 1 : 0;
+        }
         const auto verdict = verdict_of(cell);
         has_marks = has_marks || verdict == "no" || verdict == "mark";
         marks += verdict == "mark" ? 1 : 0;
@@ -246,6 +251,15 @@ void RowLabels::refuse_sign(const Column& column, const TableRow& row) {
 }
 
 void RowLabels::require_number(const Column& column, const TableRow& row) {
+    if (column.numbers_labels()) {
+        const std::string& label = row.cells[column.column.position];
+        if (is_blank(label) || std::ranges::any_of(label, is_digit)) return;
+        throw InputError(in_quotes(label) + " is in " + name_of(column.column) + ", where the others have " +
+                             in_quotes(column.stem) +
+                             " and a number: the row may be a measurement, or sum up others",
+                         "a label with a number, or a file without this row")
+            .at(at_cell(row.line, column.column.position));
+    }
     if (!column.counts_rows()) return;
     const std::string& cell = row.cells[column.column.position];
     const std::string where = name_of(column.column);
@@ -433,8 +447,8 @@ std::string RowLabels::summary_in(const TableRow& row) const {
     for (const Column& column : columns_)
         if (is_summary_label(column, row)) return row.cells[column.column.position];
     for (const Column& column : columns_) {
-        require_number(column, row);
         refuse_sign(column, row);
+        require_number(column, row);
     }
     require_valid(row);
     return {};

@@ -46,6 +46,8 @@ class RowLabels {
         bool in_order = true;         ///< each number is one more than that before
         long last_number = 0;         ///< of the column
         std::size_t inner_empty = 0;  ///< before the last number
+        std::string stem{};           ///< of numbered labels, "P" of "P1": that of the first
+        std::size_t stemmed = 0;      ///< labels with it
         bool has_marks = false;       ///< "no" or "x" in some cell
         std::size_t marks = 0;        ///< of the texts, "x"
         /// Rows with one label that may say that they sum up others.
@@ -60,6 +62,11 @@ class RowLabels {
         bool describes_rows = false;            ///< "mean of 3" in the first row, which sums up no others
         [[nodiscard]] bool counts_rows() const {
             return numbers >= 2 && numbers > texts + measures && (column.position == 0 || in_order);
+        }
+        /// Whether nearly all rows have labels that differ by a number, "P1" and "P2".
+        [[nodiscard]] bool numbers_labels() const {
+            constexpr std::size_t fewest = 4;
+            return stemmed >= fewest && stemmed > 2 * (texts - stemmed) && numbers + measures == 0;
         }
         /// Whether the words of the column can be labels of rows, and not a quantity of each.
         [[nodiscard]] bool labels_rows() const {

@@ -725,6 +725,19 @@ TEST_CASE("a row among numbered ones that has another label is no impact, or is 
                    "column 3, which has no heading, is not used"));
 }
 
+TEST_CASE("a label without a number below numbered ones may sum up, in any language") {
+    const auto of = [](const std::string& label) {
+        return read_measurements(
+            "Particella;v_in [m/s];v_r [m/s]\nP1;1.1;0.1\nP2;1.5;0.3\nP3;1.9;0.5\nP10;2.4;0.8\n" + label +
+                ";1.8;0.4\n",
+            "t.csv");
+    };
+    for (const char* label : {"ET", "Dev. st.", "Std. sapma", "\u5e73\u5747\u5024", "Mean rebounds"})
+        CHECK(contains(input_error_of([&] { static_cast<void>(of(label)); }),
+                       "is in column \"Particella\", where the others have \"P\" and a number"));
+    for (const char* label : {"P11", "Q1", "P11*"}) CHECK(of(label).points.size() == 5);
+}
+
 TEST_CASE("a last row without a label that holds the means of the others is refused") {
     const std::string rows = "v_in;v_r\n1,52;0,48\n2,51;0,93\n3,03;1,22\n3,91;1,70\n";
     for (const char* sums : {"\n2,74;1,08\n", "2,7425;1,0825\n1,0;0,5\n"})
