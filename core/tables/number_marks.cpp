@@ -211,7 +211,7 @@ std::vector<Finding> NumberMarks::findings(std::string_view code) const {
     if (first_grouped_.empty()) return {};
     std::string grouped = first_grouped_;
     std::erase_if(grouped, is_mark);
-    return {{std::string(code), Severity::remark,
+    return {{code, Severity::remark,
              fmt::format("{} is read as {}, as other columns have the other decimal mark (--decimal "
                          "states it)",
                          in_quotes(first_grouped_), grouped)}};

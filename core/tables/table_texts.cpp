@@ -374,7 +374,7 @@ void refuse_invalid_row(std::string_view cell, const std::string& column, std::s
 
 Finding uncertainties_in_per_cent(std::string_view code) {
     return {
-        std::string(code), Severity::remark,
+        code, Severity::remark,
         "the uncertainties in % are taken as per cent of the sample, as the amounts are, not of the amounts"};
 }
 
@@ -388,7 +388,7 @@ std::optional<Finding> SmallUncertainties::finding(std::string_view code) const 
     constexpr double least = 0.005;
     if (first_.empty() || greatest_ratio_ > least) return std::nullopt;
     return Finding{
-        std::string(code), Severity::doubt,
+        code, Severity::doubt,
         "the uncertainties, such as " + in_quotes(first_) +
             ", are taken as per cent of the sample: if they are fractions, they are a hundred times "
             "larger (write their unit)"};
