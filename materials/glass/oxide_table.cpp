@@ -950,10 +950,10 @@ class OxideSampleMaker {
             refuse_line(column_.cells.front().line, "iron is there more than once",
                         "FeO and Fe2O3, or one total such as \"Fe2O3(t)\"");
         if (totals == 1)
-            std::ranges::stable_partition(iron_, &Iron::is_total);
+            std::stable_partition(iron_.begin(), iron_.end(), [](const Iron& iron) { return iron.is_total; });
         else
-            std::ranges::stable_sort(iron_, {},
-                                     [](const Iron& iron) { return iron.name.starts_with("FeO"); });
+            std::stable_partition(iron_.begin(), iron_.end(),
+                                  [](const Iron& iron) { return !iron.name.starts_with("FeO"); });
         OxideShare sum = iron_.front().share;
         if (iron_.size() > 1 && (totals == 1 || !are_parts(iron_[0], iron_[1]))) {
             note(iron_.front().name + " is the total iron: the other form is not added");

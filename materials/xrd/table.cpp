@@ -352,7 +352,7 @@ XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) 
         return heading.role == Role::uncertainty && heading.scale != Scale::not_stated;
     };
     SmallUncertainties small;
-    if (layout != Layout::peaks && scale == of_per_cent && std::ranges::none_of(table.headings, states_scale))
+    if (layout != Layout::peaks && scale == of_per_cent && !std::ranges::any_of(table.headings, states_scale))
         for (const Entry& entry : entries)
             if (entry.amount && entry.uncertainty && !entry.uncertainty_in_per_cent)
                 small.take(entry.amount->value, shortest(*entry.uncertainty), *entry.uncertainty);
