@@ -384,8 +384,9 @@ TEST_CASE("tables of laws of three numbers tell what the scalar solver does, of 
     // Of the cohesive zone over both parameters at which its branches change; of yield from next to where
     // adhesion alone causes it.
     for (const ManySizes& row : {ManySizes{Law::of<MaugisDugdale>(), 0.25, 0.0},
-                                 {Law::of<ThorntonNing>(), 3.0, 2e9},
+                                 {Law::of<ThorntonNing>(), 0.25, 2e9},
                                  {Law::of<ThorntonNing>(), 20.0, 5e9}}) {
+        if (sanitized && row.velocity > 1.0) continue;
         const Law law = row.law;
         CAPTURE(law.name());
         CAPTURE(row.velocity);
@@ -408,7 +409,8 @@ TEST_CASE("tables of laws of three numbers tell what the scalar solver does, of 
                   read.restitution[i]);
         }
         const auto rebounds = (read.outcome == Outcome::rebound).count();
-        if (!sanitized) CHECK((rebounds > count / 5 && rebounds < count));
+        if (!sanitized) CHECK(rebounds > count / 5);
+        if (!sanitized) CHECK((rebounds < count) == (row.velocity < 1.0));
         if (law.is_plastic()) continue;  // beyond yield e may rise with the damping
         const DampingBatchResult found =
             dampings_from_restitutions({law, impacts.detachment, impacts.damping_law, impacts.batch().contact,
@@ -420,11 +422,12 @@ TEST_CASE("tables of laws of three numbers tell what the scalar solver does, of 
     }
 }
 
-TEST_CASE("tables of contacts that yield tell what the scalar solver does, from capture to capture again") {
+TEST_CASE("tables of contacts that yield tell what the scalar solver does, captures of theirs too") {
     const Eigen::Index count = sanitized ? 3 : 300;
     const Law law = Law::of<ThorntonNing>();
     for (const Impacts& sample : random_impacts(count, 0.3, 77)) {
         if (sample.law != law) continue;
+        if (sanitized && sample.damping_law != DampingLaw::constant) continue;
         CAPTURE(name_of(sample));
         Impacts impacts = sample;  // of one size
         Random random(78);
@@ -433,7 +436,7 @@ TEST_CASE("tables of contacts that yield tell what the scalar solver does, from 
             impacts.effective_radius[i] = 2.2e-6;
             impacts.contact_modulus[i] = 90e9;
             impacts.work_of_adhesion[i] = 0.3;
-            impacts.yield_pressure[i] = i < 10 ? std::numeric_limits<double>::infinity() : 2e9;
+            impacts.yield_pressure[i] = i < 10 ? std::numeric_limits<double>::infinity() : 1e9;
             impacts.velocity[i] = random.log_uniform(0.1, 300.0);
             const double number = i < 20 ? 0.0 : random.uniform(0.0, 0.5);
             impacts.damping[i] = Scale::of(impacts.at(i).contact, impacts.velocity[i])
@@ -442,7 +445,7 @@ TEST_CASE("tables of contacts that yield tell what the scalar solver does, from 
         const BatchOptions options{.turning_point = false, .method = BatchMethod::table};
         const ImpactBatchResult read = solve_impacts(impacts.batch(), options);
         CHECK(read.scalar <= count / 50);
-        int stick_again = 0;
+        int yielded_captures = 0;
         for (Eigen::Index i = 0; i < count; ++i) {
             CAPTURE(i);
             const ImpactResult alone = solve_impact(impacts.at(i));
@@ -451,10 +454,10 @@ TEST_CASE("tables of contacts that yield tell what the scalar solver does, from 
             if (alone.contact_time)
                 CHECK(relative_difference(read.contact_time[i], *alone.contact_time) <=
                       1e-11 * (1.0 + std::pow(alone.restitution, -2.0)));
-            stick_again += alone.outcome == Outcome::capture && alone.yielded && impacts.velocity[i] > 5.0;
+            yielded_captures += alone.outcome == Outcome::capture && alone.yielded;
         }
         if (!sanitized) CHECK((read.outcome == Outcome::rebound).count() > count / 5);
-        if (!sanitized) CHECK(stick_again > 0);
+        if (!sanitized) CHECK(yielded_captures > 0);
     }
 }
 
