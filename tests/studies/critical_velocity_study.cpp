@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -36,8 +37,8 @@ struct Tally {
     unsigned warned = 0;   ///< of the misses
     unsigned doubted = 0;  ///< with a warning, of all
     unsigned silent = 0;   ///< off by more than a factor of 2 without a warning
-    unsigned none = 0;     ///< no estimate, of 12 impacts or more
-    unsigned few = 0;      ///< no estimate, of fewer
+    unsigned none = 0;     ///< no estimate, though the impacts are enough for one
+    unsigned few = 0;      ///< no estimate, of too few: is_few()
     std::vector<double> width{};
     std::vector<double> ratio{};
 
@@ -60,6 +61,15 @@ struct Tally {
         few += other.few;
     }
 };
+
+/// Whether impacts are fewer than 12, or fewer than five of their rebounds differ: without stated
+/// uncertainties these are too few for an estimate.
+bool is_few(const MeasurementSet& set) {
+    std::set<double> rebounds;
+    for (const Measurement& point : set.points)
+        if (!point.captured()) rebounds.insert(point.rebound);
+    return set.points.size() < 12 || rebounds.size() < 5;
+}
 
 double median(std::vector<double> values) {
     if (values.empty()) return std::nan("");
@@ -101,9 +111,9 @@ void take(Tally& tally, const ContactModel& model, const MeasurementSet& set, do
         tally.ratio.push_back(ratio);
         tally.width.push_back((*v.upper - *v.lower) / truth);
     } catch (const InputError&) {
-        ++(set.points.size() >= 12 ? tally.none : tally.few);
+        ++(is_few(set) ? tally.few : tally.none);
     } catch (const ConvergenceError&) {
-        ++(set.points.size() >= 12 ? tally.none : tally.few);
+        ++(is_few(set) ? tally.few : tally.none);
     }
 }
 
@@ -176,9 +186,8 @@ bool study_files(const std::string& folder) {
              read_measurements(text, listed.file), listed.truth, {}, listed.alt);
     }
     bool good = !rows.empty();
-    for (auto& [name, tally] : rows) {
+    for (const auto& [name, tally] : rows) {
         std::printf("| %s | %s |\n", name.c_str(), cells_of(tally).c_str());
-        if (name.ends_with("bound")) tally.none = 0;  // captures alone give a bound and no estimate
         good = tally.holds() && good;
     }
     return good;
