@@ -298,13 +298,13 @@ TEST_CASE("measured impacts come from a table, with its warnings and its mistake
 
     Json twice = test::example_case();
     twice["samples"].push_back(twice["samples"][0]);
-    twice["samples"][1]["name"] = "other";
+    twice["samples"].back()["name"] = "twin";
     sandbox.write("case.json", twice.dump());
     const auto of_both = load_case(sandbox.path("case.json")).findings;
     const auto shared = std::ranges::find(of_both, std::string_view("shared-impacts"),
                                           [](const SampleFinding& each) { return each.finding.code; });
     REQUIRE(shared != of_both.end());
-    CHECK(shared->sample == "other");
+    CHECK(shared->sample == "twin");
     CHECK(shared->finding.severity == Severity::doubt);
     sandbox.write("case.json", test::example_case().dump());
 
