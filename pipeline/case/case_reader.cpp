@@ -101,7 +101,7 @@ Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files
     return sample;
 }
 
-/// Doubts about samples whose measured impacts are those of another one.
+/// Adds a finding for each sample whose measured impacts equal those of an earlier sample.
 void add_shared_impacts(const std::vector<Sample>& samples, std::vector<SampleFinding>& findings) {
     std::map<std::vector<std::pair<double, double>>, std::string> first;
     for (const Sample& sample : samples) {

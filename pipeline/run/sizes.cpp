@@ -293,7 +293,7 @@ std::vector<DampingLaw> one_number_laws() {
     return laws;
 }
 
-/// One entry a diameter: of several samples the geometric mean, with the hull of their intervals.
+/// Merges samples of the same diameter: v_c is their geometric mean, and the interval spans all of theirs.
 /// @param sizes by rising diameter and velocity
 std::vector<MeasuredSize> one_of_each(const std::vector<MeasuredSize>& sizes) {
     std::vector<MeasuredSize> merged;
@@ -424,7 +424,7 @@ SampleContact contact_of_size(const ContactResult& contacts, double diameter) {
     const double own = below->radius.value;
     const double other = above->radius.value;
     const double share = other > own ? std::log(radius / own) / std::log(other / own) : 0;
-    // Of several samples of a size the mean.
+    // Samples of the same size are averaged.
     const auto mean = [&](const SampleContact* of, const auto& value_of) {
         double sum = 0;
         double count = 0;

@@ -3,10 +3,10 @@
 // extrapolated polynomial, how often an extrapolation finds no fit, and how often its fit is refused because
 // it begins above clear rebounds; docs/uncertainty.md.
 //     fit_study [REPETITIONS [LAW]]    200 repetitions by default
-// They are said to disagree falsely where the interval of the extrapolation holds the true v_c; a fit is
-// refused falsely where its v_c lies within a factor of 1.5 of the true one. Exit status 1 where more than 5
-// % disagree falsely (beyond chance), or more than 2 % of 12 impacts or more have no robust fit or are
-// refused falsely.
+// A disagreement is false if the interval of the extrapolation holds the true v_c. A refusal is false if the
+// v_c of the fit lies within a factor of 1.5 of the true one. The exit status is 1 if, beyond chance, more
+// than 5 % of the laboratories disagree falsely, more than 2 % of the robust fits are refused falsely, or
+// more than 2 % of the laboratories with 12 impacts or more have no robust fit.
 
 #include <algorithm>
 #include <array>
