@@ -230,7 +230,7 @@ RandomContact random_contact(const SphereInContact& sphere) {
                          .work_of_adhesion = next(values),
                          .yield_pressure = sphere.yield_pressure,
                          .parameters = sphere.other_parameters};
-        const std::optional<double> rms = sphere.roughness ? std::optional(next(values)) : std::nullopt;
+        const double roughness = sphere.roughness ? next(values) : 0.0;
         if (sphere.particle) {
             const ParticleProperties properties = properties_at(sphere.particle->inputs, values);
             if (!sphere.density) density = properties.density;
@@ -246,7 +246,8 @@ RandomContact random_contact(const SphereInContact& sphere) {
             pair.mass =
                 effective_mass(pair.mass, sphere.partner->by_density ? sphere_mass(partner, given) : given);
         }
-        if (rms) pair.work_of_adhesion *= roughness_reduction(pair.effective_radius, {.rms = *rms});
+        if (sphere.roughness)
+            pair.work_of_adhesion *= roughness_reduction(pair.effective_radius, {.rms = roughness});
         for (const auto& [parameter, input] : sphere.parameters)
             pair.parameters.set(parameter.name, next(values));
         return pair;

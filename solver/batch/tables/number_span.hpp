@@ -14,7 +14,7 @@ class NumberSpan {
     NumberSpan() = default;
     /// @param root the number of whose distance z is linear in the root
     NumberSpan(double lower, double upper, std::optional<double> root = {})
-        : lower_(lower), upper_(upper), root_(root) {
+        : lower_(lower), upper_(upper), rooted_(root.has_value()), root_(root.value_or(0.0)) {
         middle_ = 0.5 * (coordinate(lower) + coordinate(upper));
         stretch_ = 2.0 / (coordinate(upper) - coordinate(lower));
     }
@@ -24,17 +24,18 @@ class NumberSpan {
     [[nodiscard]] double z(double number) const { return (coordinate(number) - middle_) * stretch_; }
     [[nodiscard]] double number_at(double z) const {
         const double x = middle_ + z / stretch_;
-        return std::clamp(root_ ? *root_ + x * x : x, lower_, std::nextafter(upper_, lower_));
+        return std::clamp(rooted_ ? root_ + x * x : x, lower_, std::nextafter(upper_, lower_));
     }
 
   private:
     [[nodiscard]] double coordinate(double number) const {
-        return root_ ? std::sqrt(number - *root_) : number;
+        return rooted_ ? std::sqrt(number - root_) : number;
     }
 
     double lower_ = 0.0;
     double upper_ = 1.0;
-    std::optional<double> root_{};
+    bool rooted_ = false;
+    double root_ = 0.0;
     double middle_ = 0.5;
     double stretch_ = 2.0;
 };
