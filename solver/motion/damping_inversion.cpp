@@ -155,19 +155,23 @@ double solution_within(RestitutionByDamping& curve, double target, double lower,
     return gsl::brent(miss, lower, upper, {.relative = spacing}).root;
 }
 
-/// A damping next to the root, improved to the spacing of numbers by a step of Newton's method in double
-/// precision and, where that leaves more, one in extended precision; none if they are not enough, since
-/// restitution is too steep or too flat there.
+/// The root to the spacing of numbers: by a step of Newton's method in double precision and some in extended
+/// precision, the last one so short that the error of the slope is lost in rounding. None if they are not
+/// enough, since restitution is too steep or too flat there.
 std::optional<double> mended(RestitutionByDamping& curve, double target, double near) {
     const double step = 1e-6 * near;
     const double at_near = curve.at<double>(near);
     const double slope = (at_near - curve.at<double>(near - step)) / step;
     if (!(slope < 0.0)) return std::nullopt;
+    // Relative error of the slope: by curvature, next to capture, where e^2 is straight, and by rounding.
+    const double fall = step * -slope;
+    const double slope_error = fall / target + spacing / fall;
     double number = near - (at_near - target) / slope;
-    for (int i = 0; i < 2; ++i) {
-        const auto miss = static_cast<double>(curve.at<Extended>(number) - target);
-        if (std::abs(miss) <= -slope * spacing * number) return number;
-        number -= miss / slope;
+    for (int i = 0; i < 3; ++i) {
+        const Extended move = (target - curve.at<Extended>(number)) / slope;
+        const double length = std::abs(static_cast<double>(move));
+        number = static_cast<double>(number + move);
+        if (length <= spacing * number || length * slope_error <= 0.01 * spacing * number) return number;
     }
     return std::nullopt;
 }
@@ -226,7 +230,8 @@ DampingInversion damping_from_restitution(const DampingProblem& problem, std::op
     const auto greatest = static_cast<double>(curve.at<Extended>(0.0));
     const bool reachable = target > 0.0 ? target <= greatest : target == 0.0 && reaches_zero(problem);
     if (!reachable) unreachable_restitution(problem, greatest, reaches_zero(problem));
-    if (near) near = curve.number(*near);
+    // In single precision, so that it is the same by all instruction sets, whose batches differ in rounding.
+    if (near) near = static_cast<float>(curve.number(*near));
     const double number = target < greatest ? scaled_solution(problem, curve, near) : 0.0;
     const ImpactResult impact = curve.result(number);
     require_found(problem, curve, number, impact.restitution, greatest);
