@@ -26,7 +26,7 @@ constexpr std::size_t some_rebounds =
     2000;                               ///< rebounds give a start from which few steps through all are left
 constexpr int most_reweighted = 50;     ///< passes of a robust fit
 constexpr double steady_weight = 1e-4;  ///< change of weights at which a robust fit has converged
-constexpr double parameter_tolerance = 1e-8;  ///< relative: far below the uncertainty of any coefficient
+constexpr double parameter_tolerance = 1e-11;  ///< relative: far below the uncertainty of any coefficient
 constexpr double gradient_tolerance = 1e-12;
 
 constexpr std::size_t rebounds_together = 1000;  ///< on one thread
