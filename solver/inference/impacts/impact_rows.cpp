@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <tuple>
@@ -376,8 +377,26 @@ void RepeatedRows::take(const TableRow& row, std::size_t first, std::size_t seco
     std::string all;
     for (const std::string& cell : row.cells) (all += cell) += '\n';
     const std::hash<std::string_view> hash;
+    auto number = read_number(row.cells[first]);
+    if (!number) number = read_number(row.cells[first], true);
     rows_.push_back({row.line, hash(all), hash(row.cells[first]),
-                     is_precise(row.cells[first]) && is_precise(row.cells[second])});
+                     is_precise(row.cells[first]) && is_precise(row.cells[second]),
+                     number ? number->value : std::numeric_limits<double>::quiet_NaN()});
+}
+
+/// Pairs of rows that have the same first number by chance, if numbers are multiples of the least distance of
+/// two of them.
+double RepeatedRows::pairs_by_chance() const {
+    std::vector<double> numbers;
+    for (const Row& row : rows_)
+        if (std::isfinite(row.value)) numbers.push_back(row.value);
+    std::ranges::sort(numbers);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < numbers.size(); ++i)
+        if (numbers[i] > numbers[i - 1]) least = std::min(least, numbers[i] - numbers[i - 1]);
+    if (!std::isfinite(least)) return 0;
+    const auto count = static_cast<double>(numbers.size());
+    return 0.5 * count * (count - 1) / (1 + (numbers.back() - numbers.front()) / least);
 }
 
 /// For each row that is evidence, the last one before it with the same cells.
@@ -430,7 +449,8 @@ void RepeatedRows::refuse() const {
             allowed);
     }
     const auto precise = static_cast<std::size_t>(std::ranges::count_if(rows_, &Row::is_precise));
-    if (copies < fewest || 3 * copies < precise) return;
+    if (copies < fewest || 3 * copies < precise || static_cast<double>(copies) < 2 * pairs_by_chance())
+        return;
     const auto first = static_cast<std::size_t>(
         std::ranges::find_if(before, [](const auto& row) { return row.has_value(); }) - before.begin());
     refuse_line(

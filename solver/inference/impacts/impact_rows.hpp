@@ -114,7 +114,8 @@ class RepeatedRows {
     void take(const TableRow& row, std::size_t first, std::size_t second);
 
     /// Refuses rows that repeat others in the same order, three or more, or that are a third of all evidence,
-    /// five or more. Fewer may be equal by chance. @throws InputError at the first such line
+    /// five or more and twice as many as chance gives. Fewer may be equal by chance, as velocities in whole
+    /// pixels are. @throws InputError at the first such line
     void refuse() const;
 
   private:
@@ -122,8 +123,10 @@ class RepeatedRows {
         std::size_t line;
         std::size_t cells, number;  ///< hashes of all cells, and of the first number
         bool is_precise;
+        double value;  ///< of the first number; NaN: it is none
     };
     [[nodiscard]] std::vector<std::optional<std::size_t>> earlier() const;
+    [[nodiscard]] double pairs_by_chance() const;
     std::vector<Row> rows_;
 };
 
