@@ -394,6 +394,41 @@ std::optional<Finding> SmallUncertainties::finding(std::string_view code) const 
             "larger (write their unit)"};
 }
 
+std::vector<std::optional<Finding>> small_namesakes(std::string_view code,
+                                                    const std::vector<NamedSum>& samples) {
+    std::vector<std::optional<Finding>> findings(samples.size());
+    double greatest = 0;
+    for (const NamedSum& sample : samples) greatest = std::max(greatest, sample.sum);
+    std::vector<std::vector<std::string>> names(samples.size());
+    std::vector<std::string> keys;
+    for (const NamedSum& sample : samples) keys.push_back(word_key(sample.name));
+    std::size_t whole = samples.size();  // the last one
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (2 * samples[i].sum >= greatest) {
+            whole = i;
+            continue;
+        }
+        const auto is_namesake = [&](std::size_t k) {
+            return 2 * samples[i].sum < samples[k].sum && !keys[k].empty() &&
+                   keys[i].find(keys[k]) != std::string::npos;
+        };
+        bool named = false;
+        for (std::size_t k = 0; k < samples.size(); ++k)
+            if (is_namesake(k)) {
+                names[k].push_back(in_quotes(samples[i].name));
+                named = true;
+            }
+        if (!named && whole < samples.size()) names[whole].push_back(in_quotes(samples[i].name));
+    }
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        if (!names[i].empty())
+            findings[i] = {code, Severity::remark,
+                           fmt::format("{} {} not read as uncertainties of {}: write {} for standard ones",
+                                       joined(names[i]), names[i].size() == 1 ? "is" : "are",
+                                       in_quotes(samples[i].name), in_quotes(samples[i].name + " esd"))};
+    return findings;
+}
+
 bool has_sign_of_bound(std::string_view text) {
     for (const std::string_view sign : {"<", ">", "~", "\u2264", "\u2265", "\u2248"})
         for (auto at = text.find(sign); at != std::string_view::npos; at = text.find(sign, at + 1)) {

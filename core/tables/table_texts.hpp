@@ -129,6 +129,17 @@ class SmallUncertainties {
     double greatest_ratio_ = 0;
 };
 
+/// A sample of a table by the sum of its amounts [in one unit for all].
+struct NamedSum {
+    std::string name;
+    double sum = 0;
+};
+/// A remark on samples whose amounts are less than half of those of another and that hold its name or follow
+/// it, "FA1 wet" and "rel. esd" behind "FA1": they are not read as its uncertainties. One for each sample;
+/// none for most.
+[[nodiscard]] std::vector<std::optional<Finding>> small_namesakes(std::string_view code,
+                                                                  const std::vector<NamedSum>& samples);
+
 /// Whether a name or heading has the sign of a bound or an estimate, "Quartz (<)", "v_r >" and "Na2O ~",
 /// unlike "ash < 63 um".
 [[nodiscard]] bool has_sign_of_bound(std::string_view text);

@@ -15,6 +15,7 @@
 #include "core/embedded.hpp"
 #include "core/json/document.hpp"
 #include "core/text/text.hpp"
+#include "core/units/units.hpp"
 
 namespace ashimpact {
 
@@ -112,9 +113,13 @@ std::optional<Statement> multiple_in(const std::string& heading) {
                                        flags);
     for (const std::regex* expression : {&factor, &sigmas, &behind, &marked, &esds, &alone})
         if (auto statement = found(heading, *expression)) return statement;
+    static const std::regex of_word(
+        "^( *)((\\d(?:[.,]\\d+)?) *(?:[-*x]|\u00b7|\u00d7|times)? *([^0-9 \\[(].*))", flags);
     std::smatch match;
     if (std::regex_search(heading, match, after_word) && is_uncertainty_word(match.str(1)))
         return found(heading, after_word);
+    if (std::regex_search(heading, match, of_word) && is_uncertainty_word(match.str(4)))
+        return found(heading, of_word);
     return std::nullopt;
 }
 
@@ -173,6 +178,23 @@ std::optional<std::string> without_per_cent_of_error(std::string_view heading) {
     if (!stands_alone || (!before.empty() && is_number(word)) || !is_uncertainty_word(after))
         return std::nullopt;
     return std::string(before) + (before.empty() ? "" : " ") + std::string(after);
+}
+
+/// The word behind "±" in a heading, "CI" of "v_in ± CI [m/s]", that is no known word for a standard
+/// uncertainty, no number and no unit. Behind "±" alone it may be a name: "± FA1".
+std::string unknown_behind_plus_minus(std::string_view heading) {
+    for (const std::string_view sign : plus_minus) {
+        const auto at = heading.find(sign);
+        if (at == std::string_view::npos) continue;
+        const std::string_view behind = trimmed(heading.substr(at + sign.size()));
+        const std::string_view word = trimmed(behind.substr(0, behind.find_first_of("[](),;/")));
+        const bool may_be_name = trimmed(heading.substr(0, at)).empty() && word != "U";
+        const bool is_known = word.empty() || word == "u" || is_digit(word.front()) || word.front() == '.' ||
+                              word.find('%') != std::string_view::npos || read_unit(ascii_unit(word));
+        if (is_known || may_be_name || (word != "U" && is_uncertainty_word(word))) return {};
+        return std::string(word);
+    }
+    return {};
 }
 
 constexpr auto remedy = "write \"1 sigma\", \"2 sigma\" or \"k=2\" into the heading";
@@ -360,6 +382,8 @@ StatedCoverage read_coverage(std::string_view heading) {
     const auto is_expanded = [](const std::string& word) {
         return special_words().list_of(word) == "expanded";
     };
+    if (const std::string other = unknown_behind_plus_minus(heading); !other.empty())
+        coverage.problem = in_quotes(other) + " behind \"±\" names no standard uncertainty (" + remedy + ")";
     const std::string_view symbol = trimmed(heading.substr(0, heading.find_first_of("[(,/")));
     if (symbol == "U" || heading.starts_with("U in ") ||
         (any_word(heading, is_expanded) && any_word(heading, is_uncertainty_word)))
@@ -369,6 +393,60 @@ StatedCoverage read_coverage(std::string_view heading) {
 
 bool is_uncertainty_word(std::string_view text) {
     return uncertainty_words().holds(text);
+}
+
+namespace {
+
+/// A heading without a name that stands apart in it, and without "(n=3)"; empty if it has none.
+std::string without_name(std::string_view heading, const std::string& name) {
+    const std::string text = lower_case(heading);
+    const auto is_apart = [&](std::size_t at) {
+        const auto byte = static_cast<unsigned char>(at < text.size() ? text[at] : ' ');
+        return std::isalnum(byte) == 0 &&
+               (byte < 0x80U || byte == 0xc2U || byte == 0xb1U);  // "\u00b1" is apart
+    };
+    auto at = name.empty() ? std::string::npos : text.find(name);
+    while (at != std::string::npos && !((at == 0 || is_apart(at - 1)) && is_apart(at + name.size())))
+        at = text.find(name, at + 1);
+    if (at == std::string::npos) return {};
+    std::string_view before = heading.substr(0, at);
+    std::string_view after = heading.substr(at + name.size());
+    if (before.ends_with('(') && after.starts_with(')')) {
+        before.remove_suffix(1);
+        after.remove_prefix(1);
+    }
+    constexpr std::string_view dropped = " _.:,;/";
+    const auto end = before.find_last_not_of(" _:,;/");
+    const auto begin = after.find_first_not_of(dropped);
+    std::string rest(before.substr(0, end + 1));  // none: npos + 1 is 0
+    if (begin != std::string_view::npos) (rest += rest.empty() ? "" : " ") += after.substr(begin);
+    static const std::regex repeats(" *[(\\[] *n *= *[0-9]+ *[)\\]]");
+    rest = std::regex_replace(rest, repeats, "");
+    return rest.substr(0, rest.find_last_not_of(" _:,;/") + 1);
+}
+
+}  // namespace
+
+std::optional<UncertaintyBeside> uncertainty_beside(std::string_view heading, std::string_view name) {
+    if (heading.size() > longest_heading) return std::nullopt;
+    heading = trimmed(heading);
+    const auto bracket = heading.ends_with(']') ? heading.rfind('[') : std::string_view::npos;
+    const std::string unit(bracket == std::string_view::npos ? "" : heading.substr(bracket));
+    const std::string said = without_name(trimmed(heading.substr(0, bracket)), lower_case(trimmed(name)));
+    if (said.empty()) return std::nullopt;
+    const std::string rest = said + (unit.empty() ? "" : " ") + unit;
+    const StatedCoverage coverage = read_coverage(said);
+    std::string word = coverage.rest;
+    for (const std::string_view small : {" of", " von", " de", " der", " des", " for"})
+        if (word.ends_with(small)) word.resize(word.size() - small.size());
+    if (is_uncertainty_word(word) || !coverage.problem.empty() || (word.empty() && !coverage.stated.empty()))
+        return UncertaintyBeside{.text = rest, .problem = {}};
+    const bool is_spread = said == "s" || (said.size() > 1 && is_summary(said) && !is_total(said));
+    const auto is_other = [](const std::string& each) {
+        return special_words().list_of(each).value_or("expanded") != "expanded" || is_uncertainty_word(each);
+    };
+    if (!is_spread && !any_word(said, is_other)) return std::nullopt;
+    return UncertaintyBeside{rest, in_quotes(said) + " names no standard uncertainty (" + remedy + ")"};
 }
 
 }  // namespace ashimpact

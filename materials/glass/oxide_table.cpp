@@ -439,7 +439,7 @@ class OxideTable {
                 if (names_units(cell)) cell.clear();
             if (take_units(names, units, is_unit)) ++next;
         }
-        for (const std::string& cell : names.cells) headings_.push_back(read_line(cell));
+        read_headings(names.cells);
         const std::size_t label = label_column(names);
         std::vector<std::string> unused;
         for (std::size_t i = 0; i < headings_.size(); ++i) {
@@ -463,6 +463,19 @@ class OxideTable {
         xrd::take_rows_of_uncertainties(rows_, next, label, glass_code, warnings);
         for (std::size_t r = next; r < rows_.size(); ++r) add_row(rows_[r], names, label);
         return label;
+    }
+
+    /// Reads the headings of columns; "SiO2 2s" behind "SiO2" is of its uncertainties.
+    void read_headings(const std::vector<std::string>& cells) {
+        std::string name;
+        for (const std::string& cell : cells) {
+            const auto beside = uncertainty_beside(cell, name);
+            headings_.push_back(beside ? OxideLine{.role = OxideRole::uncertainty,
+                                                   .heading = xrd::read_heading_beside(cell, name)}
+                                       : read_line(cell));
+            if (!beside && headings_.back().role != OxideRole::uncertainty)
+                name = headings_.back().heading.text;
+        }
     }
 
     /// States in which columns a number may be a thousand: "4.000" ppm, but not "52.312" %.
@@ -543,8 +556,7 @@ class OxideTable {
         const bool has_heading = first > 0;
         if (!has_heading) first = oxide;
         const std::size_t width = rows_[first].cells.size();
-        if (has_heading)
-            for (const std::string& cell : rows_[first - 1].cells) headings_.push_back(read_line(cell));
+        if (has_heading) read_headings(rows_[first - 1].cells);
         headings_.resize(std::max(headings_.size(), width));
         units_ = static_cast<std::size_t>(
             std::ranges::find_if(headings_,
@@ -852,6 +864,8 @@ class OxideSampleMaker {
                  Severity::background);
         return std::move(sample_);
     }
+    /// Of the oxides, as the numbers stand there or in per cent.
+    [[nodiscard]] double sum() const { return sum_; }
 
   private:
     struct Iron {
@@ -872,7 +886,9 @@ class OxideSampleMaker {
         for (const OxideCell& cell : column_.cells) {
             if (cell.what.role != OxideRole::oxide) continue;
             const auto number = number_of(cell, marks_);
-            if (!number || number->scale) continue;
+            if (!number) continue;
+            sum_ += number->value * (number->scale ? *number->scale / 0.01 : 1);
+            if (number->scale) continue;
             sum += number->value;
             any = true;
         }
@@ -1001,6 +1017,7 @@ class OxideSampleMaker {
     OxideSample sample_{};
     SmallUncertainties small_{};
     double scale_ = 0.01;
+    double sum_ = 0;
     double listed_ = 0;
     double traces_ = 0;
     std::vector<std::string> trace_names_{};
@@ -1012,9 +1029,12 @@ class OxideSampleMaker {
 OxideResult read_oxide_lines(const TextLines& file, std::optional<DecimalMark> decimal) {
     const OxideTable table(file, decimal);
     OxideResult result{.samples = {}, .warnings = table.warnings};
+    std::vector<NamedSum> sums;
     for (const OxideColumn& column : table.samples) {
-        OxideSample sample = OxideSampleMaker(column, table.marks()).make();
+        OxideSampleMaker maker(column, table.marks());
+        OxideSample sample = maker.make();
         if (sample.analysis.oxides.empty()) continue;
+        sums.push_back({sample.name, maker.sum()});
         sample.analysis.ignited = table.ignited;
         const auto same = std::ranges::find(result.samples, sample.name, &OxideSample::name);
         if (same != result.samples.end())
@@ -1024,6 +1044,9 @@ OxideResult read_oxide_lines(const TextLines& file, std::optional<DecimalMark> d
                         "a name for each sample");
         result.samples.push_back(std::move(sample));
     }
+    const auto namesakes = small_namesakes(glass_code, sums);
+    for (std::size_t i = 0; i < namesakes.size(); ++i)
+        if (namesakes[i]) result.samples[i].warnings.push_back(*namesakes[i]);
     for (Finding& each : table.marks().findings(glass_code)) result.warnings.push_back(std::move(each));
     if (result.samples.empty())
         refuse_line(file.last_line(), "there are no amounts of oxides", "a number for each oxide");

@@ -369,6 +369,14 @@ XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) 
         if (!table.crystalline.empty()) take_crystalline_part(sample, table.crystalline);
         result.samples.push_back(standardised(sample, group, table));
     }
+    std::vector<NamedSum> sums;
+    for (const XrdSample& sample : result.samples) {
+        sums.push_back({sample.name, 0});
+        for (const PhaseFraction& phase : sample.analysis.phases) sums.back().sum += phase.fraction;
+    }
+    const auto namesakes = small_namesakes(xrd_code, sums);
+    for (std::size_t i = 0; i < namesakes.size(); ++i)
+        if (namesakes[i]) result.samples[i].warnings.push_back(*namesakes[i]);
     return result;
 }
 

@@ -305,6 +305,17 @@ Heading read_heading(std::string_view text) {
     return heading;
 }
 
+Heading read_heading_beside(std::string_view text, std::string_view name) {
+    const auto beside = name.empty() ? std::nullopt : uncertainty_beside(text, name);
+    if (!beside) return read_heading(text);
+    Heading heading = read_heading(beside->text);
+    heading.role = Role::uncertainty;
+    heading.text.clear();
+    heading.written = text;
+    if (heading.coverage.problem.empty()) heading.coverage.problem = beside->problem;
+    return heading;
+}
+
 RowMeaning meaning_of_row(std::string_view name) {
     static const WordLists words("XRD rows", "+");
     const auto open = name.find_last_of("([");  // of a unit, "Total (wt%)"

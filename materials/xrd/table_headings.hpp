@@ -63,6 +63,10 @@ struct Heading {
 
 [[nodiscard]] Heading read_heading(std::string_view text);
 
+/// The same behind a column of that name, whose uncertainties "FA1 2s" and "u(FA1)" are.
+/// @param name empty: none
+[[nodiscard]] Heading read_heading_beside(std::string_view text, std::string_view name);
+
 /// What the row of a name contains: a total of all or of the crystalline phases, else a phase.
 [[nodiscard]] RowMeaning meaning_of_row(std::string_view name);
 

@@ -62,9 +62,11 @@ bool is_ambiguous(const Heading& heading) {
 std::vector<Heading> headings_of(const TableRow& row) {
     std::vector<Heading> headings;
     bool has_amounts = false;
+    std::string name;  // of the last phase or sample
     for (const std::string& cell : row.cells) {
-        headings.push_back(read_heading(cell));
+        headings.push_back(read_heading_beside(cell, name));
         Heading& heading = headings.back();
+        if (heading.role == Role::other && !heading.text.empty()) name = heading.text;
         const bool is_amount = heading.role == Role::weight || heading.role == Role::volume;
         const bool is_uncertainty_alone =
             is_amount && !has_amounts && (cell.starts_with("\u00b1") || cell.starts_with("+"));
@@ -421,13 +423,13 @@ void refuse_repeated_roles(const Table& table) {
 }  // namespace
 
 std::optional<StatedCoverage> coverage_of_row(std::string_view label, std::string_view sample) {
-    if (!sample.empty() && label.size() > sample.size() && label.starts_with(sample))
-        label.remove_prefix(sample.size());
-    StatedCoverage coverage = read_coverage(trimmed(label));
+    const auto beside = uncertainty_beside(label, sample);
+    StatedCoverage coverage = read_coverage(beside ? std::string_view(beside->text) : trimmed(label));
+    if (beside && coverage.problem.empty()) coverage.problem = beside->problem;
     if (coverage.rest.find('%') != std::string::npos && coverage.problem.empty())
         coverage.problem = "[%] may be of the whole or of the value";
     const bool bare = coverage.rest.empty() ? !coverage.stated.empty() : is_uncertainty_word(coverage.rest);
-    return bare ? std::optional(coverage) : std::nullopt;
+    return bare || beside ? std::optional(coverage) : std::nullopt;
 }
 
 void take_rows_of_uncertainties(std::vector<TableRow>& rows, std::size_t first, std::size_t label,

@@ -123,6 +123,74 @@ TEST_CASE("every list of columns and rows of XRD tables has a meaning") {
     CHECK_THROWS_AS(WordLists("no such group"), std::exception);
 }
 
+TEST_CASE("what a heading says of uncertainties beside the name of another column") {
+    for (const auto& [heading, factor] : {std::pair{"FA1 SD", 1.0},
+                                          std::pair{"FA1_err", 1.0},
+                                          std::pair{"FA1 std. error", 1.0},
+                                          std::pair{"FA1 unc.", 1.0},
+                                          std::pair{"\u00b1 FA1", 1.0},
+                                          std::pair{"u(FA1)", 1.0},
+                                          std::pair{"error of FA1 [wt%]", 1.0},
+                                          std::pair{"FA1 2s", 2.0},
+                                          std::pair{"FA1 2 esd", 2.0},
+                                          std::pair{"FA1 2 Stabw.", 2.0},
+                                          std::pair{"2s(FA1)", 2.0},
+                                          std::pair{"fa1 3 errors [%]", 3.0},
+                                          std::pair{"FA1 2\u00d7u", 2.0},
+                                          std::pair{"FA1 (k=2)", 2.0},
+                                          std::pair{"Fehler FA1 2s", 2.0},
+                                          std::pair{"error FA1, 2s", 2.0},
+                                          std::pair{"err FA1 3s", 3.0},
+                                          std::pair{"SD of FA1", 1.0},
+                                          std::pair{"FA1 SD (n=3)", 1.0},
+                                          std::pair{"FA1 % error", 1.0}}) {
+        const std::string text = heading;
+        CAPTURE(text);
+        const auto beside = uncertainty_beside(text, "FA1");
+        REQUIRE(beside);
+        CHECK(beside->problem.empty());
+        const StatedCoverage coverage = read_coverage(beside->text);
+        CHECK(coverage.factor == factor);
+        CHECK(coverage.problem.empty());
+    }
+    for (const char* heading : {"FA1 U", "FA1 95 % CI"}) {
+        CAPTURE(heading);
+        const auto beside = uncertainty_beside(heading, "FA1");
+        REQUIRE(beside);
+        CHECK_FALSE(read_coverage(beside->text).problem.empty());
+    }
+    for (const char* heading :
+         {"FA1 SE", "FA1 s", "FA1 RSD", "FA1 CI95", "FA1 MU", "FA1 rel. error %", "s(FA1)", "FA1 Toleranz",
+          "error FA1 95", "FA1 double SD", "FA1 error (double SD)", "FA1 doppelte Stabw.", "2-fold SD FA1",
+          "FA1 max. error", "FA1 maximaler Fehler", "FA1 error percent", "FA1 fractional error"}) {
+        CAPTURE(heading);
+        const auto beside = uncertainty_beside(heading, "FA1");
+        REQUIRE(beside);
+        CHECK(contains(beside->problem, "names no standard uncertainty"));
+    }
+    for (const char* heading :
+         {"FA1", "FA10 SD", "FA1 wet", "FA1 [wt%]", "FA1 2", "FA1 total", "SD", "FA2 SD"}) {
+        CAPTURE(heading);
+        CHECK_FALSE(uncertainty_beside(heading, "FA1"));
+    }
+    CHECK_FALSE(uncertainty_beside("FA1 SD", ""));
+}
+
+TEST_CASE("a word behind plus and minus that names no standard uncertainty is a problem") {
+    for (const char* heading :
+         {"v_in \u00b1 CI [m/s]", "v_in +/- U", "wt% \u00b1 tolerance", "v_r \u00b1 max. error",
+          "v_in \u00b1 IQR (m/s)", "Wt% \u00b1 Fehlergrenze"}) {
+        CAPTURE(heading);
+        CHECK(contains(read_coverage(heading).problem, "names no standard uncertainty"));
+    }
+    for (const char* heading :
+         {"v_in \u00b1 u [m/s]", "v_in \u00b1 SD", "wt% \u00b1 esd", "\u00b1 FA1", "FA1 \u00b1 wt%",
+          "v_in \u00b1 [m/s]", "v_in \u00b1 0.05", "v_in \u00b1 m/s"}) {
+        CAPTURE(heading);
+        CHECK(read_coverage(heading).problem.empty());
+    }
+}
+
 TEST_CASE("headings are found however umlauts and accents are spelled") {
     for (const char* heading : {"Échantillon", "echantillon", "e\u0301chantillon", "ÉCHANTILLON"})
         CHECK(xrd::read_heading(heading).role == xrd::Role::sample);

@@ -334,6 +334,37 @@ TEST_CASE("oxides of a sample of another name are told") {
     CHECK_FALSE(other_sample_finding(only("SiO2,60\nAl2O3,40\n"), "FA 2"));
 }
 
+TEST_CASE("uncertainties beside the name of a sample or oxide are read, or what they are is told") {
+    const auto first = [](const std::string& table) {
+        OxideResult result = read_oxides(table, "t.csv");
+        OxideSample sample = result.samples.front();
+        sample.warnings.insert(sample.warnings.end(), result.warnings.begin(), result.warnings.end());
+        return sample;
+    };
+    const auto down = [&](const std::string& heading) {
+        return first("Oxide;FA1;" + heading + ";FA2\nSiO2;60;0.6;50\nAl2O3;40;0.4;50\n");
+    };
+    const auto across = [&](const std::string& heading) {
+        return first("Sample;SiO2;" + heading + ";Al2O3\nFA1;60;0.6;40\n");
+    };
+    for (const auto& [word, factor] : {std::pair{"esd", 1.0}, std::pair{"SD", 1.0}, std::pair{"2 esd", 2.0},
+                                       std::pair{"2s", 2.0}, std::pair{"unc.", 1.0}}) {
+        const std::string behind = word;
+        CAPTURE(behind);
+        for (const OxideSample& sample : {down("FA1 " + behind), across("SiO2 " + behind)})
+            CHECK(near(100 * sample.analysis.oxides.front().standard_uncertainty.value(), 0.6 / factor));
+    }
+    for (const char* word : {"SE", "U", "RSD", "CI95"}) {
+        CAPTURE(word);
+        for (const OxideSample& sample :
+             {down("FA1 " + std::string(word)), across("SiO2 " + std::string(word))}) {
+            CHECK_FALSE(sample.analysis.oxides.front().standard_uncertainty);
+            CHECK(tells(sample.warnings, "are not read, as"));
+        }
+    }
+    CHECK(tells(down("FA1 wet").warnings, "\"FA1 wet\" is not read as uncertainties of \"FA1\""));
+}
+
 TEST_CASE("a total that does not fit is doubted") {
     CHECK(tells(only("Oxide,wt%\nSiO2,60\nAl2O3,30\nTotal,99\n").warnings, "the total is given as 99 %"));
     CHECK_FALSE(tells(only("Oxide,wt%\nSiO2,60\nAl2O3,30\nTotal,90.2\n").warnings, "the total"));

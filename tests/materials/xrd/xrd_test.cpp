@@ -286,6 +286,30 @@ TEST_CASE("phases of a sample of another name are told") {
     CHECK_FALSE(remark("Phase,wt%\nQuartz,12\nMullite,19\nGlass,69\n", "FA 7"));
 }
 
+TEST_CASE("columns and rows beside a sample that are not read as its uncertainties are told") {
+    const auto told = [](const std::string& table, std::size_t samples) {
+        const XrdResult result = read_xrd(table, "t.csv");
+        CHECK(result.samples.size() == samples);
+        for (const PhaseFraction& phase : result.samples.front().analysis.phases)
+            CHECK_FALSE(phase.standard_uncertainty);
+        std::string texts;
+        for (const auto* list : {&result.warnings, &result.samples.front().warnings})
+            for (const Finding& each : *list) texts += each.text + '\n';
+        return texts;
+    };
+    CHECK(
+        contains(told("Phase;FA1;FA1 SE;FA2\nMullite;30;3;20\nQuartz;70;2;80\n", 2),
+                 "uncertainties of column \"FA1 SE\" are not read, as \"SE\" names no standard uncertainty"));
+    CHECK(contains(told("Sample;Mullite;Quartz\nFA1;30;70\nFA1 RSD;3;2\n", 1),
+                   "the uncertainties in line 3 are not read, as \"FA1 RSD\": \"RSD\" names no"));
+    CHECK(contains(told("Phase;FA1;FA1 wet;FA2\nMullite;30;3;20\nQuartz;70;2;80\n", 3),
+                   "\"FA1 wet\" is not read as uncertainties of \"FA1\": write \"FA1 esd\""));
+    for (const char* label : {"95% CI", "s", "twice sd", "rel. esd", "err3"})
+        CHECK(contains(told("Sample;Mullite;Quartz\nFA1;30;70\n" + std::string(label) + ";3;2\n", 2),
+                       "\" is not read as uncertainties of \"FA1\": write \"FA1 esd\""));
+    CHECK_FALSE(contains(told("Phase;FA1;FA1 wet;FA2\nMullite;30;32;20\nQuartz;70;68;80\n", 3), "FA1 wet"));
+}
+
 TEST_CASE("a coverage behind the name of a sample or phase divides uncertainties, never amounts") {
     const auto first = [](const std::string& text) { return read_xrd(text, "t.csv").samples.front(); };
     for (const char* heading : {"FA1 (\u00b1 2\u03c3)", "FA1 (k=2)", "FA1 [wt%] \u00b1 2\u03c3"}) {
