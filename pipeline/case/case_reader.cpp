@@ -96,8 +96,11 @@ Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files
     if (const auto data = node.find("restitution"))
         sample.restitution = read_restitution(*data, sample.published, files, defaults.camera);
     if (const auto* measured =
-            sample.restitution ? std::get_if<MeasuredRestitution>(&*sample.restitution) : nullptr)
+            sample.restitution ? std::get_if<MeasuredRestitution>(&*sample.restitution) : nullptr) {
         add_findings(measured->impacts.warnings, sample.name, findings);
+        if (const auto other = other_sample_finding(measured->impacts, sample.name))
+            add_findings({*other}, sample.name, findings);
+    }
     return sample;
 }
 

@@ -116,6 +116,9 @@ class TableFile {
     /// Whether a formula in a line sums up lines above it.
     [[nodiscard]] bool sums_up(std::size_t line) const { return summaries_.contains(line); }
 
+    /// The name of the sheet; none: the file is a text.
+    [[nodiscard]] const std::optional<std::string>& sheet() const { return name_; }
+
     /// In a sheet "line 7, cell 2" is `sheet "XRD", cell B7`, and "line 7" is row 7 of it.
     [[nodiscard]] std::string place(const std::string& line) const;
     /// Where the file is a sheet, replaces lines by its rows in the findings.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/tables/vocabulary.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 
@@ -77,6 +78,28 @@ VelocityNoise VelocityNoise::of_restitution(double velocity, double restitution,
             .covariance = restitution * u * u};
 }
 
+std::optional<Finding> other_sample_finding(const MeasurementSet& set, const std::string& sample) {
+    const std::string own = word_key(sample);
+    const auto is_of = [&](const std::string& name) {  // "FA 8 (96 um)" of "FA8", and not "FA80"
+        const std::vector<std::string> words = words_in(name);
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            std::string joined;
+            for (std::size_t k = i; k < words.size() && joined.size() < own.size(); ++k) joined += words[k];
+            if (joined == own) return true;
+        }
+        return false;
+    };
+    const auto series = [](const std::string& key) { return key.substr(0, key.find_first_of("0123456789")); };
+    const bool other_sheet = series(word_key(set.sheet)) == series(own) && !is_of(set.sheet);
+    if (!set.sample.empty() && !is_of(set.sample))
+        return Finding{
+            impacts_code, Severity::remark,
+            "the impacts are those of the sample " + in_quotes(set.sample) + ", as its column says"};
+    if (!set.sample.empty() || !other_sheet) return std::nullopt;
+    return Finding{impacts_code, Severity::remark,
+                   "the impacts are those of the sheet " + in_quotes(set.sheet)};
+}
+
 void validate(const MeasurementSet& set) {
     if (set.points.empty()) throw InputError("there is no measurement", "at least one");
     for (const Measurement& point : set.points) {
@@ -114,8 +137,9 @@ MeasurementSet with_camera(MeasurementSet set, const Camera& camera) {
                                 "the uncertainty of the camera, " + shortest(u) +
                                     " m/s, takes the place of the uncertainties stated with the impacts"});
     for (Measurement& point : set.points) {
-        point.noise = VelocityNoise::of_velocities(u, u);
-        point.resolution = moves;
+        const double of_mean = u / std::sqrt(static_cast<double>(point.count));
+        point.noise = VelocityNoise::of_velocities(of_mean, of_mean);
+        point.resolution = point.count > 1 ? 0 : moves;
     }
     require_resolution(set);
     return set;
@@ -130,7 +154,11 @@ MeasurementSet binned(const MeasurementSet& set, const Binning& binning) {
         throw InputError(
             "bins of " + shortest(binning.width) + " m/s for impacts of up to " + shortest(fastest) + " m/s",
             "a width of at least a millionth of the fastest velocity");
-    MeasurementSet result{.source = set.source, .points = {}, .warnings = set.warnings};
+    MeasurementSet result{.source = set.source,
+                          .points = {},
+                          .warnings = set.warnings,
+                          .sample = set.sample,
+                          .sheet = set.sheet};
     std::vector<Measurement> rebounds;
     for (const Measurement& point : set.sorted())
         (point.captured() ? result.points : rebounds).push_back(point);

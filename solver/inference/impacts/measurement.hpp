@@ -76,6 +76,8 @@ struct MeasurementSet {
     std::vector<Finding> warnings{};
     std::size_t unknown = 0;  ///< impacts of the file left out because their outcome is not known
     bool rebound_alone_uncertain = false;  ///< the file states u(v_r) and not u(v_in)
+    std::string sample{};                  ///< whose impacts they are, if a column of the file says so
+    std::string sheet{};                   ///< of the workbook
 
     [[nodiscard]] std::size_t captures() const {
         return static_cast<std::size_t>(std::ranges::count_if(points, &Measurement::captured));
@@ -90,6 +92,11 @@ struct MeasurementSet {
         return all;
     }
 };
+
+/// The remark that impacts are taken for a sample, and their file or sheet names another one; none for sheets
+/// that are not named as samples of that series, "Messung 1" for "FA 7".
+[[nodiscard]] std::optional<Finding> other_sample_finding(const MeasurementSet& set,
+                                                          const std::string& sample);
 
 /// Checks that there is at least one point, that numbers are finite, v_in > 0, v_r >= 0, and that
 /// uncertainties are positive and given for all points or for none.

@@ -349,9 +349,21 @@ bool is_angle_unit(std::string_view unit) {
     }
 }
 
+/// The coverage in a heading. A capital U beside a velocity is an expanded uncertainty: "U_v_in", "v_in U".
+StatedCoverage coverage_in(const std::string& cell) {
+    StatedCoverage coverage = read_coverage(cell);
+    const std::string_view name = trimmed(split(coverage.rest).name);
+    const bool is_capital =
+        name.starts_with("U_") || name.starts_with("U ") || name.ends_with(" U") || name.ends_with("_U");
+    const auto meaning = meaning_of(name);
+    if (is_capital && meaning && meaning->is_uncertainty && coverage.stated.empty())
+        coverage.problem = read_coverage("U").problem;
+    return coverage;
+}
+
 /// Enters the column of one cell of the heading.
 void take_column(MeasurementHeading& heading, const std::string& cell, std::size_t position) {
-    const StatedCoverage coverage = read_coverage(cell);
+    const StatedCoverage coverage = coverage_in(cell);
     const auto [name, unit] = split(coverage.rest);
     if (take_sideways(heading, cell, name, unit, position) || take_other(heading, name, position)) return;
     auto meaning = meaning_in(heading, name, coverage, position);

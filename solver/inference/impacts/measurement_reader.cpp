@@ -623,6 +623,16 @@ class Unread {
                              ", line " + std::to_string(row.line);
     }
 
+    /// The sample of all impacts by a column that is not read; empty if none tells one.
+    [[nodiscard]] std::string sample() const {
+        static const WordLists words("XRD columns", "%+");
+        for (const TextColumn& column : heading_.unused)
+            if (const auto found = values_.find(column.position);
+                found != values_.end() && found->second.size() == 1 && words.list_of(column.name) == "sample")
+                return found->second.begin()->first;
+        return {};
+    }
+
     void tell(std::vector<Finding>& warnings) const {
         if (nameless_ > 0)
             warnings.push_back(
@@ -829,6 +839,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
         });
     }
     unread.tell(set.warnings);
+    set.sample = unread.sample();
     for (Finding& each : cells.marks().findings(impacts_code)) set.warnings.push_back(std::move(each));
     refuse_flags(heading, set);
     stated.settle(heading, set);
@@ -883,6 +894,7 @@ MeasurementSet read_measurements(std::string_view text, std::string_view name, c
             for (const Measurement& point : set.points)
                 if (file.sums_up(point.line)) refuse_summary_row(point.line, "a formula");
             file.add_findings(set.warnings);
+            set.sheet = file.sheet().value_or("");
             validate(set);
             return set;
         });

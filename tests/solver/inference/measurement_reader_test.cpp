@@ -546,6 +546,43 @@ TEST_CASE("uncertainties of unclear coverage are not read, and one line says why
     }
 }
 
+TEST_CASE("uncertainties that are no standard ones beside a velocity are not read") {
+    for (const char* heading : {"U_v_in [m/s]", "v_in U [m/s]", "U(v_in) [m/s]"}) {
+        CAPTURE(heading);
+        const MeasurementSet set = read_measurements(
+            "v_in [m/s];" + std::string(heading) + ";v_r [m/s]\n2;0.1;0.4\n3;0.1;0.5\n", "t.csv");
+        CHECK_FALSE(set.has_noise());
+        CHECK(contains(warnings_of(set), "needs its coverage factor"));
+    }
+    for (const char* word : {"CI", "U", "max. error", "IQR"}) {
+        CAPTURE(word);
+        const std::string name = word;
+        const MeasurementSet set = read_measurements("v_in \u00b1 " + name + " [m/s];v_r \u00b1 " + name +
+                                                         " [m/s]\n2 \u00b1 0.1;0.4 \u00b1 0.1\n"
+                                                         "3 \u00b1 0.1;0.5 \u00b1 0.1\n",
+                                                     "t.csv");
+        CHECK_FALSE(set.has_noise());
+        CHECK(contains(warnings_of(set), "names no standard uncertainty"));
+    }
+}
+
+TEST_CASE("impacts of a sample of another name are told") {
+    const auto remark = [](const std::string& column, const std::string& sheet, const std::string& sample) {
+        MeasurementSet set = read_measurements(
+            "sample;v_in [m/s];v_r [m/s]\n" + column + ";2;0.4\n" + column + ";3;0.5\n", "t.csv");
+        set.sheet = sheet;
+        const auto other = other_sample_finding(set, sample);
+        return other ? other->text : std::string();
+    };
+    CHECK(remark("FA8", "", "FA 7") == "the impacts are those of the sample \"FA8\", as its column says");
+    CHECK(remark("FA8", "", "FA 8").empty());
+    CHECK(remark("FA 8 (96 um)", "", "FA8").empty());
+    CHECK(contains(remark("FA80", "", "FA8"), "FA80"));
+    CHECK(remark("", "FA8 104um", "FA 7") == "the impacts are those of the sheet \"FA8 104um\"");
+    CHECK(remark("", "Messung 1", "FA 7").empty());
+    CHECK(remark("", "FA7 impacts", "FA 7").empty());
+}
+
 TEST_CASE("the usual headings of impacts are known, in English, German and French") {
     for (const char* heading :
          {"v_in [m/s];v_r [m/s]", "Einfallsgeschwindigkeit [m/s];Rückprall [m/s]",
@@ -723,6 +760,23 @@ TEST_CASE("a row among numbered ones that has another label is no impact, or is 
               .points.size() == 3);
     CHECK(contains(warnings_of(read_measurements("v_in [m/s];v_r [m/s];\n1,5;0,5;x\n", "t.csv")),
                    "column 3, which has no heading, is not used"));
+}
+
+TEST_CASE("rows that are equal because velocities are whole pixels are read") {
+    const auto table = [](double pixel, int first, int last, int decimals) {
+        std::string text = "v_in [m/s];v_r [m/s]\n";
+        for (int k = first; k <= last; ++k)
+            for (int copy = 0; copy < 2; ++copy)
+                text += fmt::format("{:.{}f};{:.{}f}\n", k * pixel, decimals, (k * 3 / 5) * pixel, decimals);
+        return text;
+    };
+    CHECK(read_measurements(table(0.124, 5, 20, 3), "t.csv").points.size() == 32);
+    std::string apart = "v_in [m/s];v_r [m/s]\n";  // the same of velocities that are not
+    for (int k = 5; k <= 20; ++k)
+        for (int copy = 0; copy < 2; ++copy)
+            apart += fmt::format("{:.3f};{:.3f}\n", 0.6 + 0.001 * (k * k * k % 997), 0.07 * k);
+    CHECK(contains(input_error_of([&] { static_cast<void>(read_measurements(apart, "t.csv")); }),
+                   "rows repeat others: they may be there twice"));
 }
 
 TEST_CASE("a label without a number below numbered ones may sum up, in any language") {

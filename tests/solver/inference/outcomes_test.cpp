@@ -521,6 +521,17 @@ TEST_CASE("a camera resolves one pixel between the first and the last of its fra
     CHECK(relative_difference(set.points[0].resolution, 2e-6 / between) < 1e-14);
 }
 
+TEST_CASE("the camera of a mean of several impacts has its uncertainty, as that of a bin") {
+    const Camera camera{.frame_rate = 80e3, .pixel_size = 2e-6, .frames = 5};
+    MeasurementSet set = series_of({impact(2.0, 0.6), impact(2.0, 0.6)});
+    const MeasurementSet bin = binned(with_camera(set, camera), {.impacts_per_bin = 2});
+    set.points.pop_back();
+    set.points.front().count = 2;
+    const Measurement mean = with_camera(set, camera).points.front();
+    CHECK(relative_difference(mean.noise->incident, bin.points.front().noise->incident) < 1e-14);
+    CHECK(mean.resolution == bin.points.front().resolution);
+}
+
 TEST_CASE("bins of a width begin at its multiples") {
     const MeasurementSet bins = binned(series_of({impact(1.02, 0.2), impact(1.18, 0.3), impact(1.22, 0.4),
                                                   impact(1.39, 0.5), impact(1.41, 0.6)}),
