@@ -235,7 +235,8 @@ class LawResult {
         return moments;
     }
 
-    /// From the variance of random points, the spread of quasi-random copies; none of a grid.
+    /// From the variance of random points, the spread of quasi-random copies; none of a grid. Copies that
+    /// hold the same number of captures still leave an error of one impact among all of them.
     [[nodiscard]] std::optional<double> error_of_mean(std::size_t i) const {
         if (plan_.spec().sampling.method == SamplingMethod::random) {
             const Moments moments = whole(i);
@@ -246,7 +247,9 @@ class LawResult {
         for (const Moments& group : sums_.observables[i])
             if (group.count > 0) means.push_back(group.mean);
         if (means.size() < 2) return std::nullopt;
-        return std::sqrt(Moments::of(means).variance() / static_cast<double>(means.size()));
+        const double spread = std::sqrt(Moments::of(means).variance() / static_cast<double>(means.size()));
+        const double one_impact = 1 / static_cast<double>(whole(i).count);
+        return i == 0 ? std::max(spread, one_impact) : spread;
     }
 
     [[nodiscard]] Json observable(std::size_t i) const {

@@ -108,6 +108,20 @@ TEST_CASE("moments, capture fraction and quantiles of a uniform restitution") {
     }
 }
 
+TEST_CASE("copies that hold the same number of captures leave an error of one impact") {
+    const auto half = [](const ImpactModel&, const ImpactColumns& impacts, const WantedResults&) {
+        ResultColumns results;
+        for (const double v : impacts.velocity) results.restitution.push_back(v < 1 ? 0.0 : 0.5);
+        return results;
+    };
+    Json spec = test::least_spec();
+    spec["variables"]["velocity"] = {{"distribution", "uniform"}, {"from", 0.5}, {"to", 1.5}};
+    spec["sampling"] = {{"method", "quasi-random"}, {"samples", 1 << 10}};
+    const Json law = artifact_of(spec, half)["result"]["laws"][0];
+    CHECK(law["captured"] == 1 << 9);
+    CHECK(law["capture_fraction"]["standard_uncertainty"] == 1.0 / (1 << 10));
+}
+
 TEST_CASE("what there is nothing of is null") {
     const auto captured = [](const ImpactModel&, const ImpactColumns& impacts, const WantedResults&) {
         const std::vector<double> none(impacts.velocity.size(), std::nan(""));
