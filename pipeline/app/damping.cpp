@@ -26,18 +26,11 @@ namespace ashimpact {
 
 namespace {
 
-double read_size_scatter(const CommandOptions& options) {
-    const double scatter = options.number("--size-scatter", Dimension::fraction);
-    at_place("--size-scatter", [&] { require_size_scatter(scatter); });
-    return scatter;
-}
-
-double read_scale_uncertainty(const CommandOptions& options) {
-    constexpr auto name = "--velocity-scale-uncertainty";
-    const double uncertainty = options.number(name, Dimension::fraction);
+double read_relative(const CommandOptions& options, const char* name) {
+    const double value = options.number(name, Dimension::fraction);
     const bool is_bare = whole_decimal(options[name]).has_value();
-    at_place(name, [&] { require_scale_uncertainty(uncertainty, is_bare); });
-    return uncertainty;
+    at_place(name, [&] { require_relative(value, is_bare); });
+    return value;
 }
 
 /// The impacts of the file, with camera and bins where they are asked for.
@@ -185,9 +178,9 @@ void run_measured_damping_command(const CommandOptions& options, std::ostream& o
     const MeasurementSet set = read_impacts(options);
     MeasuredDampingOptions how;
     how.extrapolated = {.order = options.whole("--order", 2), .robust = options.has("--robust")};
-    if (options.has("--size-scatter")) how.estimate.size_scatter = read_size_scatter(options);
+    if (options.has("--size-scatter")) how.estimate.size_scatter = read_relative(options, "--size-scatter");
     if (options.has("--velocity-scale-uncertainty"))
-        how.estimate.scale_uncertainty = read_scale_uncertainty(options);
+        how.estimate.scale_uncertainty = read_relative(options, "--velocity-scale-uncertainty");
     const MeasuredDamping result = analyse_impacts(choice.law, choice.detachment, choice.contact, set, how);
     const auto dampings =
         study_dampings({choice.law, choice.detachment}, {{choice.contact, set.points}}, {"impacts"});

@@ -89,12 +89,10 @@ void read_detachments(const std::optional<View>& node, std::vector<LawChoice>& c
 [[nodiscard]] MeasuredDampingOptions read_fit_options(const std::optional<View>& node);
 [[nodiscard]] UncertaintyChoices read_uncertainty_choices(const std::optional<View>& node);
 
-/// Refuses a relative standard deviation of single diameters outside of 0 to 0.5. @throws InputError
-void require_size_scatter(double scatter);
-/// @param is_bare whether it was written without a unit
-/// @throws InputError for a relative uncertainty of scale that is not above 0, or above a half, and for a
-/// bare one above 0.1, which may be a fraction or per cent
-void require_scale_uncertainty(double uncertainty, bool is_bare);
+/// Checks a relative standard uncertainty or deviation. @param is_bare whether it was written without a unit
+/// @throws InputError for one that is not above 0, or above @p most, and for a bare one above 0.1, which may
+/// be a fraction or per cent
+void require_relative(double value, bool is_bare, double most = 0.5);
 
 /// Reads impacts in columns: velocity, restitution or rebound_velocity and, where they are known,
 /// velocity_uncertainty, rebound_uncertainty (standard, of v_in and v_r), velocity_correlation (of these two

@@ -192,13 +192,13 @@ MeasuredRestitution read_measured(const View& node, InputFiles& files, const std
 MeasuredDampingOptions read_fit_options(const std::optional<View>& node) {
     MeasuredDampingOptions options;
     if (!node) return options;
-    const auto set_fraction = [&](const char* key, auto require, const auto& set) {
+    const auto set_fraction = [&](const char* key, const auto& set) {
         const auto member = node->find(key);
         if (!member) return;
         const double value = member->certain_number(Dimension::fraction, "a number without one");
         const bool is_bare =
             !member->is_string() ? member->json().is_number() : whole_decimal(member->text()).has_value();
-        at_place(member->pointer(), [&] { require(value, is_bare); });
+        at_place(member->pointer(), [&] { require_relative(value, is_bare); });
         set(value);
     };
     const auto set_number = [&](const char* key, auto& option) {
@@ -206,33 +206,25 @@ MeasuredDampingOptions read_fit_options(const std::optional<View>& node) {
     };
     if (const auto order = node->find("order")) options.extrapolated.order = order->integer();
     if (const auto robust = node->find("robust")) options.extrapolated.robust = robust->truth();
-    set_fraction(
-        "size_scatter", [](double value, bool) { require_size_scatter(value); },
-        [&](double value) { options.estimate.size_scatter = value; });
-    set_fraction("velocity_scale_uncertainty", require_scale_uncertainty,
+    set_fraction("size_scatter", [&](double value) { options.estimate.size_scatter = value; });
+    set_fraction("velocity_scale_uncertainty",
                  [&](double value) { options.estimate.scale_uncertainty = value; });
     set_number("flatness", options.parts.flatness);
     set_number("outlier", options.parts.outlier);
     return options;
 }
 
-void require_size_scatter(double scatter) {
-    if (!(scatter > 0 && scatter <= 0.5))
-        throw InputError("is " + readable_number(scatter),
-                         "a relative standard deviation above 0, at most 0.5");
-}
-
-void require_scale_uncertainty(double uncertainty, bool is_bare) {
-    constexpr double most_bare = 0.1;  // above it a % left out is likelier than velocities so wrong
-    const std::string as_fraction = readable_number(100 * uncertainty) + " %";
-    const std::string as_per_cent = shortest(uncertainty) + " %";
-    if (is_bare && uncertainty > most_bare)
-        throw InputError(shortest(uncertainty) + " without a unit is " + as_fraction + " or " + as_per_cent,
-                         in_quotes(uncertainty > 0.5 ? as_per_cent : as_fraction) +
-                             (uncertainty > 0.5 ? "" : " or " + in_quotes(as_per_cent)));
-    if (!(uncertainty > 0 && uncertainty <= 0.5))
-        throw InputError("is " + readable_number(uncertainty),
-                         "a relative standard uncertainty above 0, at most 0.5");
+void require_relative(double value, bool is_bare, double most) {
+    constexpr double most_bare = 0.1;  // above it a % left out is likelier
+    const std::string as_fraction = readable_number(100 * value) + " %";
+    const std::string as_per_cent = shortest(value) + " %";
+    if (is_bare && value > most_bare)
+        throw InputError(shortest(value) + " without a unit is " + as_fraction + " or " + as_per_cent,
+                         in_quotes(value > most ? as_per_cent : as_fraction) +
+                             (value > most ? "" : " or " + in_quotes(as_per_cent)));
+    if (!(value > 0 && value <= most))
+        throw InputError("is " + readable_number(value),
+                         "a relative standard one above 0, at most " + shortest(most));
 }
 
 UncertaintyChoices read_uncertainty_choices(const std::optional<View>& node) {

@@ -284,6 +284,8 @@ TEST_CASE(
         {"--sizes jkr.csv --uncertainty 0.1 -o fit.txt" + jkr_free, "fit.txt"},
         {"-o fit.svg --free density", "--output requires --sizes"},
         {"--sizes jkr.csv" + jkr_free, "--uncertainty: is missing"},
+        {"--sizes jkr.csv" + jkr_free + " --uncertainty 1",
+         "--uncertainty: 1 without a unit is 100 % or 1 %"},
         {"--sizes jkr.csv --uncertainty 0.1 --law jkr " + silver, "--free: is missing"},
         {"--sizes jkr.csv --uncertainty 0.1 --law jkr --work-of-adhesion 0.1 " + silver +
              "--free yield_pressure",

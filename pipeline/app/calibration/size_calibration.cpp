@@ -24,6 +24,7 @@
 #include "core/text/text.hpp"
 #include "materials/xrd/table_headings.hpp"
 #include "pipeline/app/command.hpp"
+#include "pipeline/case/case_parts.hpp"
 #include "pipeline/case/literature.hpp"
 #include "pipeline/files/file.hpp"
 #include "solver/inference/impacts/impact_rows.hpp"
@@ -321,9 +322,8 @@ void complete_uncertainties(std::vector<SizedVelocity>& rows, const CommandOptio
                 "a column u(v_c), or --uncertainty \"10 %\"")
                 .at("--uncertainty");
         const double relative = options.positive("--uncertainty", Dimension::fraction);
-        if (relative > 1)
-            throw InputError("is " + shortest(100 * relative) + " % of v_c", "up to 100 %, such as \"10 %\"")
-                .at("--uncertainty");
+        const bool is_bare = whole_decimal(options["--uncertainty"]).has_value();
+        at_place("--uncertainty", [&] { require_relative(relative, is_bare, 1); });
         row.uncertainty = relative * row.velocity;
     }
 }
