@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/quantities/quantity.hpp"
+#include "core/text/text.hpp"
 #include "pipeline/present/text/result_text.hpp"
 
 namespace ashimpact {
@@ -41,6 +42,7 @@ std::string impacts_text(const MeasurementSet& set) {
     std::string text = impacts == points.size()
                            ? fmt::format("{} impacts", impacts)
                            : fmt::format("{} means of {} impacts", points.size(), impacts);
+    if (!set.sheet.empty()) text += " of sheet " + in_quotes(set.sheet);
     text += ", v_in " + range_text(values_of(points, &Measurement::velocity), "m/s");
     std::vector<Measurement> rebounds;
     std::ranges::copy_if(points, std::back_inserter(rebounds), std::not_fn(&Measurement::captured));
@@ -68,6 +70,29 @@ std::string phases_text(std::vector<PhaseShare> phases) {
     return text + " % by weight";
 }
 
+/// "u 0.5 to 2 %", or that there are none.
+std::string uncertainties_text(const std::vector<double>& stated) {
+    if (stated.empty()) return ", no uncertainties";
+    const auto [least, greatest] = std::ranges::minmax(stated);
+    return ", u " + range_text({100 * least, 100 * greatest}, "%");
+}
+
+/// The phases and oxides of a sample as they were read, with the range of their uncertainties.
+std::string composition_text(const Sample& sample, const std::vector<PhaseShare>& phases) {
+    const auto stated = [](const auto& shares) {
+        std::vector<double> uncertainties;
+        for (const auto& share : shares)
+            if (share.standard_uncertainty.value_or(0) > 0)
+                uncertainties.push_back(*share.standard_uncertainty);
+        return uncertainties;
+    };
+    std::string text = "; " + phases_text(phases) + uncertainties_text(stated(sample.analysis.phases));
+    if (sample.glass.oxides)
+        text += fmt::format("; {} oxides", sample.glass.oxides->oxides.size()) +
+                uncertainties_text(stated(sample.glass.oxides->oxides));
+    return text;
+}
+
 }  // namespace
 
 std::string inputs_text(const Run& run, std::size_t width) {
@@ -77,7 +102,7 @@ std::string inputs_text(const Run& run, std::size_t width) {
         const Sample& sample = samples[i];
         std::string line = sample.name + ": " + readable(sample.diameter.quantity);
         if (sample.density) line += ", " + readable(sample.density->quantity);
-        if (i < run.modulus.samples.size()) line += "; " + phases_text(run.modulus.samples[i].phases);
+        if (i < run.modulus.samples.size()) line += composition_text(sample, run.modulus.samples[i].phases);
         const auto* source = sample.restitution ? &*sample.restitution : nullptr;
         if (const auto* measured = source ? std::get_if<MeasuredRestitution>(source) : nullptr)
             line += "; " + impacts_text(measured->impacts);
