@@ -134,9 +134,9 @@ struct NamedSum {
     std::string name;
     double sum = 0;
 };
-/// A remark on samples whose amounts are less than half of those of another and that hold its name or follow
-/// it, "FA1 wet" and "rel. esd" behind "FA1": they are not read as its uncertainties. One for each sample;
-/// none for most.
+/// Returns, for each sample, a remark on columns or rows that were read as samples but are probably its
+/// uncertainties: their amounts add up to less than half, and their names contain the sample's ("FA1 wet") or
+/// they follow it ("rel. esd"). Mostly empty.
 [[nodiscard]] std::vector<std::optional<Finding>> small_namesakes(std::string_view code,
                                                                   const std::vector<NamedSum>& samples);
 

@@ -397,7 +397,8 @@ bool is_uncertainty_word(std::string_view text) {
 
 namespace {
 
-/// A heading without a name that stands apart in it, and without "(n=3)"; empty if it has none.
+/// Removes a name, as a whole word, and "(n=3)" from a heading. Empty if the heading does not contain the
+/// name.
 std::string without_name(std::string_view heading, const std::string& name) {
     const std::string text = lower_case(heading);
     const auto is_apart = [&](std::size_t at) {

@@ -97,12 +97,13 @@ struct StatedCoverage {
 /// Whether a text is a word for an uncertainty and names no quantity: "Fehler", "u", "s.u.", "±".
 [[nodiscard]] bool is_uncertainty_word(std::string_view text);
 
-/// What a heading says of uncertainties beside the name that another column has.
+/// The part of a heading that describes an uncertainty of the named column, without the name.
 struct UncertaintyBeside {
     std::string text;     ///< "2s [wt%]" of "FA1 2s [wt%]", "2s(FA1) [wt%]"
-    std::string problem;  ///< why they cannot be read, "RSD" of "FA1 RSD"; empty if @ref text itself decides
+    std::string problem;  ///< why the column cannot be read, as "FA1 RSD"; empty: see read_coverage(text)
 };
-/// None for other headings, such as "FA1 wet" and "FA1 [wt%]" for the name "FA1".
+/// Splits "FA1 2s" into the name of another column, "FA1", and the description of its uncertainty. Returns
+/// nothing for other headings, such as "FA1 wet" and "FA1 [wt%]".
 [[nodiscard]] std::optional<UncertaintyBeside> uncertainty_beside(std::string_view heading,
                                                                   std::string_view name);
 

@@ -123,7 +123,7 @@ TEST_CASE("every list of columns and rows of XRD tables has a meaning") {
     CHECK_THROWS_AS(WordLists("no such group"), std::exception);
 }
 
-TEST_CASE("what a heading says of uncertainties beside the name of another column") {
+TEST_CASE("uncertainties in headings that contain the name of another column") {
     for (const auto& [heading, factor] : {std::pair{"FA1 SD", 1.0},
                                           std::pair{"FA1_err", 1.0},
                                           std::pair{"FA1 std. error", 1.0},

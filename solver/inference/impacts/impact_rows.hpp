@@ -123,7 +123,7 @@ class RepeatedRows {
         std::size_t line;
         std::size_t cells, number;  ///< hashes of all cells, and of the first number
         bool is_precise;
-        double value;  ///< of the first number; NaN: it is none
+        double value;  ///< first number; NaN if the cell is not one
     };
     [[nodiscard]] std::vector<std::optional<std::size_t>> earlier() const;
     [[nodiscard]] double pairs_by_chance() const;

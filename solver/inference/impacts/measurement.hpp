@@ -76,7 +76,7 @@ struct MeasurementSet {
     std::vector<Finding> warnings{};
     std::size_t unknown = 0;  ///< impacts of the file left out because their outcome is not known
     bool rebound_alone_uncertain = false;  ///< the file states u(v_r) and not u(v_in)
-    std::string sample{};                  ///< whose impacts they are, if a column of the file says so
+    std::string sample{};                  ///< name in the column "sample", if all rows have the same
     std::string sheet{};                   ///< of the workbook
 
     [[nodiscard]] std::size_t captures() const {

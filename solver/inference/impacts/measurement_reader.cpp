@@ -623,7 +623,7 @@ class Unread {
                              ", line " + std::to_string(row.line);
     }
 
-    /// The sample of all impacts by a column that is not read; empty if none tells one.
+    /// The name in the column "sample", if all impacts have the same; else empty.
     [[nodiscard]] std::string sample() const {
         static const WordLists words("XRD columns", "%+");
         for (const TextColumn& column : heading_.unused)

@@ -100,12 +100,12 @@ bool is_stationary(const gsl_multifit_nlinear_workspace* workspace) {
            (step.array().abs() <= 1e-6 * parameters.array().abs()).all();
 }
 
-/// Parameters after steps of Gauss and Newton from a minimum: the gradient resolves it where rounding hides
-/// the fall of chi^2.
+/// Refines a minimum by Gauss-Newton steps. The trust region stops where chi^2 changes by less than rounding;
+/// the gradient still resolves the minimum there.
 Eigen::VectorXd polished(const NonlinearProblem& fitted, Eigen::VectorXd parameters) {
     constexpr double least = 1e-11;  // of the parameters
     constexpr int most_steps = 4;
-    double last = 1e-6;  // a longer step is none of rounding
+    double last = 1e-6;  // longer steps are not due to rounding
     for (int i = 0; i < most_steps; ++i) {
         const Eigen::MatrixXd jacobian = fitted.jacobian(parameters);
         const Eigen::VectorXd step = jacobian.colPivHouseholderQr().solve(fitted.residuals(parameters));
