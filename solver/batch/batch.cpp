@@ -15,6 +15,7 @@
 #include "solver/motion/branches/cohesive_motion.hpp"
 #include "solver/motion/regime.hpp"
 #include "solver/motion/scale.hpp"
+#include "solver/motion/scaled_impact.hpp"
 
 namespace ashimpact {
 
@@ -184,7 +185,7 @@ void invert_alone(const DampingProblem& problem, double& damping, double& greate
     } catch (const InputError&) {  // the inputs have been checked, so no damping gives this restitution
         const auto& [law, detachment, damping_law, contact, velocity, restitution] = problem;
         damping = nothing;
-        greatest = solve_impact({law, detachment, {damping_law, 0.0}, contact, velocity}).restitution;
+        greatest = undamped_restitution({law, detachment, {damping_law, 0.0}, contact, velocity});
     }
 }
 

@@ -227,7 +227,7 @@ DampingInversion damping_from_restitution(const DampingProblem& problem, std::op
         problem.law, problem.detachment, {problem.damping_law, 0.0}, problem.contact, problem.velocity});
     RestitutionByDamping curve(problem);
     const double target = problem.restitution;
-    const auto greatest = static_cast<double>(curve.at<Extended>(0.0));
+    const double greatest = undamped_restitution(curve.impact(0.0));
     const bool reachable = target > 0.0 ? target <= greatest : target == 0.0 && reaches_zero(problem);
     if (!reachable) unreachable_restitution(problem, greatest, reaches_zero(problem));
     // In single precision, so that it is the same by all instruction sets, whose batches differ in rounding.

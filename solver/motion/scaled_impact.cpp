@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/motion/scaled_impact.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <variant>
+
 #include "solver/contact/mechanics.hpp"
 
 namespace ashimpact {
@@ -52,6 +57,25 @@ Real scaled_restitution(const Impact& impact) {
             return static_cast<Real>(follow(branches, velocity).restitution(velocity));
         },
         scaled.branches);
+}
+
+double undamped_restitution(Impact impact) {
+    impact.damping.coefficient = 0.0;
+    if (can_yield(impact.law, impact.contact) || is_damped(impact.damping, impact.contact.parameters))
+        return static_cast<double>(scaled_restitution<Extended>(impact));
+    const auto scaled = scaled_impact<Extended>(impact, Precision::standard);
+    const Extended cost = std::visit(
+        []<class Branches>(const Branches& branches) -> Extended {
+            if constexpr (std::is_same_v<Branches, CohesiveMotion>)
+                return branches.potential_at_end() - branches.potential_at_begin();
+            else if constexpr (std::is_same_v<Branches, Motion<Extended>>)
+                return branches.potential(*branches.end) - branches.potential(branches.touch);
+            else
+                return 0;
+        },
+        scaled.branches);
+    return static_cast<double>(
+        std::sqrt(std::clamp(1 - 2 * cost / (scaled.velocity * scaled.velocity), 0.0_ext, 1.0_ext)));
 }
 
 template ScaledImpact<double> scaled_impact(const Impact&, Precision);

@@ -74,6 +74,10 @@ template <class Real>
 extern template double scaled_restitution(const Impact&);
 extern template long double scaled_restitution(const Impact&);
 
+/// Restitution of an impact without damping, without validation [1]: of one that cannot yield by the energy
+/// that breaking its contact takes. @param impact its coefficient of damping is not used
+[[nodiscard]] double undamped_restitution(Impact impact);
+
 /// An impact followed to its end, without validation.
 class FollowedImpact {
   public:

@@ -10,8 +10,8 @@
 namespace ashimpact {
 
 /// Series of the powers of a series; entry 0 is unused.
-template <class Real>
-using PowerSeries = std::array<Series<Real>, Polynomial<Real>::capacity>;
+template <class Real, class Goal = Real>
+using PowerSeries = std::array<Series<Real, Goal>, Polynomial<Real>::capacity>;
 
 /// The powers of a series that polynomials need, each as one product of two lower ones.
 class PowerChain {
@@ -23,14 +23,23 @@ class PowerChain {
             if (p[j] != Real(0)) require_power(j);
     }
     /// Computes coefficient @p n of the powers of @p x, from the coefficients before it.
-    template <class Real>
-    void advance(PowerSeries<Real>& powers, const Series<Real>& x, std::size_t n) const {
+    template <class Powers, class Terms>
+    void advance(Powers& powers, const Terms& x, std::size_t n) const {
         powers[1][n] = x[n];
         for (std::size_t k = 0; k < length_; ++k) {
             const auto [power, left, right] = chain_[k];
             powers[power][n] = left == right ? square_coefficient(powers[left], n)
                                              : product_coefficient(powers[left], powers[right], n);
         }
+    }
+
+    /// The first @p count terms of those powers, in another number type.
+    template <class From, class To>
+    void copy(const From& from, To& to, std::size_t count) const {
+        using Number = typename To::value_type::value_type;
+        for (std::size_t power = 1; power < capacity; ++power)
+            for (std::size_t n = 0; n < count && have_[power]; ++n)
+                to[power][n] = static_cast<Number>(from[power][n]);
     }
 
   private:
@@ -74,7 +83,8 @@ class SparsePolynomial {
     }
     [[nodiscard]] bool is_zero() const { return length_ == 0 && constant_ == Real(0); }
     /// Coefficient @p n of p(x(h)) from the series of the powers of x that PowerChain::require(p) provides.
-    [[nodiscard]] Real composed(const PowerSeries<Real>& powers, std::size_t n) const {
+    template <class Powers>
+    [[nodiscard]] Real composed(const Powers& powers, std::size_t n) const {
         Real sum = n == 0 ? constant_ : Real(0);
         for (std::size_t k = 0; k < length_; ++k) sum += terms_[k].coefficient * powers[terms_[k].power][n];
         return sum;

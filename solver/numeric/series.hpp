@@ -13,9 +13,9 @@ namespace ashimpact {
 template <class Real>
 inline constexpr int taylor_order = std::numeric_limits<Real>::digits * 347 / 1000 + 2;
 
-/// Truncated power series sum c[n] h^n.
-template <class Real>
-using Series = std::array<Real, taylor_order<Real> + 1>;
+/// Truncated power series sum c[n] h^n, in number type Real, for sums to the rounding of Goal.
+template <class Real, class Goal = Real>
+using Series = std::array<Real, taylor_order<Goal> + 1>;
 
 /// Value of the series at @p h.
 template <class Real, std::size_t size>

@@ -2,12 +2,15 @@
 #include "solver/motion/branches/cohesive_motion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <type_traits>
 
 #include "solver/contact/mechanics.hpp"
 #include "solver/motion/branches/creep.hpp"
+#include "solver/motion/branches/leading_terms.hpp"
 
 namespace ashimpact {
 
@@ -27,38 +30,15 @@ CohesiveState end_of(const CohesiveZone& zone, Detachment detachment) {
     return zone.pull_off();
 }
 
-/// Radius of convergence, under a name that does not read as a contact radius.
-template <class Real>
-Extended convergence(const Series<Real>& terms) {
-    return static_cast<Extended>(radius(terms));
-}
-
-/// The series about @p start, whose first terms keep their digits.
-template <class Real>
-MotionExpansion<Extended> from_start(const MotionState<Extended>& start, const MotionExpansion<Real>& x,
-                                     Extended step) {
-    MotionExpansion<Extended> result{};
-    const auto take = [](const Series<Real>& series, Extended first, Series<Extended>& to) {
-        std::ranges::copy(series, to.begin());
-        to[0] = first;
-    };
-    take(x.position, start.position, result.position);
-    take(x.velocity, start.velocity, result.velocity);
-    take(x.time, start.time, result.time);
-    take(x.dissipation, start.dissipation, result.dissipation);
-    result.step = step;
-    return result;
-}
-
 }  // namespace
 
 /// The static law of a touching state as power series of any parameter, from that of the contact radius:
 /// order by order, each new coefficient from those before it. Names as in CohesiveZone. The first
 /// coefficients come from the zone and have its digits, the others those of Real.
-template <class Real>
+template <class Real, class Goal>
 class SeriesOfZone {
   public:
-    using Terms = Series<Real>;
+    using Terms = Series<Real, Goal>;
 
     SeriesOfZone(const CohesiveZone& zone, const CohesiveState& state)
         : lambda_(static_cast<Real>(zone.lambda())) {
@@ -68,6 +48,14 @@ class SeriesOfZone {
         cosine_[0] = static_cast<Real>(state.contact_radius() / state.cohesive_radius);
         quadratic_[0] = static_cast<Real>(zone.quadratic(state.angle));
         linear_[0] = static_cast<Real>(zone.linear(state.angle));
+    }
+    /// With the leading terms of another number type.
+    template <class Other>
+    explicit SeriesOfZone(const SeriesOfZone<Other, Goal>& other)
+        : lambda_(static_cast<Real>(other.lambda_)) {
+        const auto from = other.all();
+        const auto to = all();
+        for (std::size_t k = 0; k < to.size(); ++k) copy_terms(*from[k], *to[k], leading_terms + 1);
     }
 
     /// Computes coefficient @p n of overlap_by_radius and force; @p radius is known up to n.
@@ -114,6 +102,42 @@ class SeriesOfZone {
     Terms attraction{};  ///< a^3 - force
 
   private:
+    template <class, class>
+    friend class SeriesOfZone;
+
+    /// Every series.
+    [[nodiscard]] auto all() { return all_of(*this); }
+    [[nodiscard]] auto all() const { return all_of(*this); }
+    template <class Self>
+    [[nodiscard]] static auto all_of(Self& self) {
+        return std::array{&self.overlap_by_radius,
+                          &self.force,
+                          &self.attraction,
+                          &self.angle_,
+                          &self.outer_,
+                          &self.sine_,
+                          &self.cosine_,
+                          &self.quadratic_,
+                          &self.linear_,
+                          &self.radius_fall_,
+                          &self.angle_rate_,
+                          &self.swing_,
+                          &self.sine_cosine_,
+                          &self.angle_cosine_,
+                          &self.outer_squared_,
+                          &self.wall_,
+                          &self.pull_,
+                          &self.numerator_,
+                          &self.denominator_,
+                          &self.m_,
+                          &self.cosine_m_,
+                          &self.turn_,
+                          &self.gain_,
+                          &self.cosine_gain_,
+                          &self.radius_squared_,
+                          &self.spread_};
+    }
+
     Real lambda_;
     Terms angle_{}, outer_{}, sine_{}, cosine_{}, quadratic_{}, linear_{};
     Terms radius_fall_{}, angle_rate_{}, swing_{}, sine_cosine_{}, angle_cosine_{}, outer_squared_{}, wall_{},
@@ -210,7 +234,7 @@ Extended TouchingBranch::slope(Extended q) const {
 
 /// The equation of motion about a state as series of any parameter: coefficient by coefficient, from those of
 /// the position. The first coefficients come from the zone and have its digits, the others those of Real.
-template <class Real>
+template <class Real, class Goal>
 class TouchingBranch::Terms {
   public:
     Terms(const TouchingBranch& branch, const CohesiveState& state)
@@ -218,12 +242,26 @@ class TouchingBranch::Terms {
           zone_(branch.zone_, state),
           damping_(branch.damping_),
           per_attraction_(branch.per_attraction_) {}
+    /// With the leading terms of another number type.
+    template <class Other>
+    explicit Terms(const Terms<Other, Goal>& other)
+        : branch_(other.branch_),
+          zone_(other.zone_),
+          damping_(branch_->damping_),
+          per_attraction_(branch_->per_attraction_) {
+        branch_->powers_.copy(other.powers_, powers_, leading_terms);
+        copy_terms(other.slope, slope, leading_terms);
+        copy_terms(other.damping, damping, leading_terms);
+        copy_terms(other.stiffness, stiffness, leading_terms);
+        copy_terms(other.drag, drag, leading_terms);
+        copy_terms(other.radius_, radius_, leading_terms);
+        copy_terms(other.rate_, rate_, leading_terms);
+        copy_terms(other.share_, share_, leading_terms);
+    }
 
     /// Computes coefficient @p n; @p position is known up to n.
-    void advance(const Series<Real>& position, std::size_t n) {
-        const auto product = [n](const Series<Real>& a, const Series<Real>& b) {
-            return product_coefficient(a, b, n);
-        };
+    void advance(const Series<Real, Goal>& position, std::size_t n) {
+        const auto product = [n](const auto& a, const auto& b) { return product_coefficient(a, b, n); };
         const bool rooted = branch_->rooted_;
         radius_[n] = rooted ? square_coefficient(position, n) : position[n];
         zone_.advance(radius_, n);
@@ -238,25 +276,79 @@ class TouchingBranch::Terms {
         drag[n] = product(slope, damping);
     }
     /// Makes ready for coefficient n + 1: @p velocity, the derivative of the position, is known up to n.
-    void follow(const Series<Real>& position, const Series<Real>& velocity, std::size_t n) {
+    void follow(const Series<Real, Goal>& position, const Series<Real, Goal>& velocity, std::size_t n) {
         rate_[n] = branch_->rooted_ ? 2 * product_coefficient(position, velocity, n) : velocity[n];
         zone_.follow(rate_, n);
     }
-    [[nodiscard]] const Series<Real>& force() const { return zone_.force; }
+    [[nodiscard]] const Series<Real, Goal>& force() const { return zone_.force; }
 
-    Series<Real> slope{};      ///< delta'
-    Series<Real> damping{};    ///< eta
-    Series<Real> stiffness{};  ///< delta' F
-    Series<Real> drag{};       ///< delta' eta
+    Series<Real, Goal> slope{};      ///< delta'
+    Series<Real, Goal> damping{};    ///< eta
+    Series<Real, Goal> stiffness{};  ///< delta' F
+    Series<Real, Goal> drag{};       ///< delta' eta
 
   private:
+    template <class, class>
+    friend class Terms;
+
     const TouchingBranch* branch_;
-    SeriesOfZone<Real> zone_;
+    SeriesOfZone<Real, Goal> zone_;
     SparsePolynomial<Real> damping_, per_attraction_;
-    PowerSeries<Real> powers_;
-    Series<Real> radius_{};
-    Series<Real> rate_{};   ///< of the contact radius
-    Series<Real> share_{};  ///< of the attraction in the damping
+    PowerSeries<Real, Goal> powers_;
+    Series<Real, Goal> radius_{};
+    Series<Real, Goal> rate_{};   ///< of the contact radius
+    Series<Real, Goal> share_{};  ///< of the attraction in the damping
+};
+
+/// The expansion of the motion.
+template <class Real, class Goal>
+class TouchingBranch::Steps {
+  public:
+    Steps(const MotionState<Goal>& state, const Terms<Real, Goal>& terms) : terms_(terms) {
+        x.position[0] = state.position;
+        x.velocity[0] = state.velocity;
+        x.time[0] = state.time;
+        x.dissipation[0] = state.dissipation;
+    }
+    /// With the leading terms of another number type.
+    template <class Other>
+    explicit Steps(const Steps<Other, Goal>& other) : terms_(other.terms_) {
+        copy_terms(other.x.position, x.position, leading_terms + 1);
+        copy_terms(other.x.velocity, x.velocity, leading_terms + 1);
+        copy_terms(other.x.time, x.time, leading_terms + 1);
+        copy_terms(other.braking_, braking_, leading_terms);
+    }
+
+    void advance(std::size_t from, std::size_t to) {
+        for (std::size_t n = from; n < to; ++n) {
+            terms_.advance(x.position, n);
+            const Real factor = Real(1) / static_cast<Real>(n + 1);
+            braking_[n] = product_coefficient(terms_.drag, x.velocity, n);
+            x.position[n + 1] = factor * x.velocity[n];
+            x.velocity[n + 1] = -factor * (terms_.stiffness[n] + braking_[n]);
+            x.time[n + 1] = factor * terms_.slope[n];
+            x.dissipation[n + 1] = factor * product_coefficient(braking_, x.velocity, n);
+            terms_.follow(x.position, x.velocity, n);
+        }
+    }
+    [[nodiscard]] Real convergence() const {
+        // Fast enough, the motion hardly feels the contact, and time is the series that converges least. What
+        // counts of it is a part of the time that a unit length takes.
+        Series<Real, Goal> time = x.time;
+        time[0] = 1 / (1 + std::abs(x.velocity[0]));
+        return std::min({radius(x.position), radius(x.velocity), radius(time)});
+    }
+
+    [[nodiscard]] const Terms<Real, Goal>& terms() const { return terms_; }
+
+    MotionExpansion<Real, Goal> x{};
+
+  private:
+    template <class, class>
+    friend class Steps;
+
+    Terms<Real, Goal> terms_;
+    Series<Real, Goal> braking_{};  ///< delta' eta v
 };
 
 MotionExpansion<Extended> TouchingBranch::expand(const MotionState<Extended>& state, int sense) const {
@@ -266,38 +358,32 @@ MotionExpansion<Extended> TouchingBranch::expand(const MotionState<Extended>& st
 
 template <class Real>
 MotionExpansion<Extended> TouchingBranch::expanded(const MotionState<Extended>& start, int sense) const {
-    const MotionState<Real> begin{.position = static_cast<Real>(start.position),
-                                  .velocity = static_cast<Real>(start.velocity)};
     const CohesiveState contact = state(start.position);
-    MotionExpansion<Real> x{};
-    x.position[0] = begin.position;
-    x.velocity[0] = begin.velocity;
-    Terms<Real> terms(*this, contact);
-    terms.advance(x.position, 0);
-    if (sense > 0 && may_creep(begin, terms.stiffness[0], terms.drag[0]))
-        if (const auto creep = expand_creep(begin, [&] { return Terms<Real>(*this, contact); }))
-            return from_start(start, *creep, static_cast<Extended>(creep->step));
-    Series<Real> braking{};  // delta' eta v
-    for (std::size_t n = 0; n + 1 < x.position.size(); ++n) {
-        terms.advance(x.position, n);
-        const Real factor = Real(1) / static_cast<Real>(n + 1);
-        braking[n] = product_coefficient(terms.drag, x.velocity, n);
-        x.position[n + 1] = factor * x.velocity[n];
-        x.velocity[n + 1] = -factor * (terms.stiffness[n] + braking[n]);
-        x.time[n + 1] = factor * terms.slope[n];
-        x.dissipation[n + 1] = factor * product_coefficient(braking, x.velocity, n);
-        terms.follow(x.position, x.velocity, n);
-    }
-    // Fast enough, the motion hardly feels the contact, and time is the series that converges least. What
-    // counts of it is a part of the time that a unit length takes.
-    Series<Real> time = x.time;
-    time[0] = 1 / (1 + std::abs(x.velocity[0]));
-    const Extended within = std::min({convergence(x.position), convergence(x.velocity), convergence(time)});
-    return from_start(start, x, sense * within / (std::numbers::e_v<Extended> * std::numbers::e_v<Extended>));
+    const auto terms_at_start = [&] { return Terms<Real, Real>(*this, contact); };
+    const MotionState<Real> begin{static_cast<Real>(start.position), static_cast<Real>(start.velocity),
+                                  static_cast<Real>(start.time), static_cast<Real>(start.dissipation)};
+    Steps<Real, Real> steps(begin, terms_at_start());
+    steps.advance(0, 1);
+    const auto widened = [&](const MotionExpansion<Real>& x) {
+        MotionExpansion<Extended> digits_of_start;
+        digits_of_start.position[0] = start.position;
+        digits_of_start.velocity[0] = start.velocity;
+        digits_of_start.time[0] = start.time;
+        digits_of_start.dissipation[0] = start.dissipation;
+        return joined(digits_of_start, 1, x);
+    };
+    if (sense > 0 && may_creep(begin, steps.terms().stiffness[0], steps.terms().drag[0]))
+        if (const auto creep = expand_creep(begin, terms_at_start)) return widened(*creep);
+    MotionExpansion<Real> x = expansion_of(steps);
+    x.step *= sense / (std::numbers::e_v<Real> * std::numbers::e_v<Real>);
+    if constexpr (std::is_same_v<Real, Extended>)
+        return x;
+    else
+        return widened(x);
 }
 
 TouchingBranch::Statics TouchingBranch::statics(Extended q) const {
-    Terms<Extended> terms(*this, state(q));
+    Terms<Extended, Extended> terms(*this, state(q));
     Series<Extended> place{};  // q itself
     place[0] = q;
     place[1] = 1;

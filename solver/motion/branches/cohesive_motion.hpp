@@ -51,8 +51,10 @@ class TouchingBranch {
     [[nodiscard]] Statics statics(Extended q) const;
 
   private:
-    template <class Real>
+    template <class Real, class Goal>
     class Terms;
+    template <class Real, class Goal>
+    class Steps;
     template <class Real>
     [[nodiscard]] MotionExpansion<Extended> expanded(const MotionState<Extended>& start, int sense) const;
 

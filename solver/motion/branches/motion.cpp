@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "solver/motion/branches/creep.hpp"
+#include "solver/motion/branches/leading_terms.hpp"
 #include "solver/numeric/number.hpp"
 
 namespace ashimpact {
@@ -14,28 +15,83 @@ namespace ashimpact {
 namespace {
 
 /// The polynomials of a piece as series.
-template <class Real>
+template <class Real, class Goal = Real>
 class PieceTerms {
   public:
-    explicit PieceTerms(const MotionPiece<Real>& piece)
+    explicit PieceTerms(const MotionPiece<Goal>& piece)
         : piece_(&piece), slope_(piece.slope), stiffness_(piece.stiffness), drag_(piece.drag) {}
+    /// With the leading terms of another number type.
+    template <class Other>
+    explicit PieceTerms(const PieceTerms<Other, Goal>& other) : PieceTerms(*other.piece_) {
+        piece_->powers.copy(other.powers_, powers_, leading_terms);
+        copy_terms(other.drag, drag, leading_terms);
+    }
 
-    void advance(const Series<Real>& position, std::size_t n) {
+    void advance(const Series<Real, Goal>& position, std::size_t n) {
         piece_->powers.advance(powers_, position, n);
         slope[n] = slope_.composed(powers_, n);
         stiffness[n] = stiffness_.composed(powers_, n);
-        drag[n] = drag_.composed(powers_, n);
+        if (damped()) drag[n] = drag_.composed(powers_, n);
     }
-    void follow(const Series<Real>& /*position*/, const Series<Real>& /*velocity*/, std::size_t /*n*/) {}
+    void follow(const Series<Real, Goal>& /*position*/, const Series<Real, Goal>& /*velocity*/,
+                std::size_t /*n*/) {}
+    [[nodiscard]] bool damped() const { return !drag_.is_zero(); }
 
-    Series<Real> slope;
-    Series<Real> stiffness;
-    Series<Real> drag;
+    Series<Real, Goal> slope;
+    Series<Real, Goal> stiffness;
+    Series<Real, Goal> drag{};
 
   private:
-    const MotionPiece<Real>* piece_;
+    template <class, class>
+    friend class PieceTerms;
+
+    const MotionPiece<Goal>* piece_;
     SparsePolynomial<Real> slope_, stiffness_, drag_;
-    PowerSeries<Real> powers_;
+    PowerSeries<Real, Goal> powers_;  // only those that piece_->powers requires are set
+};
+
+/// The expansion of a motion on a piece.
+template <class Real, class Goal>
+class PieceSteps {
+  public:
+    PieceSteps(const MotionPiece<Goal>& piece, const MotionState<Goal>& state) : terms_(piece) {
+        x.position[0] = state.position;
+        x.velocity[0] = state.velocity;
+        x.time[0] = state.time;
+        x.dissipation[0] = state.dissipation;
+    }
+    template <class Other>
+    explicit PieceSteps(const PieceSteps<Other, Goal>& other) : terms_(other.terms_) {
+        copy_terms(other.x.position, x.position, leading_terms + 1);
+        copy_terms(other.x.velocity, x.velocity, leading_terms + 1);
+        copy_terms(other.drag_velocity_, drag_velocity_, leading_terms);
+    }
+
+    void advance(std::size_t from, std::size_t to) {
+        for (std::size_t n = from; n < to; ++n) {
+            terms_.advance(x.position, n);
+            const Real factor = Real(1) / static_cast<Real>(n + 1);
+            Real acceleration = -terms_.stiffness[n];
+            if (terms_.damped()) {
+                drag_velocity_[n] = product_coefficient(terms_.drag, x.velocity, n);
+                acceleration -= drag_velocity_[n];
+                x.dissipation[n + 1] = factor * product_coefficient(drag_velocity_, x.velocity, n);
+            }
+            x.position[n + 1] = factor * x.velocity[n];
+            x.velocity[n + 1] = factor * acceleration;
+            x.time[n + 1] = factor * terms_.slope[n];
+        }
+    }
+    [[nodiscard]] Real convergence() const { return std::min(radius(x.position), radius(x.velocity)); }
+
+    MotionExpansion<Real, Goal> x{};
+
+  private:
+    template <class, class>
+    friend class PieceSteps;
+
+    PieceTerms<Real, Goal> terms_;
+    Series<Real, Goal> drag_velocity_;
 };
 
 /// The motion as if @p piece had no borders: the step may end beyond them. @param creeps whether a stiff
@@ -47,37 +103,11 @@ MotionExpansion<Real> expand_on(const MotionPiece<Real>& piece, const MotionStat
     if (sense > 0 && creeps && may_creep(state, piece.stiffness(q), piece.drag(q)))
         if (const auto creeping = expand_creep(state, [&] { return PieceTerms<Real>(piece); }))
             return *creeping;
-    MotionExpansion<Real> x{};
-    x.position[0] = q;
-    x.velocity[0] = state.velocity;
-    x.time[0] = state.time;
-    x.dissipation[0] = state.dissipation;
-
-    PowerSeries<Real> powers;  // of q; only those that piece.powers requires are set
-    Series<Real> drag_series;
-    Series<Real> drag_velocity;
-    const SparsePolynomial<Real> slope(piece.slope);
-    const SparsePolynomial<Real> stiffness(piece.stiffness);
-    const SparsePolynomial<Real> drag(piece.drag);
-    const bool damped = !drag.is_zero();
-    for (std::size_t n = 0; n + 1 < x.position.size(); ++n) {
-        piece.powers.advance(powers, x.position, n);
-        const Real factor = Real(1) / static_cast<Real>(n + 1);
-        Real acceleration = -stiffness.composed(powers, n);
-        if (damped) {
-            drag_series[n] = drag.composed(powers, n);
-            drag_velocity[n] = product_coefficient(drag_series, x.velocity, n);
-            acceleration -= drag_velocity[n];
-            x.dissipation[n + 1] = factor * product_coefficient(drag_velocity, x.velocity, n);
-        }
-        x.position[n + 1] = factor * x.velocity[n];
-        x.velocity[n + 1] = factor * acceleration;
-        x.time[n + 1] = factor * slope.composed(powers, n);
-    }
-    const Real convergence = std::min(radius(x.position), radius(x.velocity));
-    const bool uniform = convergence == std::numeric_limits<Real>::infinity();
+    PieceSteps<Real, Real> steps(piece, state);
+    MotionExpansion<Real> x = expansion_of(steps);
+    const bool uniform = x.step == std::numeric_limits<Real>::infinity();
     constexpr Real e = std::numbers::e_v<Real>;  // radius/e^2: the step of taylor_order
-    x.step = Real(sense) * (uniform ? uniform_step(state) : convergence / (e * e));
+    x.step = Real(sense) * (uniform ? uniform_step(state) : x.step / (e * e));
     return x;
 }
 

@@ -15,12 +15,12 @@ struct MotionState {
 };
 
 /// The impact over one step as Taylor series in pseudo-time.
-template <class Real>
+template <class Real, class Goal = Real>
 struct MotionExpansion {
-    Series<Real> position;
-    Series<Real> velocity;
-    Series<Real> time;
-    Series<Real> dissipation;
+    Series<Real, Goal> position{};
+    Series<Real, Goal> velocity{};
+    Series<Real, Goal> time{};
+    Series<Real, Goal> dissipation{};
     Real step{};  ///< pseudo-time over which the series hold to rounding; negative backward in time
 
     [[nodiscard]] MotionState<Real> at(Real h) const {

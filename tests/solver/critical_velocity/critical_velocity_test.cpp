@@ -225,7 +225,8 @@ TEST_CASE("restitution to damping and back, for every law, damping law and detac
                 CHECK(inversion.damping.law == c.damping_law);
                 CHECK(inversion.damping.coefficient > 0.0);
                 CHECK(inversion.impacts > 0);
-                CHECK(inversion.greatest_restitution == greatest);
+                // By energies, not by following the undamped impact: another rounding.
+                CHECK(std::abs(inversion.greatest_restitution - greatest) <= 3e-16);
                 CHECK(inversion.impact.outcome == Outcome::rebound);
                 const Impact again = impact_with(problem, inversion.damping.coefficient);
                 there.see(std::abs(solve_impact(again).restitution - e), describe(again));
