@@ -237,6 +237,9 @@ Extended TouchingBranch::slope(Extended q) const {
 template <class Real, class Goal>
 class TouchingBranch::Terms {
   public:
+    /// Fast enough, the motion hardly feels the contact.
+    static constexpr bool time_may_converge_least = true;
+
     Terms(const TouchingBranch& branch, const CohesiveState& state)
         : branch_(&branch),
           zone_(branch.zone_, state),
@@ -252,7 +255,6 @@ class TouchingBranch::Terms {
         branch_->powers_.copy(other.powers_, powers_, leading_terms);
         copy_terms(other.slope, slope, leading_terms);
         copy_terms(other.damping, damping, leading_terms);
-        copy_terms(other.stiffness, stiffness, leading_terms);
         copy_terms(other.drag, drag, leading_terms);
         copy_terms(other.radius_, radius_, leading_terms);
         copy_terms(other.rate_, rate_, leading_terms);
@@ -281,6 +283,7 @@ class TouchingBranch::Terms {
         zone_.follow(rate_, n);
     }
     [[nodiscard]] const Series<Real, Goal>& force() const { return zone_.force; }
+    [[nodiscard]] bool damped() const { return !damping_.is_zero() || branch_->follows_attraction_; }
 
     Series<Real, Goal> slope{};      ///< delta'
     Series<Real, Goal> damping{};    ///< eta
@@ -300,57 +303,6 @@ class TouchingBranch::Terms {
     Series<Real, Goal> share_{};  ///< of the attraction in the damping
 };
 
-/// The expansion of the motion.
-template <class Real, class Goal>
-class TouchingBranch::Steps {
-  public:
-    Steps(const MotionState<Goal>& state, const Terms<Real, Goal>& terms) : terms_(terms) {
-        x.position[0] = state.position;
-        x.velocity[0] = state.velocity;
-        x.time[0] = state.time;
-        x.dissipation[0] = state.dissipation;
-    }
-    /// With the leading terms of another number type.
-    template <class Other>
-    explicit Steps(const Steps<Other, Goal>& other) : terms_(other.terms_) {
-        copy_terms(other.x.position, x.position, leading_terms + 1);
-        copy_terms(other.x.velocity, x.velocity, leading_terms + 1);
-        copy_terms(other.x.time, x.time, leading_terms + 1);
-        copy_terms(other.braking_, braking_, leading_terms);
-    }
-
-    void advance(std::size_t from, std::size_t to) {
-        for (std::size_t n = from; n < to; ++n) {
-            terms_.advance(x.position, n);
-            const Real factor = Real(1) / static_cast<Real>(n + 1);
-            braking_[n] = product_coefficient(terms_.drag, x.velocity, n);
-            x.position[n + 1] = factor * x.velocity[n];
-            x.velocity[n + 1] = -factor * (terms_.stiffness[n] + braking_[n]);
-            x.time[n + 1] = factor * terms_.slope[n];
-            x.dissipation[n + 1] = factor * product_coefficient(braking_, x.velocity, n);
-            terms_.follow(x.position, x.velocity, n);
-        }
-    }
-    [[nodiscard]] Real convergence() const {
-        // Fast enough, the motion hardly feels the contact, and time is the series that converges least. What
-        // counts of it is a part of the time that a unit length takes.
-        Series<Real, Goal> time = x.time;
-        time[0] = 1 / (1 + std::abs(x.velocity[0]));
-        return std::min({radius(x.position), radius(x.velocity), radius(time)});
-    }
-
-    [[nodiscard]] const Terms<Real, Goal>& terms() const { return terms_; }
-
-    MotionExpansion<Real, Goal> x{};
-
-  private:
-    template <class, class>
-    friend class Steps;
-
-    Terms<Real, Goal> terms_;
-    Series<Real, Goal> braking_{};  ///< delta' eta v
-};
-
 MotionExpansion<Extended> TouchingBranch::expand(const MotionState<Extended>& state, int sense) const {
     return precision_ == Precision::extended ? expanded<Extended>(state, sense)
                                              : expanded<double>(state, sense);
@@ -362,7 +314,7 @@ MotionExpansion<Extended> TouchingBranch::expanded(const MotionState<Extended>& 
     const auto terms_at_start = [&] { return Terms<Real, Real>(*this, contact); };
     const MotionState<Real> begin{static_cast<Real>(start.position), static_cast<Real>(start.velocity),
                                   static_cast<Real>(start.time), static_cast<Real>(start.dissipation)};
-    Steps<Real, Real> steps(begin, terms_at_start());
+    MotionSteps<Terms, Real> steps(begin, *this, contact);
     steps.advance(0, 1);
     const auto widened = [&](const MotionExpansion<Real>& x) {
         MotionExpansion<Extended> digits_of_start;

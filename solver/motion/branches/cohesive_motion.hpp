@@ -53,8 +53,6 @@ class TouchingBranch {
   private:
     template <class Real, class Goal>
     class Terms;
-    template <class Real, class Goal>
-    class Steps;
     template <class Real>
     [[nodiscard]] MotionExpansion<Extended> expanded(const MotionState<Extended>& start, int sense) const;
 

@@ -47,18 +47,80 @@ template <class Goal, class Rest>
     return all;
 }
 
-/// An expansion to the rounding of Goal, whose step is the radius of convergence: its leading terms in that
-/// number type, the others in double if they are in its range, since that takes a third of the time.
-/// @tparam Steps has an expansion x, and advance(from, to) for its terms from + 1..to; made from one of
-/// another number type it takes the terms up to @c leading_terms
+/// The expansion of a motion term by term, in number type Real, for sums to the rounding of Goal.
+/// @tparam Terms the equation of motion as series of the pseudo-time, as of MotionPiece: advance() computes a
+/// coefficient of slope, stiffness and drag from those of the position up to it, follow() takes the
+/// velocity's
+template <template <class, class> class Terms, class Real, class Goal = Real>
+class MotionSteps {
+  public:
+    /// @param equation what Terms are made from
+    template <class... Equation>
+    explicit MotionSteps(const MotionState<Goal>& state, const Equation&... equation) : terms_(equation...) {
+        x.position[0] = state.position;
+        x.velocity[0] = state.velocity;
+        x.time[0] = state.time;
+        x.dissipation[0] = state.dissipation;
+    }
+    /// With the leading terms of another number type.
+    template <class Other>
+    explicit MotionSteps(const MotionSteps<Terms, Other, Goal>& other) : terms_(other.terms()) {
+        copy_terms(other.x.position, x.position, leading_terms + 1);
+        copy_terms(other.x.velocity, x.velocity, leading_terms + 1);
+        copy_terms(other.x.time, x.time, leading_terms + 1);
+        if (terms_.damped()) copy_terms(other.braking(), braking_, leading_terms);
+    }
+
+    /// Computes the terms from + 1..to.
+    void advance(std::size_t from, std::size_t to) {
+        for (std::size_t n = from; n < to; ++n) {
+            terms_.advance(x.position, n);
+            const Real factor = Real(1) / static_cast<Real>(n + 1);
+            Real acceleration = -terms_.stiffness[n];
+            if (terms_.damped()) {
+                braking_[n] = product_coefficient(terms_.drag, x.velocity, n);
+                acceleration -= braking_[n];
+                x.dissipation[n + 1] = factor * product_coefficient(braking_, x.velocity, n);
+            }
+            x.position[n + 1] = factor * x.velocity[n];
+            x.velocity[n + 1] = factor * acceleration;
+            x.time[n + 1] = factor * terms_.slope[n];
+            terms_.follow(x.position, x.velocity, n);
+        }
+    }
+    /// Radius of convergence.
+    [[nodiscard]] Real convergence() const {
+        const Real of_motion = std::min(radius(x.position), radius(x.velocity));
+        if constexpr (!Terms<Real, Goal>::time_may_converge_least) {
+            return of_motion;
+        } else {
+            // What counts of the time is a part of that which a unit length takes.
+            Series<Real, Goal> time = x.time;
+            time[0] = 1 / (1 + std::abs(x.velocity[0]));
+            return std::min(of_motion, radius(time));
+        }
+    }
+    [[nodiscard]] const Terms<Real, Goal>& terms() const { return terms_; }
+    /// delta' eta v
+    [[nodiscard]] const Series<Real, Goal>& braking() const { return braking_; }
+
+    MotionExpansion<Real, Goal> x{};
+
+  private:
+    Terms<Real, Goal> terms_;
+    Series<Real, Goal> braking_;
+};
+
+/// The expansion to the rounding of Goal, with the radius of convergence as its step: the leading terms in
+/// that number type, the others in double if they are in its range, since that takes a third of the time.
 /// @param exact with the terms of the start alone
-template <class Goal, template <class, class> class Steps>
-[[nodiscard]] MotionExpansion<Goal> expansion_of(Steps<Goal, Goal>& exact) {
+template <template <class, class> class Terms, class Goal>
+[[nodiscard]] MotionExpansion<Goal> expansion_of(MotionSteps<Terms, Goal>& exact) {
     constexpr std::size_t order = taylor_order<Goal>;
     std::size_t known = 0;
     if constexpr (!std::is_same_v<Goal, double>) {
         exact.advance(0, leading_terms);
-        Steps<double, Goal> rest(exact);
+        MotionSteps<Terms, double, Goal> rest(exact);
         rest.advance(leading_terms, order);
         if (fits_double(rest.x.position) && fits_double(rest.x.velocity) && fits_double(rest.x.time)) {
             rest.x.step = rest.convergence();

@@ -12,12 +12,12 @@
 
 namespace ashimpact {
 
-namespace {
-
 /// The polynomials of a piece as series.
 template <class Real, class Goal = Real>
 class PieceTerms {
   public:
+    static constexpr bool time_may_converge_least = false;
+
     explicit PieceTerms(const MotionPiece<Goal>& piece)
         : piece_(&piece), slope_(piece.slope), stiffness_(piece.stiffness), drag_(piece.drag) {}
     /// With the leading terms of another number type.
@@ -50,49 +50,7 @@ class PieceTerms {
     PowerSeries<Real, Goal> powers_;  // only those that piece_->powers requires are set
 };
 
-/// The expansion of a motion on a piece.
-template <class Real, class Goal>
-class PieceSteps {
-  public:
-    PieceSteps(const MotionPiece<Goal>& piece, const MotionState<Goal>& state) : terms_(piece) {
-        x.position[0] = state.position;
-        x.velocity[0] = state.velocity;
-        x.time[0] = state.time;
-        x.dissipation[0] = state.dissipation;
-    }
-    template <class Other>
-    explicit PieceSteps(const PieceSteps<Other, Goal>& other) : terms_(other.terms_) {
-        copy_terms(other.x.position, x.position, leading_terms + 1);
-        copy_terms(other.x.velocity, x.velocity, leading_terms + 1);
-        copy_terms(other.drag_velocity_, drag_velocity_, leading_terms);
-    }
-
-    void advance(std::size_t from, std::size_t to) {
-        for (std::size_t n = from; n < to; ++n) {
-            terms_.advance(x.position, n);
-            const Real factor = Real(1) / static_cast<Real>(n + 1);
-            Real acceleration = -terms_.stiffness[n];
-            if (terms_.damped()) {
-                drag_velocity_[n] = product_coefficient(terms_.drag, x.velocity, n);
-                acceleration -= drag_velocity_[n];
-                x.dissipation[n + 1] = factor * product_coefficient(drag_velocity_, x.velocity, n);
-            }
-            x.position[n + 1] = factor * x.velocity[n];
-            x.velocity[n + 1] = factor * acceleration;
-            x.time[n + 1] = factor * terms_.slope[n];
-        }
-    }
-    [[nodiscard]] Real convergence() const { return std::min(radius(x.position), radius(x.velocity)); }
-
-    MotionExpansion<Real, Goal> x{};
-
-  private:
-    template <class, class>
-    friend class PieceSteps;
-
-    PieceTerms<Real, Goal> terms_;
-    Series<Real, Goal> drag_velocity_;
-};
+namespace {
 
 /// The motion as if @p piece had no borders: the step may end beyond them. @param creeps whether a stiff
 /// return may be followed as a creep, in which the small total force that ends some contacts is lost
@@ -103,7 +61,7 @@ MotionExpansion<Real> expand_on(const MotionPiece<Real>& piece, const MotionStat
     if (sense > 0 && creeps && may_creep(state, piece.stiffness(q), piece.drag(q)))
         if (const auto creeping = expand_creep(state, [&] { return PieceTerms<Real>(piece); }))
             return *creeping;
-    PieceSteps<Real, Real> steps(piece, state);
+    MotionSteps<PieceTerms, Real> steps(state, piece);
     MotionExpansion<Real> x = expansion_of(steps);
     const bool uniform = x.step == std::numeric_limits<Real>::infinity();
     constexpr Real e = std::numbers::e_v<Real>;  // radius/e^2: the step of taylor_order
