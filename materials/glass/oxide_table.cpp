@@ -808,7 +808,7 @@ std::optional<OxideNumber> number_of(const OxideCell& cell, const NumberMarks& m
             const xrd::Heading& unit = unit_heading(cell);
             if (number.uncertainty)
                 throw InputError(in_quotes(text) + " and its column state an uncertainty", "one of them");
-            if (cell.error_heading->unit == "%" && unit.unit != "%" && unit.scale == xrd::Scale::per_cent)
+            if (cell.error_heading->unit == "%" && unit.scale == xrd::Scale::per_cent)
                 throw InputError("the uncertainty in [%] may be of the sample or of the amount",
                                  "the unit of the amounts, such as [wt%]");
             const auto error = marks.read(cell.uncertainty, cell.error_column);
@@ -917,6 +917,7 @@ class OxideSampleMaker {
         OxideShare share{.oxide = "LOI", .fraction = number->value * scale};
         if (number->uncertainty) share.standard_uncertainty = *number->uncertainty * scale;
         if (cell.what.role == OxideRole::total) {
+            if (number->uncertainty.value_or(0) > 0) note("the uncertainty of the total is not used");
             total_ = share.fraction;
             return;
         }
@@ -932,6 +933,11 @@ class OxideSampleMaker {
             return;
         }
         listed_ += share.fraction;
+        constexpr double trace = 1e-3;  // an amount below may be lost in its uncertainty
+        if (share.fraction > trace && share.standard_uncertainty.value_or(0) > share.fraction)
+            note("the uncertainty of " + name + ", " + per_cent(*share.standard_uncertainty) +
+                     ", is above its amount, " + per_cent(share.fraction) + ": is it one?",
+                 Severity::doubt);
         const bool is_bare = cell.error_heading != nullptr && !cell.uncertainty.ends_with('%') &&
                              cell.error_heading->scale == xrd::Scale::not_stated;
         if (is_bare && scale == 0.01 && number->uncertainty)
@@ -1113,12 +1119,16 @@ OxideResult read_oxides(std::string_view text, std::string_view name, const Tabl
 }
 
 const OxideSample& oxide_sample(const OxideResult& result, const std::string& name, bool must_match) {
-    const auto key = word_key(name);
-    for (const OxideSample& sample : result.samples)
-        if (word_key(sample.name) == key) return sample;
-    if (result.samples.size() == 1 && !must_match) return result.samples.front();
+    const auto& samples = result.samples;
+    if (const auto same = std::ranges::find(samples, name, &OxideSample::name); same != samples.end())
+        return *same;
+    const auto is_alike = [key = sample_key(name)](const OxideSample& sample) {
+        return sample_key(sample.name) == key;
+    };
+    if (std::ranges::count_if(samples, is_alike) == 1) return *std::ranges::find_if(samples, is_alike);
+    if (samples.size() == 1 && !must_match) return samples.front();
     std::vector<std::string> names;
-    for (const OxideSample& sample : result.samples) names.push_back(sample.name);
+    for (const OxideSample& sample : samples) names.push_back(sample.name);
     throw InputError("the oxides have no sample " + in_quotes(name), joined(names));
 }
 

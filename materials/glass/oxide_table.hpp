@@ -36,7 +36,8 @@ struct OxideResult {
 [[nodiscard]] OxideResult read_oxides(std::string_view text, std::string_view name,
                                       const TableOptions& options = {});
 
-/// The sample of that name, else the only one of the file. @throws InputError with the names that there are
+/// The sample of that name, or the only one of such a name as sample_key() compares them, else the only one
+/// of the file. @throws InputError with the names that there are
 [[nodiscard]] const OxideSample& oxide_sample(const OxideResult& result, const std::string& name,
                                               bool must_match);
 

@@ -168,6 +168,9 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
         const RowMeaning meaning = meaning_of_row(entry.phase);
         if (meaning == RowMeaning::total) {
             check_total(sum, fraction, entry);
+            if (uncertainty)
+                sample.warnings.push_back(
+                    {xrd_code, Severity::remark, "the uncertainty of the total is not used"});
             continue;
         }
         if (meaning == RowMeaning::crystalline_total) {

@@ -147,8 +147,7 @@ void check_units_of_uncertainties(Table& table) {
         if (heading.states == HeadingUnit::other || !scaled_alike ||
             heading.states == (is_volume ? HeadingUnit::weight : HeadingUnit::volume))
             heading.coverage.problem = "they are in another unit than the fractions";
-        else if (heading.unit == "%" &&
-                 (!known || (amounts->unit != "%" && amounts->scale == Scale::per_cent)))
+        else if (heading.unit == "%" && (!known || amounts->scale == Scale::per_cent))
             heading.coverage.problem =
                 "[%] may be of the whole or of the value (write the unit of the fractions)";
     }

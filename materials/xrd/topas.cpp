@@ -21,10 +21,10 @@ struct Token {
 };
 
 struct TopasPhase {
-    ListedPhase listed{};            ///< the amount is in [%] of the crystalline part
-    bool has_weight = false;         ///< by its keyword, which comes before MVW
-    bool of_peaks = false;           ///< peaks without a structure, such as a hump, which need no name
-    std::optional<double> spiked{};  ///< [%] of the mixture, as weighed
+    ListedPhase listed{};                   ///< the amount is in [%] of the crystalline part
+    bool has_weight = false;                ///< by its keyword, which comes before MVW
+    bool of_peaks = false;                  ///< peaks without a structure, such as a hump, which need no name
+    std::optional<PrintedNumber> spiked{};  ///< [%] of the mixture, as weighed
 };
 
 struct TopasPattern {
@@ -205,7 +205,7 @@ class TopasReader {
             phase(token).listed.amount = number_after(token);
             phase(token).has_weight = true;
         } else if (word == "spiked_phase_measured_weight_percent") {
-            phase(token).spiked = number_after(token).value;
+            phase(token).spiked = number_after(token);
         } else if (word == "corrected_weight_percent") {
             pattern(token.line).has_corrected = true;
         } else if (word == "weight_percent_amorphous") {
@@ -234,7 +234,7 @@ class TopasReader {
 XrdSample completed(XrdSample sample, const TopasPattern& pattern) {
     const TopasPhase* standard = nullptr;
     for (const TopasPhase& phase : pattern.phases) {
-        if (!phase.spiked || *phase.spiked == 0) continue;
+        if (!phase.spiked || phase.spiked->value == 0) continue;
         if (standard != nullptr)
             refuse_line(phase.listed.line, "there are two spiked phases", "one a pattern");
         standard = &phase;
@@ -255,7 +255,9 @@ XrdSample completed(XrdSample sample, const TopasPattern& pattern) {
     const auto same = [&](const PhaseFraction& phase) { return phase.name == name; };
     const auto& phases = sample.analysis.phases;
     const auto found = std::find_if(phases.begin(), phases.end(), same);
-    const double weighed = *standard->spiked / 100;
+    const double weighed = standard->spiked->value / 100;
+    auto weighing = standard->spiked->standard_uncertainty;
+    if (weighing) *weighing /= 100;
     if (found != phases.end() && pattern.amorphous && found->fraction > 0) {
         const double ours = 100 * (1 - weighed / found->fraction);
         constexpr double rounding = 0.5;  // [%]
@@ -265,8 +267,12 @@ XrdSample completed(XrdSample sample, const TopasPattern& pattern) {
                                            shortest(pattern.amorphous->value) + " %, the standard gives " +
                                            shortest(std::round(100 * ours) / 100) + " %, which is used"});
     }
+    if (pattern.amorphous && pattern.amorphous->standard_uncertainty)
+        sample.warnings.push_back({xrd_code, Severity::remark,
+                                   "the uncertainty of weight_percent_amorphous is not used: that of the "
+                                   "standard counts"});
     return at_place(at_line(standard->listed.line),
-                    [&] { return with_internal_standard(sample, name, weighed); });
+                    [&] { return with_internal_standard(sample, name, weighed, weighing); });
 }
 
 XrdSample sample_of(const TopasPattern& pattern) {

@@ -136,10 +136,19 @@ XrdResult read_xrd(std::string_view text, std::string_view name, const TableOpti
     });
 }
 
+std::string sample_key(std::string_view name) {
+    std::string text(name);
+    for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+        const bool is_sign = text[i] == '-' && (i == 0 || text[i - 1] == ' ');
+        if (is_sign && text[i + 1] >= '0' && text[i + 1] <= '9') text[i] = '<';
+    }
+    return word_key(text, "+<>.,");
+}
+
 std::optional<Finding> other_sample_finding(std::string_view code, std::string_view data,
                                             const std::string& named, std::string_view file,
                                             const std::string& sample) {
-    if (named == xrd::file_stem(file) || word_key(named) == word_key(sample)) return std::nullopt;
+    if (named == xrd::file_stem(file) || sample_key(named) == sample_key(sample)) return std::nullopt;
     return Finding{code, Severity::remark,
                    fmt::format("the {} are those of the sample {}", data, in_quotes(named))};
 }

@@ -224,8 +224,8 @@ std::string contacts_text(const ComparisonResult& result, std::size_t width) {
                    velocity_text(sample.analytic_velocity)});
         any_published = any_published || sample.published;
     }
-    std::string text =
-        table.text(0, width) + "v_c, adhesion only: Eq. 30 of Dong et al. 2013, without damping.";
+    std::string text = table.text(0, width) +
+                       "v_c, adhesion only: Eq. 30 of Dong et al. 2013, without damping and uncertainties.";
     if (any_published) text += " E in brackets: as published.";
     return wrapped_line(text, width, 0) + "\n";
 }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <numeric>
 #include <tuple>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -70,27 +71,58 @@ std::string phases_text(std::vector<PhaseShare> phases) {
     return text + " % by weight";
 }
 
-/// "u 0.5 to 2 %", or that there are none.
+/// "u 0.5 to 2 %"; empty without uncertainties.
 std::string uncertainties_text(const std::vector<double>& stated) {
-    if (stated.empty()) return ", no uncertainties";
+    if (stated.empty()) return {};
     const auto [least, greatest] = std::ranges::minmax(stated);
     return ", u " + range_text({100 * least, 100 * greatest}, "%");
 }
 
+/// Stated uncertainties of the phases as parts of the whole sample [1].
+std::vector<double> uncertainties_of(const std::vector<PhaseFraction>& phases,
+                                     const std::vector<PhaseShare>& shares) {
+    std::vector<double> uncertainties;
+    for (const PhaseFraction& phase : phases) {
+        if (!(phase.standard_uncertainty.value_or(0) > 0)) continue;
+        const auto share = std::ranges::find(shares, phase.name, &PhaseShare::name);
+        const double scale =
+            share != shares.end() && phase.fraction > 0 ? share->weight_fraction / phase.fraction : 1;
+        uncertainties.push_back(scale * *phase.standard_uncertainty);
+    }
+    return uncertainties;
+}
+
+/// ", u 10 % of the amorphous part": stated, or by an internal standard. Empty without.
+std::string amorphous_text(const Analysis& analysis, const std::vector<PhaseShare>& shares) {
+    double crystalline = 0;
+    for (const PhaseShare& share : shares)
+        if (std::ranges::find(analysis.phases, share.name, &PhaseFraction::name) != analysis.phases.end())
+            crystalline += share.weight_fraction;
+    const double stated = std::visit(
+        [&]<class Part>(const Part& part) {
+            if constexpr (std::is_same_v<Part, AmorphousRemainder>)
+                return part.standard_uncertainty.value_or(0) / part.scale * crystalline;
+            else if constexpr (requires { part.standard_uncertainty; })
+                return part.standard_uncertainty.value_or(0);
+            else
+                return 0.0;
+        },
+        analysis.amorphous);
+    return stated > 0 ? uncertainties_text({stated}) + " of the amorphous part" : std::string();
+}
+
 /// The phases and oxides of a sample as they were read, with the range of their uncertainties.
-std::string composition_text(const Sample& sample, const std::vector<PhaseShare>& phases) {
-    const auto stated = [](const auto& shares) {
-        std::vector<double> uncertainties;
-        for (const auto& share : shares)
-            if (share.standard_uncertainty.value_or(0) > 0)
-                uncertainties.push_back(*share.standard_uncertainty);
-        return uncertainties;
-    };
-    std::string text = "; " + phases_text(phases) + uncertainties_text(stated(sample.analysis.phases));
-    if (sample.glass.oxides)
-        text += fmt::format("; {} oxides", sample.glass.oxides->oxides.size()) +
-                uncertainties_text(stated(sample.glass.oxides->oxides));
-    return text;
+std::string composition_text(const Sample& sample, const std::vector<PhaseShare>& shares) {
+    const std::string none = ", no uncertainties";
+    const std::string of_phases = uncertainties_text(uncertainties_of(sample.analysis.phases, shares)) +
+                                  amorphous_text(sample.analysis, shares);
+    std::string text = "; " + phases_text(shares) + (of_phases.empty() ? none : of_phases);
+    if (!sample.glass.oxides) return text;
+    std::vector<double> stated;
+    for (const OxideShare& oxide : sample.glass.oxides->oxides)
+        if (oxide.standard_uncertainty.value_or(0) > 0) stated.push_back(*oxide.standard_uncertainty);
+    return text + fmt::format("; {} oxides", sample.glass.oxides->oxides.size()) +
+           (stated.empty() ? none : uncertainties_text(stated));
 }
 
 }  // namespace
@@ -102,6 +134,8 @@ std::string inputs_text(const Run& run, std::size_t width) {
         const Sample& sample = samples[i];
         std::string line = sample.name + ": " + readable(sample.diameter.quantity);
         if (sample.density) line += ", " + readable(sample.density->quantity);
+        if (i < run.contact.samples.size())
+            line += ", w " + readable(run.contact.samples[i].work_of_adhesion.quantity);
         if (i < run.modulus.samples.size()) line += composition_text(sample, run.modulus.samples[i].phases);
         const auto* source = sample.restitution ? &*sample.restitution : nullptr;
         if (const auto* measured = source ? std::get_if<MeasuredRestitution>(source) : nullptr)

@@ -142,6 +142,15 @@ TEST_CASE("TOPAS: a spiked standard gives the amorphous part of the ash") {
     other.replace(other.find(" 50"), 3, " 30");
     CHECK(contains(read_text(other).samples[0].warnings.back().text,
                    "amorphous part of the mixture is 30 %, the standard gives 50 %"));
+    std::string uncertain = spiked;
+    uncertain.replace(uncertain.find(" 50"), 3, " 50`_4");
+    uncertain.replace(uncertain.rfind(" 10\n"), 4, " 10`_0.5\n");
+    const XrdSample with_weighing = read_text(uncertain).samples[0];
+    // The scale is w_s/(0.2 (1 - w_s)).
+    CHECK(close_to(*std::get<AmorphousRemainder>(with_weighing.analysis.amorphous).standard_uncertainty,
+                   0.005 / (0.2 * 0.9 * 0.9)));
+    CHECK(
+        contains(with_weighing.warnings.back().text, "uncertainty of weight_percent_amorphous is not used"));
     refuses_text(spiked + "str phase_name Calcite weight_percent 5 spiked_phase_measured_weight_percent 5\n",
                  "line 5: there are two spiked phases");
 }

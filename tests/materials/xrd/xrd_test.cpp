@@ -74,6 +74,19 @@ TEST_CASE("uncertainties of a table that are multiples of standard ones are read
         CHECK_MESSAGE(result.warnings.front().text.find(why) != std::string::npos,
                       result.warnings.front().text);
     }
+    for (const char* table : {"Phase;Weight %;Error %\nQuartz;20;3\nMullite;80;2\n",
+                              "Phase;Massenanteil in %;Fehler in %\nQuartz;20;3\nMullite;80;2\n",
+                              "Sample;Quartz (%);Error (%);Mullite (%);Error (%)\nFA-1;20;3;80;2\n"}) {
+        CAPTURE(table);
+        const XrdResult result = read_xrd(table, "t.csv");
+        CHECK_FALSE(result.samples[0].analysis.phases[0].standard_uncertainty);
+        CHECK(contains(joined(texts_of(result.warnings)), "of the whole or of the value"));
+    }
+    CHECK(contains(
+        joined(texts_of(read_xrd("Phase,wt%\nQuartz,20\nMullite,80\nTotal,100.0 \u00b1 1.5\n", "t.csv")
+                            .samples[0]
+                            .warnings)),
+        "the uncertainty of the total is not used"));
     CHECK_THROWS_WITH_AS(
         static_cast<void>(read_xrd("Phase,wt%,error\nQuartz,20,3%\nMullite,80,1%\n", "t.csv")),
         "t.csv: line 2, cell 3: \"3%\" may be per cent of the whole, or of the value before "

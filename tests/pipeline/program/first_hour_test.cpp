@@ -346,10 +346,18 @@ TEST_CASE("init, run and inspect, as the help says, in no line wider than 80 col
     CHECK(ashimpact_program(sandbox, "inspect mine/case.json").status == 2);
     check_fits(sandbox, "run -o r --only comparison");
     const std::string read = ashimpact_program(sandbox, "run -o r --only comparison").out;
-    CHECK(read == containing("\nfine: 88 um, 2300 kg/m3; "));
+    CHECK(read == containing("\nfine: 88 um, 2300 kg/m3, w 0.3 J/m2; "));
     CHECK(read == containing("mullite 50.5, glass-dong2013 47, quartz"));
-    CHECK(read == containing("by weight, no uncertainties; 12 impacts, v_in 1.4 to 4.6 m/s"));
+    CHECK(read == containing("by weight, no uncertainties; 12 impacts, v_in 1.4 to 4.6"));
     CHECK(read == containing("2 captured, u(v_in) 0.0146 m/s"));
+    sandbox.write("uncertain.json", R"({"name": "u", "work_of_adhesion": "0.3 +- 0.1 J/m2",
+        "wall": {"young_modulus": "210 GPa", "poisson_ratio": 0.3}, "samples": [
+        {"name": "FA 1", "diameter": "90 +- 6 um", "density": "2300 kg/m3", "composition":
+         {"weight_fractions": {"mullite": "70 +- 4 %", "quartz": "30 +- 2 %"}, "amorphous": "60 +- 10 %"}}]})");
+    const std::string uncertain = ashimpact_program(sandbox, "run uncertain.json -o u").out;
+    CHECK(uncertain == containing("FA 1: 90.0 +- 6.0 um, 2300 kg/m3, w 0.30 +- 0.10 J/m2; glass"));
+    CHECK(uncertain == containing("by weight, u 0.8 to 1.6 %, u 10 % of the amorphous\n"));
+    CHECK(uncertain == containing("without damping and\nuncertainties."));
 }
 
 TEST_CASE("no output of the other commands is wider than 80 columns" * doctest::skip(test::sanitized)) {
