@@ -403,4 +403,15 @@ std::string word_key(std::string_view text, std::string_view kept) {
     return key;
 }
 
+std::string sample_key(std::string_view name) {
+    std::string text(name);
+    const auto is_digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool is_decimal_mark = i > 0 && is_digit(i - 1) && is_digit(i + 1);
+        if (text[i] == '-' && (i == 0 || text[i - 1] == ' ') && is_digit(i + 1)) text[i] = '<';
+        if ((text[i] == '.' || text[i] == ',') && !is_decimal_mark) text[i] = ' ';
+    }
+    return word_key(text, "+<>.,");
+}
+
 }  // namespace ashimpact

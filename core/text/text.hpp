@@ -139,4 +139,8 @@ using Replacements = std::span<const std::pair<std::string_view, std::string_vie
 /// letters and digits, other characters than ASCII and those of @p kept. "v_{rück}" is "vrueck".
 [[nodiscard]] std::string word_key(std::string_view text, std::string_view kept = {});
 
+/// Name of a sample for comparing, as word_key() but with the marks of fractions: "FA +45", "FA <45" and "FA
+/// 4.5" are not "FA 45"; a sign before a size, "FA -45", is "<".
+[[nodiscard]] std::string sample_key(std::string_view name);
+
 }  // namespace ashimpact

@@ -136,15 +136,6 @@ XrdResult read_xrd(std::string_view text, std::string_view name, const TableOpti
     });
 }
 
-std::string sample_key(std::string_view name) {
-    std::string text(name);
-    for (std::size_t i = 0; i + 1 < text.size(); ++i) {
-        const bool is_sign = text[i] == '-' && (i == 0 || text[i - 1] == ' ');
-        if (is_sign && text[i + 1] >= '0' && text[i + 1] <= '9') text[i] = '<';
-    }
-    return word_key(text, "+<>.,");
-}
-
 std::optional<Finding> other_sample_finding(std::string_view code, std::string_view data,
                                             const std::string& named, std::string_view file,
                                             const std::string& sample) {

@@ -55,10 +55,6 @@ struct XrdResult {
 [[nodiscard]] XrdResult read_xrd(std::string_view text, std::string_view name,
                                  const TableOptions& options = {});
 
-/// Name of a sample for comparing, as word_key() but with the marks of fractions: "FA +45", "FA <45" and "FA
-/// 4.5" are not "FA 45"; a sign before a size, "FA -45", is "<".
-[[nodiscard]] std::string sample_key(std::string_view name);
-
 /// The remark that @p data, "phases", of a file are taken for a sample of another name than the file states
 /// for them; none where the file states none, or the same. @param named their name, else the stem of @p file
 [[nodiscard]] std::optional<Finding> other_sample_finding(std::string_view code, std::string_view data,

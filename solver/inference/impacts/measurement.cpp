@@ -80,7 +80,14 @@ VelocityNoise VelocityNoise::of_restitution(double velocity, double restitution,
 
 std::optional<Finding> other_sample_finding(const MeasurementSet& set, const std::string& sample) {
     const std::string own = word_key(sample);
+    const auto marks = [](const std::string& name) {
+        std::string kept = sample_key(name);
+        std::erase_if(kept,
+                      [](char c) { return std::string_view("+<>.,").find(c) == std::string_view::npos; });
+        return kept;
+    };
     const auto is_of = [&](const std::string& name) {  // "FA 8 (96 um)" of "FA8", and not "FA80"
+        if (marks(name) != marks(sample)) return false;
         const std::vector<std::string> words = words_in(name);
         for (std::size_t i = 0; i < words.size(); ++i) {
             std::string joined;

@@ -577,7 +577,10 @@ TEST_CASE("impacts of a sample of another name are told") {
     CHECK(remark("FA8", "", "FA 7") == "the impacts are those of the sample \"FA8\", as its column says");
     CHECK(remark("FA8", "", "FA 8").empty());
     CHECK(remark("FA 8 (96 um)", "", "FA8").empty());
+    CHECK(remark("FA >45 um, run 1.", "", "FA >45 um").empty());
     CHECK(contains(remark("FA80", "", "FA8"), "FA80"));
+    CHECK(contains(remark("FA >45 um", "", "FA <45 um"), "FA >45"));
+    CHECK(contains(remark("FA-1.1", "", "FA-11"), "FA-1.1"));
     CHECK(remark("", "FA8 104um", "FA 7") == "the impacts are those of the sheet \"FA8 104um\"");
     CHECK(remark("", "Messung 1", "FA 7").empty());
     CHECK(remark("", "FA7 impacts", "FA 7").empty());
