@@ -134,7 +134,7 @@ std::string inputs_text(const Run& run, std::size_t width) {
         const Sample& sample = samples[i];
         std::string line = sample.name + ": " + readable(sample.diameter.quantity);
         if (sample.density) line += ", " + readable(sample.density->quantity);
-        if (i < run.contact.samples.size())
+        if (i < run.contact.samples.size() && run.contact.samples[i].work_of_adhesion.quantity.value > 0)
             line += ", w " + readable(run.contact.samples[i].work_of_adhesion.quantity);
         if (i < run.modulus.samples.size()) line += composition_text(sample, run.modulus.samples[i].phases);
         const auto* source = sample.restitution ? &*sample.restitution : nullptr;

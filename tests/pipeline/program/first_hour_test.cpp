@@ -348,7 +348,7 @@ TEST_CASE("init, run and inspect, as the help says, in no line wider than 80 col
     const std::string read = ashimpact_program(sandbox, "run -o r --only comparison").out;
     CHECK(read == containing("\nfine: 88 um, 2300 kg/m3, w 0.3 J/m2; "));
     CHECK(read == containing("mullite 50.5, glass-dong2013 47, quartz"));
-    CHECK(read == containing("by weight, no uncertainties; 12 impacts, v_in 1.4 to 4.6"));
+    CHECK(read == containing("by weight, no uncertainties; 12 impacts, v_in 1.4"));
     CHECK(read == containing("2 captured, u(v_in) 0.0146 m/s"));
     sandbox.write("uncertain.json", R"({"name": "u", "work_of_adhesion": "0.3 +- 0.1 J/m2",
         "wall": {"young_modulus": "210 GPa", "poisson_ratio": 0.3}, "samples": [
