@@ -180,6 +180,13 @@ std::optional<std::string> without_per_cent_of_error(std::string_view heading) {
     return std::string(before) + (before.empty() ? "" : " ") + std::string(after);
 }
 
+/// Whether a text has a word for another spread than a standard uncertainty.
+bool names_spread(std::string_view text) {
+    return any_word(text, [](const std::string& word) {
+        return special_words().list_of(word).value_or("expanded") != "expanded";
+    });
+}
+
 /// The word behind "±" in a heading, "CI" of "v_in ± CI [m/s]", that is no known word for a standard
 /// uncertainty, no number and no unit. Behind "±" alone it may be a name: "± FA1".
 std::string unknown_behind_plus_minus(std::string_view heading) {
@@ -189,10 +196,32 @@ std::string unknown_behind_plus_minus(std::string_view heading) {
         const std::string_view behind = trimmed(heading.substr(at + sign.size()));
         const std::string_view word = trimmed(behind.substr(0, behind.find_first_of("[](),;/")));
         const bool may_be_name = trimmed(heading.substr(0, at)).empty() && word != "U";
+        const bool is_per_cent = word.find('%') != std::string_view::npos && !names_spread(word);
         const bool is_known = word.empty() || word == "u" || is_digit(word.front()) || word.front() == '.' ||
-                              word.find('%') != std::string_view::npos || read_unit(ascii_unit(word));
+                              is_per_cent || read_unit(ascii_unit(word));
         if (is_known || may_be_name || (word != "U" && is_uncertainty_word(word))) return {};
         return std::string(word);
+    }
+    return {};
+}
+
+/// What a heading names in brackets, "RSD" of "FA1 (RSD) [wt%]", if that is a statistic other than a standard
+/// uncertainty or a mean. The cells below may hold it in brackets behind their values.
+std::string statistic_in_brackets(std::string_view heading) {
+    constexpr std::array means{"mean", "aver", "avg",  "arith", "mittel", "mw",     "schnitt", "durchschnitt",
+                               "moy",  "medi", "prom", "gem",   "media",  "sredni", "prumer",  "ortalama"};
+    for (auto open = heading.find('('); open != std::string_view::npos; open = heading.find('(', open + 1)) {
+        const auto close = heading.find(')', open);
+        if (close == std::string_view::npos) return {};
+        const std::string_view inside = trimmed(heading.substr(open + 1, close - open - 1));
+        const std::string_view word =
+            trimmed(inside.substr(std::min(inside.find_first_not_of("0123456789"), inside.size())));
+        const std::string key = word_key(word);
+        const bool is_mean =
+            std::ranges::any_of(means, [&](const char* mean) { return key.starts_with(mean); });
+        if (word.empty() || is_mean || is_total(word) || read_unit(ascii_unit(word))) continue;
+        if (word == "U" || (!is_uncertainty_word(word) && (names_spread(word) || is_summary(word))))
+            return std::string(inside);
     }
     return {};
 }
@@ -384,6 +413,8 @@ StatedCoverage read_coverage(std::string_view heading) {
     };
     if (const std::string other = unknown_behind_plus_minus(heading); !other.empty())
         coverage.problem = in_quotes(other) + " behind \"±\" names no standard uncertainty (" + remedy + ")";
+    if (const std::string other = statistic_in_brackets(heading); !other.empty())
+        coverage.problem = in_quotes(other) + " in brackets names no standard uncertainty (" + remedy + ")";
     const std::string_view symbol = trimmed(heading.substr(0, heading.find_first_of("[(,/")));
     if (symbol == "U" || heading.starts_with("U in ") ||
         (any_word(heading, is_expanded) && any_word(heading, is_uncertainty_word)))

@@ -803,7 +803,8 @@ std::optional<OxideNumber> number_of(const OxideCell& cell, const NumberMarks& m
         OxideNumber number{read->value, read->standard_uncertainty,
                            stated_scale(unit_heading(cell), read->per_cent, cell.line)};
         const auto& coverage = unit_heading(cell).coverage;
-        if (number.uncertainty && coverage.problem.empty()) *number.uncertainty /= coverage.factor;
+        if (!coverage.problem.empty()) number.uncertainty.reset();
+        if (number.uncertainty) *number.uncertainty /= coverage.factor;
         if (cell.error_heading != nullptr && !says_no_number(cell.uncertainty)) {
             const xrd::Heading& unit = unit_heading(cell);
             if (number.uncertainty)

@@ -356,6 +356,21 @@ TEST_CASE("uncertainties of oxides that are no uncertainties of the sample are n
         CHECK_THROWS_WITH_AS(static_cast<void>(only(table)),
                              doctest::Contains("may be of the sample or of the amount"), InputError);
     }
+    for (const char* heading : {"wt% \u00b1 RSD %", "wt% \u00b1 U", "wt% (U)", "wt% (n)", "wt% (RSD)",
+                                "wt% (2SE)", "Gew.-% (Nachweisgrenze)"}) {
+        CAPTURE(heading);
+        const OxideResult result = read_oxides(
+            "Oxide;" + std::string(heading) + "\nSiO2;60 \u00b1 0.6\nAl2O3;40 \u00b1 0.4\n", "t.csv");
+        CHECK_FALSE(result.samples[0].analysis.oxides[0].standard_uncertainty);
+        CHECK(tells(result.warnings, "are not read, as"));
+    }
+    for (const char* heading : {"wt% (SD)", "wt% \u00b1 SD", "wt% (mean)", "wt% (1 sigma)"}) {
+        CAPTURE(heading);
+        CHECK(near(*only("Oxide;" + std::string(heading) + "\nSiO2;60 \u00b1 0.6\nAl2O3;40 \u00b1 0.4\n")
+                        .analysis.oxides[0]
+                        .standard_uncertainty,
+                   0.006));
+    }
     const OxideSample above = only("Sample,SiO2,Al2O3,Na2O,Total\nFA1,60,39.4,0.6,100(2)\nerror,0.5,1,5,\n");
     CHECK(tells(above.warnings, "the uncertainty of Na2O, 5 %, is above its amount, 0.6 %: is it one?"));
     CHECK(tells(above.warnings, "the uncertainty of the total is not used"));

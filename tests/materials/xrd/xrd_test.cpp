@@ -74,6 +74,14 @@ TEST_CASE("uncertainties of a table that are multiples of standard ones are read
         CHECK_MESSAGE(result.warnings.front().text.find(why) != std::string::npos,
                       result.warnings.front().text);
     }
+    for (const char* heading :
+         {"Mean (2SE) [wt%]", "Mittelwert (Spannweite) [Gew.-%]", "FA1 (RSD) [wt%]", "Mean (n) [wt%]"}) {
+        CAPTURE(heading);
+        const XrdResult result =
+            read_xrd("Phase;" + std::string(heading) + "\nQuartz;20 (0.8)\nMullite;80 (1.2)\n", "t.csv");
+        CHECK_FALSE(result.samples[0].analysis.phases[0].standard_uncertainty);
+        CHECK(contains(joined(texts_of(result.warnings)), "in brackets names no standard uncertainty"));
+    }
     for (const char* table : {"Phase;Weight %;Error %\nQuartz;20;3\nMullite;80;2\n",
                               "Phase;Massenanteil in %;Fehler in %\nQuartz;20;3\nMullite;80;2\n",
                               "Sample;Quartz (%);Error (%);Mullite (%);Error (%)\nFA-1;20;3;80;2\n"}) {
