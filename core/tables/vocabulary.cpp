@@ -196,9 +196,13 @@ std::string unknown_behind_plus_minus(std::string_view heading) {
         const std::string_view behind = trimmed(heading.substr(at + sign.size()));
         const std::string_view word = trimmed(behind.substr(0, behind.find_first_of("[](),;/")));
         const bool may_be_name = trimmed(heading.substr(0, at)).empty() && word != "U";
-        const bool is_per_cent = word.find('%') != std::string_view::npos && !names_spread(word);
+        if (word.ends_with('%')) {  // "± %" and "± error %" may be of the value; "± wt%" is a unit
+            const std::string_view rest = trimmed(word.substr(0, word.size() - 1));
+            if (!may_be_name && (rest.empty() || names_spread(rest) || is_uncertainty_word(rest)))
+                return std::string(word);
+        }
         const bool is_known = word.empty() || word == "u" || is_digit(word.front()) || word.front() == '.' ||
-                              is_per_cent || read_unit(ascii_unit(word));
+                              word.find('%') != std::string_view::npos || read_unit(ascii_unit(word));
         if (is_known || may_be_name || (word != "U" && is_uncertainty_word(word))) return {};
         return std::string(word);
     }

@@ -349,6 +349,7 @@ class OxideTable {
                                 std::optional<std::size_t> heading, std::size_t label) {
         std::vector<TextLine> table;
         std::vector<TextBeside> names;
+        std::vector<TextBeside> labels;  // "FA 7 (2 sigma)"
         for (const TextLine& line : lines) {
             const TableRow row = cut_row(line, separator_);
             if (only_text(row).empty()) table.push_back(line);
@@ -356,6 +357,8 @@ class OxideTable {
                 if ((row.line != heading || k == label) && !row.cells[k].empty() &&
                     !read_number(row.cells[k], true))
                     names.push_back({row.line, row.cells[k]});
+            if (row.line != heading && label < row.cells.size())
+                labels.push_back({row.line, row.cells[label]});
         }
         std::vector<TextBeside> texts = texts_beside(file, table);
         refuse_loss_within(texts);
@@ -382,6 +385,7 @@ class OxideTable {
                 names.push_back({heading.value_or(1), each.heading.written});
         if (const auto statements = statements_in(names); statements.contains("ignited sample"))
             ignited = in_quotes(statements.at("ignited sample").text);
+        texts.insert(texts.end(), labels.begin(), labels.end());
         check_coverage(glass_code, texts, columns, table, separator_, warnings);
     }
 

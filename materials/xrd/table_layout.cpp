@@ -481,20 +481,38 @@ void drop_summaries(Table& table) {
     });
 }
 
-/// Appends " (internal standard)" to the phase that a text beside the table calls so, unless it is marked:
-/// "spiked with 10 % Korund".
-void take_texts_on_phases(Table& table, const std::vector<TextBeside>& texts) {
+/// The names of samples, in cells or headings, as texts.
+std::vector<TextBeside> sample_names(const Table& table) {
+    std::vector<TextBeside> names;
+    if (const auto label = table.column(Role::sample))
+        for (const TableRow& row : table.rows) names.push_back({row.line, row.cells[*label]});
+    else if (table.has(Role::phase))
+        for (const Heading& heading : table.headings)
+            if (heading.role == Role::other) names.push_back({table.heading_line, heading.text});
+    return names;
+}
+
+/// Whether a text states what was added: "FA1 + 10 % corundum".
+bool states_addition(const std::string& text) {
+    static const std::regex addition("[+] *[0-9][0-9.,]* *(?:wt|m|Gew\\.-|Ma\\.-)?%");
+    return text.size() <= longest_heading && std::regex_search(text, addition);
+}
+
+/// Appends " (internal standard)" to the phase that a text beside the table or the name of a sample calls so,
+/// unless it is marked: "spiked with 10 % Korund".
+void take_texts_on_phases(Table& table, std::vector<TextBeside> texts) {
     static const WordLists marks("XRD marks", " ");
     static const WordLists materials("internal standards", " ");
     constexpr std::size_t shortest_mark = 4;  // unlike "is"
     std::set<std::string_view> standards;
+    for (TextBeside& name : sample_names(table)) texts.push_back(std::move(name));
     for (const TextBeside& text : texts) {
         const std::vector<std::string> words = words_in(text.text);
         const bool is_mark = std::ranges::any_of(mentions_in(words, marks), [&](const Mention& mention) {
             return mention.list == "standard" && !mention.negated &&
                    (mention.count > 1 || words[mention.first].size() >= shortest_mark);
         });
-        if (!is_mark) continue;
+        if (!is_mark && !states_addition(text.text)) continue;
         for (const Mention& mention : mentions_in(words, materials)) standards.insert(mention.list);
     }
     if (standards.empty() || table.has(Role::standard)) return;
@@ -821,8 +839,9 @@ void require_agreeing_texts(Table& table, std::vector<TextBeside> texts, std::sp
     };
     const auto is_beside = [&](std::string_view cell, std::size_t k) {
         const Heading& heading = table.headings[k];
-        if (heading.role == Role::phase || (heading.role == Role::other && heading.written.empty()))
-            return true;                       // "Quartz (vol%)", and notes
+        if (heading.role == Role::phase || heading.role == Role::sample ||
+            (heading.role == Role::other && heading.written.empty()))
+            return true;                       // "Quartz (vol%)", "FA1 (2 sigma)", and notes
         constexpr std::size_t most_words = 3;  // of a unit
         return is_unused(heading) && words_in(cell).size() <= most_words &&
                cell.find_first_of("0123456789") == std::string_view::npos;

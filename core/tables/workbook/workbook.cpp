@@ -43,7 +43,9 @@ std::string in_rows(std::string text) {
 
 std::unique_ptr<TextLines> lines_of(const Sheet& sheet, TextLimits limits) {
     limits.of_sheet = true;
-    return std::make_unique<TextLines>(sheet.as_text(), limits);
+    // Its name is a text beside the table, which may state a unit: "Vol.-%".
+    return std::make_unique<TextLines>(sheet.as_text() + "# comment on the sheet: " + sheet.name() + '\n',
+                                       limits);
 }
 
 bool holds_table(const Sheet& sheet, const SheetRequest& request) {

@@ -356,8 +356,8 @@ TEST_CASE("uncertainties of oxides that are no uncertainties of the sample are n
         CHECK_THROWS_WITH_AS(static_cast<void>(only(table)),
                              doctest::Contains("may be of the sample or of the amount"), InputError);
     }
-    for (const char* heading : {"wt% \u00b1 RSD %", "wt% \u00b1 U", "wt% (U)", "wt% (n)", "wt% (RSD)",
-                                "wt% (2SE)", "Gew.-% (Nachweisgrenze)"}) {
+    for (const char* heading : {"wt% \u00b1 RSD %", "wt% \u00b1 %", "wt% \u00b1 error %", "wt% \u00b1 U",
+                                "wt% (U)", "wt% (n)", "wt% (RSD)", "wt% (2SE)", "Gew.-% (Nachweisgrenze)"}) {
         CAPTURE(heading);
         const OxideResult result = read_oxides(
             "Oxide;" + std::string(heading) + "\nSiO2;60 \u00b1 0.6\nAl2O3;40 \u00b1 0.4\n", "t.csv");
@@ -371,6 +371,9 @@ TEST_CASE("uncertainties of oxides that are no uncertainties of the sample are n
                         .standard_uncertainty,
                    0.006));
     }
+    CHECK_THROWS_WITH_AS(
+        static_cast<void>(only("Sample;SiO2;Al2O3\nFA 7 \u00b1 2\u03c3;60 \u00b1 0.6;40 \u00b1 0.4\n")),
+        doctest::Contains("the coverage in the heading"), InputError);
     const OxideSample above = only("Sample,SiO2,Al2O3,Na2O,Total\nFA1,60,39.4,0.6,100(2)\nerror,0.5,1,5,\n");
     CHECK(tells(above.warnings, "the uncertainty of Na2O, 5 %, is above its amount, 0.6 %: is it one?"));
     CHECK(tells(above.warnings, "the uncertainty of the total is not used"));

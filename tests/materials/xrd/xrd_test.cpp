@@ -118,6 +118,36 @@ TEST_CASE("uncertainties of a table that are multiples of standard ones are read
     CHECK(named.samples.size() == 2);
 }
 
+TEST_CASE("what the name of a sample states counts: a basis, a coverage, a standard") {
+    const auto refusal = [](const std::string& rows) {
+        return input_error_of([&] { return read_xrd(rows, "t.csv").samples.front().name; });
+    };
+    const auto standard = [](const std::string& rows) {
+        return input_error_of(
+            [&] { return compose(read_xrd(rows, "t.csv").samples.front().analysis, shipped_catalogue()); });
+    };
+    const std::string plain = "Sample;Quarz [%];Mullit [%];Glas [%]\n";
+    CHECK(contains(refusal(plain + "FA1 (Vol.-%);12,4;24,1;63,5\n"), "Vol.-%"));
+    CHECK(contains(refusal("Phase;Sample;Anteil [%]\nQuarz;FA1 Vol.-%;12,4\nGlas;FA1 Vol.-%;87,6\n"),
+                   "Vol.-%"));
+    for (const char* name : {"FA1 \u00b1 2\u03c3", "FA1 (k=2)"})
+        CHECK(contains(refusal(plain + name + ";12,3 \u00b1 0,8;28,4 \u00b1 1,2;59,3 \u00b1 1,4\n"),
+                       "the coverage in the heading"));
+    for (const char* name : {"FA1 + 10 % Korund", "FA1 (spiked with 10 % corundum)"}) {
+        CAPTURE(name);
+        const std::string row = std::string(name) + ";11;26;10;53\n";
+        CHECK(contains(standard("Sample;Quarz;Mullit;Korund;Glas\n" + row), "internal standard"));
+    }
+    CHECK(
+        contains(standard("Phase;FA1 spiked with corundum [wt%]\nQuarz;11\nMullit;26\nKorund;10\nGlas;53\n"),
+                 "internal standard"));
+    for (const char* name :
+         {"FA1", "FA1 + lime", "FA1 + 10 % lime", "Ash 2.5 um", "FA1 (Gew.-%)", "FA1 2s"}) {
+        CAPTURE(name);
+        CHECK(read_xrd(plain + name + ";12;24;64\n", "t.csv").samples.front().analysis.phases.size() == 3);
+    }
+}
+
 TEST_CASE("a complete BGMN list of six phases") {
     const XrdResult result = read("fa07-corundum.lst");
     CHECK(result.format == XrdFormat::bgmn_lst);

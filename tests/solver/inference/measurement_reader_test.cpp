@@ -554,7 +554,7 @@ TEST_CASE("uncertainties that are no standard ones beside a velocity are not rea
         CHECK_FALSE(set.has_noise());
         CHECK(contains(warnings_of(set), "needs its coverage factor"));
     }
-    for (const char* word : {"CI", "U", "max. error", "IQR"}) {
+    for (const char* word : {"CI", "U", "max. error", "IQR", "RSD %", "%", "error %"}) {
         CAPTURE(word);
         const std::string name = word;
         const MeasurementSet set = read_measurements("v_in \u00b1 " + name + " [m/s];v_r \u00b1 " + name +
