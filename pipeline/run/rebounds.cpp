@@ -8,6 +8,9 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "pipeline/run/sizes.hpp"
 #include "solver/batch/parallel.hpp"
@@ -60,6 +63,7 @@ RestitutionOfVelocity between_known(const KnownRebounds& known, double diameter,
 }
 
 /// The impacts of one size, from its own critical velocity on; none if all are captured.
+/// @throws InputError if faster ones up to @p fastest are captured again
 std::optional<SizeRebounds> solved_rebounds(double diameter, double fastest, Impact impact) {
     try {
         const CriticalVelocity critical =
@@ -72,6 +76,11 @@ std::optional<SizeRebounds> solved_rebounds(double diameter, double fastest, Imp
             const double place = last * i / solved_velocities;
             impact.velocity = from * std::exp(place * place);
             rebounds.points.emplace_back(place, i == 0 && critical.value ? 0 : restitution_of(impact));
+            if (i > 0 && impact.velocity <= fastest && rebounds.points.back().second == 0)
+                throw InputError(
+                    fmt::format("{} spheres stick below {} and again at {}", readable(diameter, "m"),
+                                readable(from, "m/s"), readable(impact.velocity, "m/s")),
+                    "a slower gas, or sizes and a law with one critical velocity each");
         }
         return rebounds;
     } catch (const ConvergenceError&) {

@@ -115,6 +115,25 @@ TEST_CASE("a deposition conserves mass over sizes, around the tube and along its
     CHECK(succeeded(sandbox, "inspect tube/deposit.json").out == containing("deposition_flux"));
 }
 
+TEST_CASE("sizes that stick again when they are faster are refused") {
+    const Sandbox sandbox;
+    const std::string pair =
+        " --law thornton-ning --density 2300kg/m3 --contact-modulus 90GPa --work-of-adhesion 0.3J/m2 "
+        "--yield-pressure 1GPa --damping-law contact-radius --damping '2150 Pa s'";
+    const auto deposit = [&](const std::string& velocity) {
+        return ashimpact_program(sandbox, "deposit" + pair +
+                                              " --tube-diameter '38 mm' --gas-temperature '900 C' --sizes "
+                                              "'20 um' --ash-load '10 g/m3' -o d --gas-velocity " +
+                                              velocity);
+    };
+    CHECK(ashimpact_program(sandbox, "critical-velocity --diameter 20um" + pair).out ==
+          test::containing("captured again     above 3.94"));
+    const Finished fast = deposit("12m/s");
+    CHECK(fast.status == 2);
+    CHECK(fast.err == test::containing("20 um spheres stick below 1.412 m/s and again at"));
+    CHECK(deposit("3m/s").status == 0);
+}
+
 TEST_CASE("what stays goes from nothing to all, and without a load there are shares alone") {
     const Sandbox sandbox;
     const std::string ash = " --density '2300 kg/m3' --contact-modulus '90 GPa' --sizes '20 um'";
