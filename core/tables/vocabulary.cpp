@@ -213,7 +213,7 @@ std::string unknown_behind_plus_minus(std::string_view heading) {
 /// uncertainty or a mean. The cells below may hold it in brackets behind their values.
 std::string statistic_in_brackets(std::string_view heading) {
     constexpr std::array means{"mean", "aver", "avg",  "arith", "mittel", "mw",     "schnitt", "durchschnitt",
-                               "moy",  "medi", "prom", "gem",   "media",  "sredni", "prumer",  "ortalama"};
+                               "moy",  "medi", "prom", "gem",   "sredni", "prumer", "ortalama"};
     for (auto open = heading.find('('); open != std::string_view::npos; open = heading.find('(', open + 1)) {
         const auto close = heading.find(')', open);
         if (close == std::string_view::npos) return {};
@@ -478,10 +478,7 @@ std::optional<UncertaintyBeside> uncertainty_beside(std::string_view heading, st
     if (is_uncertainty_word(word) || !coverage.problem.empty() || (word.empty() && !coverage.stated.empty()))
         return UncertaintyBeside{.text = rest, .problem = {}};
     const bool is_spread = said == "s" || (said.size() > 1 && is_summary(said) && !is_total(said));
-    const auto is_other = [](const std::string& each) {
-        return special_words().list_of(each).value_or("expanded") != "expanded" || is_uncertainty_word(each);
-    };
-    if (!is_spread && !any_word(said, is_other)) return std::nullopt;
+    if (!is_spread && !names_spread(said) && !any_word(said, is_uncertainty_word)) return std::nullopt;
     return UncertaintyBeside{rest, in_quotes(said) + " names no standard uncertainty (" + remedy + ")"};
 }
 

@@ -33,13 +33,11 @@ class PowerChain {
         }
     }
 
-    /// The first @p count terms of those powers, in another number type.
+    /// Copies the first @p count terms of those powers into series of another number type.
     template <class From, class To>
     void copy(const From& from, To& to, std::size_t count) const {
-        using Number = typename To::value_type::value_type;
         for (std::size_t power = 1; power < capacity; ++power)
-            for (std::size_t n = 0; n < count && have_[power]; ++n)
-                to[power][n] = static_cast<Number>(from[power][n]);
+            if (have_[power]) copy_terms(from[power], to[power], count);
     }
 
   private:

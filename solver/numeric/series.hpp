@@ -17,6 +17,13 @@ inline constexpr int taylor_order = std::numeric_limits<Real>::digits * 347 / 10
 template <class Real, class Goal = Real>
 using Series = std::array<Real, taylor_order<Goal> + 1>;
 
+/// Copies the first @p count terms into a series of another number type.
+template <class From, class To>
+void copy_terms(const From& from, To& to, std::size_t count) {
+    using Number = typename To::value_type;
+    for (std::size_t n = 0; n < count; ++n) to[n] = static_cast<Number>(from[n]);
+}
+
 /// Value of the series at @p h.
 template <class Real, std::size_t size>
 [[nodiscard]] Real value(const std::array<Real, size>& c, Real h) {

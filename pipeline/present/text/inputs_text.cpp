@@ -72,10 +72,10 @@ std::string phases_text(std::vector<PhaseShare> phases) {
 }
 
 /// "u 0.5 to 2 %"; empty without uncertainties.
-std::string uncertainties_text(const std::vector<double>& stated) {
+std::string uncertainties_text(std::vector<double> stated) {
     if (stated.empty()) return {};
-    const auto [least, greatest] = std::ranges::minmax(stated);
-    return ", u " + range_text({100 * least, 100 * greatest}, "%");
+    for (double& each : stated) each *= 100;
+    return ", u " + range_text(stated, "%");
 }
 
 /// Stated uncertainties of the phases as parts of the whole sample [1].

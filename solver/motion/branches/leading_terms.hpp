@@ -12,16 +12,9 @@
 
 namespace ashimpact {
 
-/// Terms of an expansion that need all the digits of a number type wider than double. A step of radius/e^2
-/// takes less than a part in 10^6 from the others, of which double has digits beyond those of the whole.
+/// Terms of an expansion that need all the digits of a number type wider than double. In a step of radius/e^2
+/// the others are together less than a part in 10^6 of the sum: rounded to double they are exact enough.
 inline constexpr std::size_t leading_terms = 8;
-
-/// The first @p count terms, in another number type.
-template <class From, class To>
-void copy_terms(const From& from, To& to, std::size_t count) {
-    using Number = typename To::value_type;
-    for (std::size_t n = 0; n < count; ++n) to[n] = static_cast<Number>(from[n]);
-}
 
 /// Whether the terms, and products of some of them, are in the range of double.
 template <std::size_t size>
