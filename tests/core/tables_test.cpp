@@ -53,7 +53,7 @@ const std::string office = "http://schemas.openxmlformats.org/officeDocument/200
 
 /// An .xlsx with one sheet of these rows, and what else is given.
 std::string xlsx(const std::string& rows, const std::string& styles = "", const std::string& strings = "",
-                 const std::string& comments = "") {
+                 const std::string& comments = "", const std::string& drawing = "") {
     Parts parts{{"_rels/.rels", "<Relationships><Relationship Id='r' Type='" + office +
                                     "officeDocument' Target='xl/workbook.xml'/></Relationships>"},
                 {"xl/workbook.xml",
@@ -66,13 +66,14 @@ std::string xlsx(const std::string& rows, const std::string& styles = "", const 
                 {"xl/worksheets/s.xml", "<worksheet><sheetData>" + rows + "</sheetData></worksheet>"}};
     if (!styles.empty()) parts.emplace_back("xl/styles.xml", styles);
     if (!strings.empty()) parts.emplace_back("xl/strings.xml", strings);
-    if (!comments.empty()) {
-        parts.emplace_back("xl/worksheets/_rels/s.xml.rels",
-                           "<Relationships><Relationship Id='n' Type='" + office +
-                               "comments' Target='../comments1.xml'/></Relationships>");
+    parts.emplace_back("xl/worksheets/_rels/s.xml.rels",
+                       "<Relationships><Relationship Id='n' Type='" + office +
+                           "comments' Target='../comments1.xml'/><Relationship Id='d' Type='" + office +
+                           "drawing' Target='../drawing1.xml'/></Relationships>");
+    if (!comments.empty())
         parts.emplace_back("xl/comments1.xml",
                            "<comments><commentList>" + comments + "</commentList></comments>");
-    }
+    if (!drawing.empty()) parts.emplace_back("xl/drawing1.xml", drawing);
     return archive_of(parts);
 }
 
@@ -589,6 +590,49 @@ TEST_CASE("a comment on a cell is said, and what it states counts as of a text b
             "</table:table-row><table:table-row>" + cell("Quartz") + cell("100") + "</table:table-row>");
     CHECK(contains(input_error_of([&] { static_cast<void>(read_xrd(annotated, "a.ods")); }),
                    "\"comment on B1: by volume\" states fractions by volume"));
+}
+
+TEST_CASE("text boxes, and heads and feet of pages, count as comments") {
+    const std::string table = inline_row({"Phase", "%"}) + inline_row({"Quartz", "100"});
+    const auto boxed = [&](const std::string& text) {
+        return xlsx(table, "", "", "",
+                    "<xdr:wsDr><xdr:sp><xdr:txBody><a:p><a:r><a:t>All</a:t></a:r></a:p><a:p><a:r><a:t>" +
+                        text + "</a:t></a:r></a:p></xdr:txBody></xdr:sp></xdr:wsDr>");
+    };
+    const auto paged = [&](const std::string& text) {
+        return xlsx(table + "</sheetData><headerFooter><oddHeader>" + text +
+                    "</oddHeader></headerFooter><sheetData>");
+    };
+    const std::string cells =
+        "<table:table-row><table:table-cell><text:p>Phase</text:p></table:table-cell><table:table-cell>"
+        "<text:p>%</text:p></table:table-cell></table:table-row><table:table-row><table:table-cell>"
+        "<text:p>Quartz</text:p></table:table-cell><table:table-cell><text:p>100</text:p>"
+        "</table:table-cell></table:table-row>";
+    const auto in_ods = [&](const std::string& shapes, const std::string& page) {
+        return ods(cells + "<table:shapes>" + shapes + "</table:shapes>", "",
+                   "</office:styles><office:master-styles><style:master-page><style:header>" + page +
+                       "</style:header></style:master-page></office:master-styles><office:styles>");
+    };
+    const std::string box =
+        "<draw:frame><draw:text-box><text:p>by volume</text:p></draw:text-box></draw:frame>";
+    const std::string drawn = "<draw:custom-shape><text:p>by volume</text:p></draw:custom-shape>";
+    for (const auto& [bytes, place] :
+         {std::pair{boxed("by volume"), "a text box: All by volume"},
+          {paged("&amp;C&amp;&quot;Arial,Bold&quot;&amp;12by volume"), "the page: by volume"},
+          {in_ods(box, ""), "a text box: by volume"},
+          {in_ods(drawn, ""), "a text box: by volume"},
+          {in_ods("", "<text:p>by volume</text:p>"), "the page: by volume"}})
+        CHECK(contains(input_error_of([&, &file = bytes] { static_cast<void>(read_xrd(file, "a")); }),
+                       "\"comment on " + std::string(place) + "\" states fractions by volume"));
+    const auto said = [](const std::string& bytes) {
+        return joined(texts_of(read_xrd(bytes, "a").warnings));
+    };
+    CHECK(contains(said(boxed("of June")), "the comment on a text box, \"All of June\", is no part"));
+    for (const std::string& bytes :
+         {paged("&amp;CPage &amp;P of &amp;N"), paged("&amp;L&amp;A"),
+          in_ods("", "<text:p>Page <text:page-number>1</text:page-number></text:p>"),
+          in_ods("", "<text:p><text:sheet-name>S</text:sheet-name> ()</text:p>")})
+        CHECK_FALSE(contains(said(bytes), "comment"));
 }
 
 TEST_CASE("comments of a table are said, unless they are its heading") {

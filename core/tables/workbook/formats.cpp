@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <chrono>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <regex>
 #include <utility>
 
 #include <fmt/format.h>
@@ -237,6 +239,25 @@ std::string text_of_paragraphs(const pugi::xml_node& cell, const TextStyles& sty
     return text;
 }
 
+/// Adds the texts that an .ods shows outside its cells, in shapes and text boxes of a sheet.
+void take_shapes(const pugi::xml_node& table, const TextStyles& styles, Sheet& sheet) {
+    for (const pugi::xpath_node& shape :
+         table.select_nodes(".//*[starts-with(name(),'draw:')][*[local-name()='p']]"))
+        sheet.comment("a text box", text_of_paragraphs(shape.node(), styles));
+}
+
+/// Adds the heads and feet of the pages of an .ods, but for those that number them.
+void take_page_texts(const pugi::xml_node& styles_root, const TextStyles& styles,
+                     std::vector<Sheet>& sheets) {
+    for (const pugi::xpath_node& page :
+         styles_root.select_nodes("*[local-name()='master-styles']//*[*[local-name()='p']"
+                                  "[not(*[local-name()='page-number'])]]")) {
+        const std::string text = text_of_paragraphs(page.node(), styles);
+        if (std::ranges::any_of(text, [](unsigned char c) { return std::isalnum(c) != 0 || c >= 0x80; }))
+            for (Sheet& sheet : sheets) sheet.comment("the page", text);
+    }
+}
+
 /// Whether digits with marks, as a cell shows them, are a number but for rounding: "1.234,5" is 1234.46, and
 /// "12.3" is not 123, as a number format `0"."0` shows it. Exponents and fractions count as right.
 bool shows(std::string digits, double value) {
@@ -375,7 +396,7 @@ class OdsRows {
             }
             if (repeats(cell, "number-rows-spanned") > 1) spanning.push_back(column);
             if (const pugi::xml_node note = child_of(cell, "annotation"))
-                sheet_.comment(row_, column, text_of_paragraphs(note, styles_));
+                sheet_.comment(cell_name(row_, column), text_of_paragraphs(note, styles_));
             column += copies;
         }
         const std::size_t times = repeats(row, "number-rows-repeated");
@@ -407,8 +428,9 @@ std::optional<std::vector<Sheet>> read_ods(Archive& archive) {
     if (!tables) return std::nullopt;
     TextStyles styles;
     constexpr auto common = "styles.xml";  // the styles that have a name for the user
-    if (const auto named = archive.read(common))
-        styles.add(child_of(parse_part(*named, common).document_element(), "styles"));
+    pugi::xml_document named;
+    if (const auto text = archive.read(common)) named = parse_part(*text, common);
+    styles.add(child_of(named.document_element(), "styles"));
     styles.add(child_of(document.document_element(), "automatic-styles"));
     std::vector<Sheet> sheets;
     for (const pugi::xml_node& table : tables) {
@@ -416,8 +438,10 @@ std::optional<std::vector<Sheet>> read_ods(Archive& archive) {
         Sheet& sheet = sheets.emplace_back(attribute_of(table, "name").value_or(""));
         if (styles.hides_sheet(style_of(table))) sheet.hide();
         OdsRows(sheet, styles).take_rows(table);
+        take_shapes(table, styles, sheet);
         require_bytes(sheets);
     }
+    take_page_texts(named.document_element(), styles, sheets);
     return sheets;
 }
 
@@ -619,7 +643,29 @@ void take_comments(const std::string& content, const std::string& name, Sheet& s
     const pugi::xml_document document = parse_part(content, name);
     for (const pugi::xml_node& comment : child_of(document.document_element(), "commentList"))
         if (const auto cell = cell_of(attribute_of(comment, "ref").value_or("")))
-            sheet.comment(cell->row, cell->column, text_of_item(child_of(comment, "text")));
+            sheet.comment(cell_name(cell->row, cell->column), text_of_item(child_of(comment, "text")));
+}
+
+/// Adds the texts of shapes and text boxes.
+void take_drawing(const std::string& content, const std::string& name, Sheet& sheet) {
+    const pugi::xml_document document = parse_part(content, name);
+    for (const pugi::xpath_node& body : document.select_nodes("//*[local-name()='txBody']")) {
+        std::string text;
+        for (const pugi::xpath_node& run : body.node().select_nodes(".//*[local-name()='t']"))
+            (text += text.empty() ? "" : " ") += run.node().child_value();
+        sheet.comment("a text box", std::move(text));
+    }
+}
+
+/// Adds the heads and feet of the pages, without their codes ("&C&12"), but for those that number them.
+void take_page_texts(const pugi::xml_node& worksheet, Sheet& sheet) {
+    static const std::regex codes("&(?:\"[^\"]*\"|K[0-9A-F]{6}|[0-9]+|.)");
+    constexpr std::size_t longest = 1000;  // 255 in a spreadsheet
+    for (const pugi::xml_node& page : child_of(worksheet, "headerFooter")) {
+        const std::string text = page.child_value();
+        if (text.find("&P") == std::string::npos && text.size() <= longest)
+            sheet.comment("the page", std::regex_replace(text, codes, " "));
+    }
 }
 
 Sheet read_xlsx_sheet(const std::string& content, const std::string& name, const std::string& called,
@@ -637,7 +683,7 @@ Sheet read_xlsx_sheet(const std::string& content, const std::string& name, const
         const auto number = whole_number(attribute_of(row, "r").value_or(""));
         const std::size_t place =
             number && *number > 0 ? *number - 1 : next_row;  // the number may be left out
-        if (attribute_of(row, "hidden") == "1") sheet.count_hidden_row();
+        if (attribute_of(row, "hidden") == "1" || attribute_of(row, "ht") == "0") sheet.count_hidden_row();
         std::size_t next_column = 0;
         for (const pugi::xml_node& cell : row) {
             if (local_name(cell.name()) != "c") continue;
@@ -652,6 +698,7 @@ Sheet read_xlsx_sheet(const std::string& content, const std::string& name, const
         next_row = place + 1;
     }
     take_merged(document.document_element(), sheet);
+    take_page_texts(document.document_element(), sheet);
     return sheet;
 }
 
@@ -685,8 +732,11 @@ std::optional<std::vector<Sheet>> read_xlsx(Archive& archive) {
             throw InputError("the sheet " + in_quotes(called) + " is not in the file", "an undamaged file");
         sheets.push_back(read_xlsx_sheet(*cells, found->second.target, called, shared));
         if (state != "visible") sheets.back().hide();
-        const std::string comments = target_of_type(relationships(archive, found->second.target), "comments");
+        const auto beside = relationships(archive, found->second.target);
+        const std::string comments = target_of_type(beside, "comments");
         if (const auto texts = part(archive, comments)) take_comments(*texts, comments, sheets.back());
+        const std::string drawing = target_of_type(beside, "drawing");
+        if (const auto texts = part(archive, drawing)) take_drawing(*texts, drawing, sheets.back());
         require_bytes(sheets);
     }
     return sheets;

@@ -146,14 +146,14 @@ void Sheet::span_rows(std::size_t row, std::size_t column) {
         spanning_ = cell_name(row, column);
 }
 
-void Sheet::comment(std::size_t row, std::size_t column, std::string text) {
+void Sheet::comment(std::string place, std::string text) {
     std::replace_if(
         text.begin(), text.end(),
         [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '"'; }, ' ');
     if (trimmed(text).empty()) return;
     bytes_ += text.size();
     if (bytes() > most_bytes) throw too_large();
-    comments_.push_back({cell_name(row, column), std::string(trimmed(text))});
+    comments_.push_back({std::move(place), std::string(trimmed(text))});
 }
 
 void Sheet::see_formula(std::size_t row, std::size_t column, const std::string& formula) {
@@ -211,7 +211,7 @@ std::string Sheet::as_text() const {
         }
         text += '\n';
     }
-    for (const Comment& each : comments_) text += "# comment on " + each.cell + ": " + each.text + '\n';
+    for (const Comment& each : comments_) text += "# comment on " + each.place + ": " + each.text + '\n';
     return text;
 }
 
@@ -252,7 +252,7 @@ TableFile::TableFile(std::string_view bytes, const SheetRequest& request) {
     if (const auto& comments = sheet.comments(); !comments.empty())
         findings_.push_back(
             {request.code, Severity::remark,
-             fmt::format("the comment on {}, {}, is no part of the table{}", comments[0].cell,
+             fmt::format("the comment on {}, {}, is no part of the table{}", comments[0].place,
                          in_quotes(comments[0].text),
                          comments.size() == 1 ? "" : fmt::format(", nor are {} more", comments.size() - 1))});
     summaries_ = sheet.summaries();

@@ -33,8 +33,8 @@ class Sheet {
                std::size_t last_column);
     /// States that a cell is merged with some below it.
     void span_rows(std::size_t row, std::size_t column);
-    /// Adds a comment on a cell: a line of its own below the rows, beginning with "#".
-    void comment(std::size_t row, std::size_t column, std::string text);
+    /// Adds a comment: a line of its own below the rows, beginning with "#". @param place "B7", "a text box"
+    void comment(std::string place, std::string text);
     /// States that the spreadsheet does not show the sheet.
     void hide() { hidden_ = true; }
     void count_hidden_row() { ++hidden_rows_; }
@@ -57,7 +57,7 @@ class Sheet {
     /// Name of the first cell with a number that is merged with some below it; empty if there is none.
     [[nodiscard]] const std::string& spanning() const { return spanning_; }
     struct Comment {
-        std::string cell, text;
+        std::string place, text;
     };
     [[nodiscard]] const std::vector<Comment>& comments() const { return comments_; }
     [[nodiscard]] std::size_t rows() const { return rows_.size(); }
