@@ -221,8 +221,13 @@ void require_coverage_in_headings(const std::vector<TextBeside>& texts, const Un
                                     in_quotes(column->heading) + " does not",
                                 "one of the two: [%] in the heading, or a file without this text");
         const StatedCoverage coverage = read_coverage(each.text);
-        if (coverage.stated.empty() || coverage.factor == 1) continue;
+        const bool is_other = coverage.stated.empty() && !coverage.problem.empty();  // "FA1 ± range"
+        if (!is_other && (coverage.stated.empty() || coverage.factor == 1)) continue;
         const auto refuse = [&](const std::string& what, std::string_view heading) {
+            if (is_other)
+                refuse_line(each.line,
+                            fmt::format("{} may be of {}: {}", in_quotes(each.text), what, coverage.problem),
+                            "the kind of the uncertainties in the heading, and a file without this text");
             refuse_line(each.line,
                         fmt::format("{} states {}, and {} does not", in_quotes(each.text),
                                     in_quotes(coverage.stated), what),

@@ -223,7 +223,8 @@ std::string statistic_in_brackets(std::string_view heading) {
         const std::string key = word_key(word);
         const bool is_mean =
             std::ranges::any_of(means, [&](const char* mean) { return key.starts_with(mean); });
-        if (word.empty() || is_mean || is_total(word) || read_unit(ascii_unit(word))) continue;
+        const bool is_count = inside.find('=') != std::string_view::npos;  // "n = 3"
+        if (word.empty() || is_mean || is_count || is_total(word) || read_unit(ascii_unit(word))) continue;
         if (word == "U" || (!is_uncertainty_word(word) && (names_spread(word) || is_summary(word))))
             return std::string(inside);
     }

@@ -493,7 +493,7 @@ std::vector<TextBeside> sample_names(const Table& table) {
 }
 
 /// Whether a text states what was added: "FA1 + 10 % corundum".
-bool states_addition(const std::string& text) {
+bool states_amount_added(const std::string& text) {
     static const std::regex addition("[+] *[0-9][0-9.,]* *(?:wt|m|Gew\\.-|Ma\\.-)?%");
     return text.size() <= longest_heading && std::regex_search(text, addition);
 }
@@ -504,23 +504,33 @@ void take_texts_on_phases(Table& table, std::vector<TextBeside> texts) {
     static const WordLists marks("XRD marks", " ");
     static const WordLists materials("internal standards", " ");
     constexpr std::size_t shortest_mark = 4;  // unlike "is"
+    constexpr std::string_view any_material = "any";
     std::set<std::string_view> standards;
+    const std::size_t beside = texts.size();
     for (TextBeside& name : sample_names(table)) texts.push_back(std::move(name));
-    for (const TextBeside& text : texts) {
-        const std::vector<std::string> words = words_in(text.text);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const std::vector<std::string> words = words_in(texts[i].text);
+        const auto mentioned = mentions_in(words, materials);
         const bool is_mark = std::ranges::any_of(mentions_in(words, marks), [&](const Mention& mention) {
             return mention.list == "standard" && !mention.negated &&
                    (mention.count > 1 || words[mention.first].size() >= shortest_mark);
         });
-        if (!is_mark && !states_addition(text.text)) continue;
-        for (const Mention& mention : mentions_in(words, materials)) standards.insert(mention.list);
+        const bool is_name = i >= beside;
+        const auto is_added = [&](const Mention& mention) {  // "FA1 with corundum", unlike "Corundum ash"
+            return is_name && mention.first > 0 && !mention.negated;
+        };
+        if (!is_mark && !states_amount_added(texts[i].text) && !std::ranges::any_of(mentioned, is_added))
+            continue;
+        for (const Mention& mention : mentioned) standards.insert(mention.list);
+        if (is_name && mentioned.empty()) standards.insert(any_material);  // "FA1 spiked"
     }
     if (standards.empty() || table.has(Role::standard)) return;
     const auto take = [&](std::string& name) {
         const MarkedPhase phase = read_phase_name(name);
         const auto material = materials.list_of(phase.name);
-        if (material && standards.contains(*material) && phase.mark == PhaseMark::none)
-            name += " (internal standard)";
+        const bool is_standard =
+            material && (standards.contains(*material) || standards.contains(any_material));
+        if (is_standard && phase.mark == PhaseMark::none) name += " (internal standard)";
     };
     if (const auto label = table.column(Role::phase))
         for (TableRow& row : table.rows) take(row.cells[*label]);
@@ -670,11 +680,20 @@ void prefer_fractions(Table& table) {
     }
 }
 
-/// An uncertainty behind the reference intensity ratios is theirs.
+/// An uncertainty behind the reference intensity ratios is theirs. @throws InputError if it may be that of
+/// the intensities before them, which have none: "Int.;RIR;esd"
 void find_uncertainties_of_ratios(Table& table) {
-    for (std::size_t k = 1; k < table.headings.size(); ++k)
-        if (table.headings[k].role == Role::uncertainty && table.headings[k - 1].role == Role::ratio)
-            table.headings[k].role = Role::ratio_uncertainty;
+    for (std::size_t k = 1; k < table.headings.size(); ++k) {
+        Heading& heading = table.headings[k];
+        const Heading& before = table.headings[k - 1];
+        if (heading.role != Role::uncertainty || before.role != Role::ratio) continue;
+        if (k > 1 && table.headings[k - 2].role == Role::intensity)
+            refuse_line(table.heading_line,
+                        "the uncertainties in column " + in_quotes(heading.written) + " may be of " +
+                            in_quotes(before.written) + " or of " + in_quotes(table.headings[k - 2].written),
+                        in_quotes("RIR esd") + " as the heading, or the column behind the intensities");
+        heading.role = Role::ratio_uncertainty;
+    }
 }
 
 /// Of each column whether a cell below its heading holds a number.
@@ -849,8 +868,9 @@ void require_agreeing_texts(Table& table, std::vector<TextBeside> texts, std::sp
     for (const TextLine& row : rows)
         for_each_cell(row, table.separator, [&](std::string_view cell, std::size_t k) {
             if (k >= table.headings.size() || cell.empty()) return;
-            if (is_unused(table.headings[k]) &&
-                (calls_invalid(cell) || rejects(table.headings[k].text, cell)))
+            const bool is_name = table.headings[k].role == Role::sample;
+            if ((is_unused(table.headings[k]) || is_name) &&
+                (calls_invalid(cell) || (!is_name && rejects(table.headings[k].text, cell))))
                 refuse_invalid_row(cell, "column " + in_quotes(table.headings[k].written), row.number, k);
             if (is_unused(table.headings[k]))
                 refuse_sign_of_bound(cell, "column " + in_quotes(table.headings[k].written), row.number, k);

@@ -133,6 +133,18 @@ TEST_CASE("what the name of a sample states counts: a basis, a coverage, a stand
     for (const char* name : {"FA1 \u00b1 2\u03c3", "FA1 (k=2)"})
         CHECK(contains(refusal(plain + name + ";12,3 \u00b1 0,8;28,4 \u00b1 1,2;59,3 \u00b1 1,4\n"),
                        "the coverage in the heading"));
+    for (const char* name : {"FA1 \u00b1 U", "FA1 \u00b1 Spannweite", "FA1 (95 % CI)", "FA1 (range)"})
+        CHECK(contains(refusal(plain + name + ";12,3 \u00b1 0,8;28,4 \u00b1 1,2;59,3 \u00b1 1,4\n"),
+                       "in the heading"));
+    CHECK(read_xrd(plain + "FA1 (n = 3);12,3 \u00b1 0,8;28,4;59,3\n", "t.csv").samples.size() == 1);
+    for (const char* name : {"FA1 (outlier)", "FA1, excluded"})
+        CHECK(contains(refusal(plain + name + ";12;24;64\n"), "calls the row invalid"));
+    for (const char* name : {"FA1 spiked", "FA1 mit Korund", "FA1_Corundum"})
+        CHECK(contains(
+            standard("Phase;" + std::string(name) + " [wt%]\nQuarz;11\nMullit;26\nKorund;10\nGlas;53\n"),
+            "internal standard"));
+    for (const char* name : {"Corundum ash", "FA1 without corundum"})
+        CHECK(standard("Phase;" + std::string(name) + " [wt%]\nQuarz;11\nKorund;36\nGlas;53\n").empty());
     for (const char* name : {"FA1 + 10 % Korund", "FA1 (spiked with 10 % corundum)"}) {
         CAPTURE(name);
         const std::string row = std::string(name) + ";11;26;10;53\n";
@@ -1145,6 +1157,15 @@ TEST_CASE("fractions in JSON: an object, a list, any form of a number, and the a
         "a");
     CHECK(dense.samples.at(0).analysis.basis == FractionBasis::volume);
     CHECK(relative_difference(dense.samples.at(0).analysis.phases.at(0).density.value(), 2700) < 1e-14);
+}
+
+TEST_CASE("an uncertainty behind ratio and intensity is refused, as it may be of either") {
+    const auto refusal = [](const std::string& rows) {
+        return input_error_of([&] { return read_xrd(rows, "t.csv").samples.front().name; });
+    };
+    CHECK(contains(refusal("Phase;Int. [cts];RIR;esd\nQuarz;753;3.1;10\n"), "\"RIR\" or of \"Int. [cts]\""));
+    CHECK(refusal("Phase;Int. [cts];esd;RIR\nQuarz;753;10;3.1\n").empty());
+    CHECK(refusal("Phase;Int. [cts];RIR;RIR esd\nQuarz;753;3.1;0.1\n").empty());
 }
 
 TEST_CASE("intensities and ratios that make no sense are refused") {
