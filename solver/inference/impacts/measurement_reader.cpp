@@ -776,6 +776,16 @@ void add_implausible(const MeasuredColumn& column, MeasurementSet& set) {
         set.warnings.insert(set.warnings.begin(), *std::move(doubt));
 }
 
+/// A remark on the first blank line between impacts: those below may be of another table.
+std::optional<Finding> blank_line_among(std::span<const TextLine> rows, const TextLines& file) {
+    for (const TextLine& line : file.lines())
+        if (!rows.empty() && line.number > rows.front().number && line.number < rows.back().number &&
+            line.text.find_first_not_of(" \t;,\r") == std::string_view::npos)
+            return Finding{impacts_code, Severity::remark,
+                           "the impacts below " + at_line(line.number) + ", which is blank, count as well"};
+    return std::nullopt;
+}
+
 MeasurementSet read_table(const TextLines& file, std::string_view name, std::optional<DecimalMark> decimal) {
     auto lines = lines_with_content(file);
     if (lines.empty()) throw InputError("the file holds no table", "a heading and one line an impact");
@@ -793,6 +803,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
                                                                       return warnings_of(heading);
                                                                   })};
     std::ranges::copy(table.findings, std::back_inserter(set.warnings));
+    if (auto blank = blank_line_among(rows, file)) set.warnings.push_back(*std::move(blank));
     for (const TextBeside& text : table.texts) {
         require_agreeing_units(text, heading);
         require_stated_angle(text, heading);

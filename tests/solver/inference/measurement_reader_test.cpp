@@ -207,6 +207,9 @@ TEST_CASE("marks of outcomes and groups of impacts in columns that are not read 
     CHECK(contains(said(table + "alumina\n"),
                    "column \"wall\" has \"alumina\", \"steel\": all impacts count as"));
     CHECK_FALSE(contains(said(table + "glass\n"), "all impacts count as"));
+    CHECK(
+        contains(said("v_in [m/s];e\n1;0.5\n;\n2;0.6\n"), "the impacts below line 3, which is blank, count"));
+    CHECK_FALSE(contains(said("v_in [m/s];e\n\n1;0.5\n2;0.6\n\n"), "blank"));
 }
 
 TEST_CASE("classes of angle are compared, and told apart where damping differs") {
