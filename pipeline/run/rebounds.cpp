@@ -66,21 +66,23 @@ RestitutionOfVelocity between_known(const KnownRebounds& known, double diameter,
 /// @throws InputError if faster ones up to @p fastest are captured again
 std::optional<SizeRebounds> solved_rebounds(double diameter, double fastest, Impact impact) {
     try {
+        const CriticalVelocityProblem problem{impact.law, impact.detachment, impact.damping, impact.contact};
         const CriticalVelocity critical =
-            quick_critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
+            impact.law.is_plastic() ? critical_velocity(problem) : quick_critical_velocity(problem);
         if (critical.verdict == CaptureVerdict::always_captured) return std::nullopt;
         const double from = critical.value.value_or(slowest_without_v_c * fastest);
+        for (const double again : critical.crossings)
+            if (again > from && again <= fastest)
+                throw InputError(
+                    fmt::format("{} spheres stick below {} and again above {}", readable(diameter, "m"),
+                                readable(from, "m/s"), readable(again, "m/s")),
+                    "a slower gas, or sizes and a law with one critical velocity each");
         SizeRebounds rebounds{.diameter = diameter};
         const double last = place_above_critical(std::max(fastest, 2 * from), from);
         for (int i = 0; i <= solved_velocities; ++i) {
             const double place = last * i / solved_velocities;
             impact.velocity = from * std::exp(place * place);
             rebounds.points.emplace_back(place, i == 0 && critical.value ? 0 : restitution_of(impact));
-            if (i > 0 && impact.velocity <= fastest && rebounds.points.back().second == 0)
-                throw InputError(
-                    fmt::format("{} spheres stick below {} and again at {}", readable(diameter, "m"),
-                                readable(from, "m/s"), readable(impact.velocity, "m/s")),
-                    "a slower gas, or sizes and a law with one critical velocity each");
         }
         return rebounds;
     } catch (const ConvergenceError&) {

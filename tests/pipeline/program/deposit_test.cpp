@@ -130,7 +130,7 @@ TEST_CASE("sizes that stick again when they are faster are refused") {
           test::containing("captured again     above 3.94"));
     const Finished fast = deposit("12m/s");
     CHECK(fast.status == 2);
-    CHECK(fast.err == test::containing("20 um spheres stick below 1.412 m/s and again at"));
+    CHECK(fast.err == test::containing("20 um spheres stick below 1.412 m/s and again above 3.94"));
     CHECK(deposit("3m/s").status == 0);
 }
 
