@@ -142,7 +142,8 @@ std::string result_text(const CriticalVelocityProblem& problem, const CriticalVe
         for (std::size_t i = 1; i < result.crossings.size(); ++i) {
             const double crossing = result.crossings[i];
             rebounds = !rebounds;
-            list.add(rebounds ? "rebounds again" : "captured again", "above " + value_text(crossing, "m/s"));
+            list.add(rebounds ? "rebounds again" : "captured again",
+                     (outside_model(crossing) ? "" : "above ") + value_text(crossing, "m/s"));
         }
     }
     return list.text(0);

@@ -371,12 +371,17 @@ void run_modulus_command(const CommandOptions& options, std::ostream& out) {
 
     const std::optional<OxideResult> oxides = read_oxides_of(options);
     std::vector<SampleEstimate> estimates;
+    const std::vector<XrdSample> samples = chosen(result, options["--sample"]);
+    if (oxides && oxides->samples.size() == 1 && samples.size() > 1)
+        warn_of({{glass_code, Severity::remark,
+                  fmt::format("one analysis counts for {} samples", samples.size())}},
+                options["--oxides"]);
     std::set<std::string> printed;  // warnings; each text appears once, for all samples
     const auto warn_once = [&](std::vector<Finding> findings, const std::string& place) {
         std::erase_if(findings, [&](const Finding& each) { return !printed.insert(each.text).second; });
         warn_of(findings, place);
     };
-    for (const XrdSample& sample : chosen(result, options["--sample"])) {
+    for (const XrdSample& sample : samples) {
         const XrdSample whole = completed(sample, options);
         SampleEstimate estimate = at_place(FileName{options["file"]}, [&] {
             return naming_sample(result.samples.size() > 1 ? sample.name : std::string(),

@@ -393,20 +393,32 @@ void warn_of(const std::vector<Finding>& findings, const std::string& place) {
                 spdlog::warn("warning: {}{}{}", place, place.empty() ? "" : ": ", finding.text);
 }
 
+/// "adhesion damping" of the key "adhesion_damping", as the second line of an entry.
+static std::string indented_name(std::string_view key) {
+    std::string words = "  " + std::string(key);
+    std::ranges::replace(words, '_', ' ');
+    return words;
+}
+
 void add_damping_lines(TextList& list, const Damping& damping, const ContactPair& contact) {
     list.add("damping", fmt::format("{} ({})", readable(damping.coefficient, unit_of(damping.law)),
                                     name_of(damping.law)));
     const auto further = further_coefficients(damping, contact.parameters);
     for (const auto& [name, value] : further) {
-        std::string words = "  " + std::string(name);
-        std::ranges::replace(words, '_', ' ');
-        list.add(words, readable(value, unit_of(damping.law)));
+        list.add(indented_name(name), readable(value, unit_of(damping.law)));
     }
 }
 
 void add_model(TextList& list, Law law, Detachment detachment, const Damping& damping,
                const ContactPair& contact) {
     list.add("law", fmt::format("{}, contact ends at {}", law.name(), name_of(detachment)));
+    list.add("contact", fmt::format("R* {}, m {}, E* {}, w {}", readable(contact.effective_radius, "m"),
+                                    readable(contact.mass, "kg"), readable(contact.contact_modulus, "Pa"),
+                                    readable(contact.work_of_adhesion, "J/m2")));
+    for (const LawParameter& parameter : law.parameters())
+        if (contact.parameters.has(parameter))
+            list.add(indented_name(parameter.name),
+                     readable(contact.parameters[parameter], si_unit(parameter.dimension)));
     add_damping_lines(list, damping, contact);
 }
 

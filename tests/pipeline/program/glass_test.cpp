@@ -47,6 +47,10 @@ TEST_CASE("modulus --oxides: the glass from its chemistry, in every shape of the
             CHECK(number(glass.at("young_modulus")) < 95e9);
             CHECK(json.at("phases").back().at("phase") == "glass-from-chemistry");
         }
+    sandbox.write("two.csv", "Sample;Quartz [wt%];Glass [wt%]\nFA 7;30;70\nFA 8;20;80\n");
+    sandbox.write("one.csv", "SiO2;Al2O3;CaO\n65;25;10\n");
+    CHECK(succeeded(sandbox, "modulus two.csv --oxides one.csv").err ==
+          containing("one analysis counts for 2 samples"));
     const std::string text = succeeded(sandbox, "modulus xrd.csv --oxides xrf.csv").out;
     CHECK(text == containing("glass by its oxides [wt%]"));
     CHECK(text == containing("SiO2 56.2, Al2O3 22.3, Fe2O3 8.6"));

@@ -193,6 +193,21 @@ TEST_CASE("a critical velocity above 500 m/s is outside the model; JSON keeps th
           containing("above 500 m/s, outside the model"));
 }
 
+TEST_CASE("the contact is printed as it was read") {
+    const Sandbox sandbox;
+    for (const char* command : {"critical-velocity", "impact --velocity '1 m/s'"})
+        CHECK(test::succeeded(sandbox, std::string(command) +
+                                           " --law sjkr --radius '5 um' --density '2300 kg/m3' "
+                                           "--contact-modulus '90 GPa' --cohesion-energy-density 1000")
+                  .out ==
+              containing("R* 5 um, m 1.204 ng, E* 90 GPa, w 0 J/m2\n  cohesion energy density  1000 Pa\n"));
+    CHECK(test::succeeded(sandbox,
+                          "critical-velocity --diameter 20um --law thornton-ning --density 2300kg/m3 "
+                          "--contact-modulus 90GPa --work-of-adhesion 0.3J/m2 --yield-pressure 5GPa "
+                          "--damping-law contact-radius --damping '2150 Pa s'")
+              .out == containing("captured again     above 500 m/s, outside the model"));
+}
+
 TEST_CASE("a bare number in an edited 0-case.json is checked as one of a case file") {
     const Sandbox sandbox;
     test::write_example(sandbox, test::with_one_sample(test::example_case(), {"hertz"}));
