@@ -233,8 +233,16 @@ void refuse_thousands_point(std::string_view text, PointDigits digits) {
                      grouped + ", or " + std::string(number) + "0");
 }
 
+/// Whether a text ends with a unit in which plausible numbers often are thousands: E in N/mm2, amounts in
+/// ppm.
+static bool often_holds_thousands(std::string_view text) {
+    constexpr std::array<std::string_view, 6> units{"MPa", "N/mm2", "N/mm\u00b2", "N/mm^2", "ppm", "mg/kg"};
+    return std::ranges::any_of(units, [&](std::string_view unit) { return text.ends_with(unit); });
+}
+
 Quantity quantity_of_text(const std::string& text, Dimension expected) {
-    refuse_thousands_point(trimmed(text), PointDigits::zeros);
+    refuse_thousands_point(trimmed(text),
+                           often_holds_thousands(trimmed(text)) ? PointDigits::any : PointDigits::zeros);
     Quantity quantity = read_text(text, expected);
     require_uncertainty(quantity, expected);
     return quantity;

@@ -377,6 +377,19 @@ TEST_CASE("a string may carry its standard uncertainty, with one unit for both, 
     CHECK_FALSE(json_message(R"("+- 3 um")", Dimension::length).empty());
 }
 
+TEST_CASE("three decimals in a unit that often has thousands are refused") {
+    for (const char* text : {"95.600 N/mm2", "206.800 MPa", "193.000 GPa"})
+        CHECK_MESSAGE(
+            contains(input_error_of([&] { return quantity_of_text(text, Dimension::pressure).value; }),
+                     " is " + std::string(text, std::string_view(text).find(' '))),
+            text);
+    CHECK(contains(input_error_of([&] { return quantity_of_text("15.400 ppm", Dimension::fraction).value; }),
+                   "15.400 or 15400"));
+    CHECK(quantity_of_text("2.648 g/cm3", Dimension::density).value == doctest::Approx(2648));
+    CHECK(quantity_of_text("0.950 MPa", Dimension::pressure).value == doctest::Approx(0.95e6));
+    CHECK(quantity_of_text("110.25 MPa", Dimension::pressure).value == doctest::Approx(110.25e6));
+}
+
 TEST_CASE("a number without a dimension needs no unit; a decimal comma is refused with the remedy") {
     const auto ratio =
         read_quantity(json::parse(R"({"value": 0.29, "standard_uncertainty": 0.01})"), Dimension::fraction);
