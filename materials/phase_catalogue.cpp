@@ -185,6 +185,11 @@ bool names_other_form(std::string_view text) {
     return std::ranges::find(forms, phase_key(text)) != forms.end();
 }
 
+bool differ_in_formula(const Phase& phase, const Phase& other) {
+    return !phase.formula.empty() && !other.formula.empty() &&
+           phase_key(phase.formula) != phase_key(other.formula);
+}
+
 /// The name of a phase without the mark of its set: quartz for quartz-dong2013 of the set dong2013.
 std::string common_name(const Phase& phase, const PhaseSet& set) {
     const std::string mark = "-" + set.name;
@@ -311,10 +316,12 @@ std::optional<ResolvedPhase> PhaseCatalogue::by_parts(std::string_view name) con
             continue;
         }
         const bool formula = is_formula(part);
-        if (found && formula && !by_formula) continue;
-        if (found && formula == by_formula && found->phase.name != phase->phase.name)
+        const bool differs = found && (formula == by_formula ? found->phase.name != phase->phase.name
+                                                             : differ_in_formula(found->phase, phase->phase));
+        if (differs)
             throw InputError(in_quotes(name) + " may be " + found->phase.name + " or " + phase->phase.name,
                              "one of the two");
+        if (found && formula && !by_formula) continue;
         found = std::move(phase);
         by_formula = formula;
     }

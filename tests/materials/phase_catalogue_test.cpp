@@ -107,6 +107,14 @@ TEST_CASE("names are found whatever their case, punctuation, spelling and data-b
                       name);
     CHECK(contains(input_error_of([&] { return catalogue.resolve("Quartz (Cristobalite)"); }),
                    "may be quartz or cristobalite"));
+    for (const auto& [name, phases] : {std::pair{"Kalk, CaCO3", "lime or calcite"},
+                                       {"Lime (Ca(OH)2)", "lime or portlandite"},
+                                       {"Fe2O3 - Magnetite", "hematite or magnetite"},
+                                       {"Albite (KAlSi3O8)", "albite or "}})
+        CHECK_MESSAGE(contains(input_error_of([&] { return catalogue.resolve(name); }),
+                               std::string("may be ") + phases),
+                      name);
+    CHECK(catalogue.resolve("Microcline, KAlSi3O8").phase.name == "microcline");
     for (const char* name : {"SiO2 (tridymite)", "Tridymite - SiO2", "Quartz (high)", "Quartz, beta",
                              "Tridymite, syn", "Quarz (struck out)"}) {
         CAPTURE(name);
