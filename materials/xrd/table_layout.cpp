@@ -736,6 +736,28 @@ void drop_uncertainties_of_unused(Table& table, std::span<const TextLine> rows) 
     }
 }
 
+/// Refuses one nameless column of uncertainties behind several columns of amounts, "FA1;FA2;SD".
+/// @throws InputError
+void require_owner_of_last(const Table& table) {
+    const auto is_amount = [](const Heading& heading) {
+        return heading.role == Role::other && !heading.text.empty() && !heading.sums_up;
+    };
+    const auto is_bare = [](const Heading& heading) {
+        return heading.role == Role::uncertainty && !heading.sums_up &&
+               is_uncertainty_word(cut_heading(read_coverage(heading.written).rest).name);
+    };
+    const auto last = std::ranges::find_if(table.headings, is_bare);
+    if (last - table.headings.begin() < 2 || !is_amount(last[-1]) || !is_amount(last[-2]) ||
+        std::ranges::count_if(table.headings, is_uncertainty) != 1)
+        return;
+    const bool is_last = std::none_of(last, table.headings.end(), is_amount);
+    if (last != table.headings.end() && is_last)
+        refuse_line(table.heading_line,
+                    "the uncertainties in column " + in_quotes(last->written) + " may be of " +
+                        in_quotes(last[-1].written) + " alone, or of all amounts",
+                    in_quotes(last[-1].text + " esd") + ", or a column behind each of the amounts");
+}
+
 /// Refuses uncertainties that may be of two columns: a second column of them behind one, and those behind a
 /// density. @throws InputError
 void require_owners_of_uncertainties(const Table& table) {
@@ -930,6 +952,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     }
     require_units_at_amounts(table);
     if (table.has(Role::phase) && !table.has(Role::sample)) mark_sums(table);
+    if (is_wide) require_owner_of_last(table);
     prefer_fractions(table);
     if (table.has(Role::intensity)) find_uncertainties_of_ratios(table);
     drop_uncertainties_of_unused(table, cut.rows);

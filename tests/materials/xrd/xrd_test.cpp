@@ -118,6 +118,19 @@ TEST_CASE("uncertainties of a table that are multiples of standard ones are read
     CHECK(named.samples.size() == 2);
 }
 
+TEST_CASE("one column of uncertainties behind several of amounts may be of the last or of all") {
+    const auto refusal = [](const std::string& heading, const std::string& cells) {
+        return input_error_of(
+            [&] { return read_xrd(heading + "\nQuarz;" + cells + "\n", "t.csv").samples.front().name; });
+    };
+    CHECK(contains(refusal("Phase [wt%];FA1;FA2;SD", "30;40;1"), "\"FA2\" alone, or of all"));
+    CHECK(contains(refusal("Phase [wt%];FA1;FA2;\u00b1", "30;40;1"), "\"FA2\" alone, or of all"));
+    CHECK(refusal("Phase [wt%];FA1;esd;FA2", "30;1;40").empty());
+    CHECK(refusal("Phase [wt%];FA1;FA2;FA2 esd", "30;40;1").empty());
+    CHECK(refusal("Phase [wt%];FA1;esd;FA2;esd", "30;1;40;1").empty());
+    CHECK(refusal("Phase [wt%];FA1;FA2;Mittel;SD", "30;40;35;7").empty());
+}
+
 TEST_CASE("what the name of a sample states counts: a basis, a coverage, a standard") {
     const auto refusal = [](const std::string& rows) {
         return input_error_of([&] { return read_xrd(rows, "t.csv").samples.front().name; });
@@ -367,9 +380,10 @@ TEST_CASE("columns and rows beside a sample that are not read as its uncertainti
                    "the uncertainties in line 3 are not read, as \"FA1 RSD\": \"RSD\" names no"));
     CHECK(contains(told("Phase;FA1;FA1 wet;FA2\nMullite;30;3;20\nQuartz;70;2;80\n", 3),
                    "\"FA1 wet\" is not read as uncertainties of \"FA1\": write \"FA1 esd\""));
-    for (const char* label : {"95% CI", "s", "twice sd", "rel. esd", "err3"})
+    for (const char* label : {"s", "twice sd", "rel. esd", "err3"})
         CHECK(contains(told("Sample;Mullite;Quartz\nFA1;30;70\n" + std::string(label) + ";3;2\n", 2),
                        "\" is not read as uncertainties of \"FA1\": write \"FA1 esd\""));
+    CHECK(contains(told("Sample;Mullite;Quartz\nFA1;30;70\n95% CI;3;2\n", 1), "left out: \"95% CI\""));
     CHECK_FALSE(contains(told("Phase;FA1;FA1 wet;FA2\nMullite;30;32;20\nQuartz;70;68;80\n", 3), "FA1 wet"));
 }
 
