@@ -407,9 +407,11 @@ std::string sample_key(std::string_view name) {
     std::string text(name);
     const auto is_digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
     for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool is_decimal_mark = i > 0 && is_digit(i - 1) && is_digit(i + 1);
+        const bool is_between_digits = i > 0 && is_digit(i - 1) && is_digit(i + 1);
         if (text[i] == '-' && (i == 0 || text[i - 1] == ' ') && is_digit(i + 1)) text[i] = '<';
-        if ((text[i] == '.' || text[i] == ',') && !is_decimal_mark) text[i] = ' ';
+        if ((text[i] == '.' || text[i] == ',') && !is_between_digits) text[i] = ' ';
+        if (std::string_view("-_ /").find(text[i]) != std::string_view::npos && is_between_digits)
+            text[i] = '+';  // "FA11-2" is not "FA1-12"
     }
     return word_key(text, "+<>.,");
 }

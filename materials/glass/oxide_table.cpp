@@ -380,11 +380,14 @@ class OxideTable {
             else
                 columns[k] = {each.written, each.coverage, is_uncertainty_column(each.written, headings_[k])};
         }
+        std::vector<TextBeside> bases;           // "wt% (ignited)"; a title may be "LOI: ignited at 950 C"
         for (const OxideLine& each : headings_)  // "wt% (LOI-free)", unlike "SiO2"
             if (!is_content(each.role) && !each.heading.written.empty())
-                names.push_back({heading.value_or(1), each.heading.written});
-        if (const auto statements = statements_in(names); statements.contains("ignited sample"))
-            ignited = in_quotes(statements.at("ignited sample").text);
+                bases.push_back({heading.value_or(1), each.heading.written});
+        names.insert(names.end(), bases.begin(), bases.end());
+        for (const auto& [statement, of] : {std::pair{"ignited sample", &names}, {"ignited heading", &bases}})
+            if (const auto found = statements_in(*of); ignited.empty() && found.contains(statement))
+                ignited = in_quotes(found.at(statement).text);
         texts.insert(texts.end(), labels.begin(), labels.end());
         check_coverage(glass_code, texts, columns, table, separator_, warnings);
     }
