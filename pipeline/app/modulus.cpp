@@ -352,14 +352,16 @@ SampleEstimate estimated(const XrdSample& sample, const PhaseCatalogue& catalogu
     return result;
 }
 
-/// Whether a sample has a phase of the first set of a catalogue, which are those of the user.
-bool takes_own_phases(const std::vector<SampleEstimate>& samples, const PhaseCatalogue& catalogue) {
-    const std::vector<Phase>& own = catalogue.sets().front().phases;
-    return std::ranges::any_of(samples, [&](const SampleEstimate& sample) {
-        return std::ranges::any_of(sample.composition.components, [&](const Component& component) {
-            return std::ranges::find(own, component.phase.name, &Phase::name) != own.end();
-        });
-    });
+/// Names of the phases of the first set of a catalogue, which are those of the user, that no sample has.
+std::vector<std::string> unused_own_phases(const std::vector<SampleEstimate>& samples,
+                                           const PhaseCatalogue& catalogue) {
+    std::set<std::string> used;
+    for (const SampleEstimate& sample : samples)
+        for (const Component& component : sample.composition.components) used.insert(component.phase.name);
+    std::vector<std::string> names;
+    for (const Phase& phase : catalogue.sets().front().phases)
+        if (!used.contains(phase.name)) names.push_back(in_quotes(phase.name));
+    return names;
 }
 
 void run_modulus_command(const CommandOptions& options, std::ostream& out) {
@@ -397,8 +399,9 @@ void run_modulus_command(const CommandOptions& options, std::ostream& out) {
         estimates.push_back(std::move(estimate));
     }
 
-    if (options.has("--phases") && !takes_own_phases(estimates, catalogue))
-        warn_idle("--phases", "no sample has one of them");
+    if (options.has("--phases"))
+        if (const auto unused = unused_own_phases(estimates, catalogue); !unused.empty())
+            warn_idle("--phases", "no sample has " + joined(unused));
 
     if (!options.has("--json")) {
         for (const SampleEstimate& estimate : estimates)

@@ -260,6 +260,11 @@ TEST_CASE("modulus: uncertainty of the amorphous part, pores, a measured density
     // modulus, whose uncertainty nobody states
     const std::string command = "modulus ash.csv --phases own.json --amorphous-fraction '40 +- 2 %'";
     const Json dense = json_of(sandbox, command);
+    CHECK(succeeded(sandbox, command).err != containing("--phases"));
+    sandbox.write("both.json", R"([{"name": "Quarz", "density": "2.5 g/cm3", "young_modulus": "100 GPa"},
+                                   {"name": "glass", "amorphous": true, "density": 2500, "young_modulus": "50 GPa"}])");
+    CHECK(succeeded(sandbox, "modulus ash.csv --phases both.json --amorphous-fraction '40 %'").err ==
+          containing("--phases: no sample has \"Quarz\", so it changes nothing"));
     CHECK(relative_difference(value(dense["young_modulus"]), 80e9) < 1e-13);
     const double spread = 1e9 * std::sqrt(1 + 2.4 * 2.4 + 0.8 * 0.8);
     CHECK(relative_difference(dense["young_modulus"]["standard_uncertainty"].get<double>(), spread) < 1e-8);
