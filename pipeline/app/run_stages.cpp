@@ -66,14 +66,30 @@ void compute_result(const Stage& stage, Work& work) {
     }
 }
 
+/// Notes values of an edited 1-modulus.json that count for nothing, since the case states them.
+void note_stated_values(const Case& data, StageRecord& record) {
+    for (const Sample& sample : data.samples) {
+        std::vector<std::string> stated;
+        if (sample.poisson_ratio) stated.emplace_back("poisson_ratio");
+        if (sample.density) stated.emplace_back("density");
+        if (sample.contact_modulus) stated.emplace_back("contact_modulus");
+        if (!stated.empty())
+            record.note({"edited", Severity::doubt,
+                         fmt::format("{} as the case states, not as {}", joined(stated), modulus_artifact)},
+                        sample.name);
+    }
+}
+
 /// Notes edited artifacts that a stage reads. @return whether its result rests on an edit
-bool note_edits(const Stage& stage, const Artifacts& before, StageRecord& record) {
+bool note_edits(const Stage& stage, const Artifacts& before, const Case& data, StageRecord& record) {
     bool edited = false;
     bool rests_on_edit = false;  // an artifact that is read was itself computed from an edited one
     for (const std::string_view file : stage.reads) {
         const Artifact& artifact = before.at(file);
         if (artifact.edited)
             record.note({"edited", Severity::remark, fmt::format("{} {}", file, edited_words)});
+        if (artifact.edited && file == modulus_artifact && stage.file == contact_artifact)
+            note_stated_values(data, record);
         edited = edited || artifact.edited;
         rests_on_edit = rests_on_edit || artifact.document->at("provenance").value("edited", false);
     }
@@ -88,7 +104,7 @@ Artifact add_stage(const Stage& stage, Work& work) {
     compute_result(stage, work);
     StageRecord& record = work.run.records.back();
     record.note(std::exchange(work.doubts, {}), {});
-    const bool rests_on_edit = note_edits(stage, work.artifacts, record);
+    const bool rests_on_edit = note_edits(stage, work.artifacts, work.run.data, record);
     Envelope envelope{
         .record = record, .options = options_json(work.run.data, stage.file), .rests_on_edit = rests_on_edit};
     for (const std::string_view file : stage.reads)

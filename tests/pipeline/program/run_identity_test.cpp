@@ -101,6 +101,17 @@ TEST_CASE("an edited artifact is taken and said to be edited; another layout is 
     CHECK(comparison["warnings"].dump() == containing("3-analytic.json was edited after ashimpact wrote it"));
 }
 
+TEST_CASE("values of an edited modulus beside which the case states its own are said not to count") {
+    const Sandbox sandbox;
+    put_quick_run(sandbox);
+    Json artifact = sandbox.json("one/1-modulus.json");
+    artifact["result"]["samples"][0]["density"]["value"] = 2345.0;
+    sandbox.write("one/1-modulus.json", artifact.dump());
+    test::succeeded(sandbox, "run -o one --from contact");
+    CHECK(sandbox.json("one/2-contact.json")["warnings"].dump() ==
+          containing("density as the case states, not as 1-modulus.json"));
+}
+
 TEST_CASE("an edit counts in what follows, which is marked as computed from it") {
     const Sandbox sandbox;
     put_quick_run(sandbox);
