@@ -154,6 +154,23 @@ TEST_CASE("constants come back from critical velocities of three sizes") {
     }
 }
 
+TEST_CASE("calibrate says which published numbers it leaves out, and whose uncertainty it assumes") {
+    const Sandbox sandbox;
+    sandbox.write("case.json", R"({"name": "T", "work_of_adhesion": "0.3 J/m2", "laws": ["jkr"], "samples": [
+        {"name": "S", "diameter": "88 um", "density": "2300 kg/m3", "contact_modulus": "87.75 GPa",
+         "composition": {"weight_fractions": {"quartz": 1}, "amorphous": "none"},
+         "published": {"critical_damping": {"jkr": "0.0135 kg/s"},
+                       "critical_velocity": {"jkr": "1.06 m/s", "dmt": "0.9 +- 0.05 m/s"},
+                       "contact_times": [{"law": "jkr", "velocity": "2 m/s", "contact_time": "230 +- 10 ns"}]}}]})");
+    const std::string said =
+        test::succeeded(sandbox, "calibrate case.json --free work_of_adhesion --json").out;
+    for (const char* each :
+         {"1 published number states no uncertainty: 0.1 % is assumed",
+          "the critical velocity of \\\"S\\\" by dmt is not used, without its critical_damping",
+          "a contact time of \\\"S\\\" by jkr is not used, without its damping_fits"})
+        CHECK(said == test::containing(each));
+}
+
 TEST_CASE(
     "calibrate --sizes finds a constant from a table, says when none fits and when nothing can contradict") {
     const Sandbox sandbox;

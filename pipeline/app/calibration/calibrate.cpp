@@ -323,7 +323,7 @@ void run_calibrate_command(const CommandOptions& options, std::ostream& out) {
         if (data.calibration.empty())
             throw InputError("nothing is free", "calibration.free in the case, or --free").at("/calibration");
         const CalibrationProblem problem = whole_problem();
-        std::vector<Finding> doubts;
+        std::vector<Finding> doubts = doubts_of_published(data);
         if (auto held = held_uncertainties(data, run.contact)) doubts.push_back(*std::move(held));
         print_calibration(data, problem, conditions_text, options.has("--json"), out, std::move(doubts));
     });

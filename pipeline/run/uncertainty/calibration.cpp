@@ -7,11 +7,16 @@
 #include <tuple>
 #include <variant>
 
+#include <fmt/format.h>
+
+#include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
 
 namespace ashimpact {
 
 namespace {
+
+constexpr double assumed_uncertainty = 1e-3;  ///< of a published number without one, relative
 
 CalibrationSample start_of(const Case& data, const Sample& sample, const SampleModulus& modulus,
                            const SampleContact& contact) {
@@ -45,7 +50,8 @@ void add_observations(const PublishedSample& published, std::size_t index, Calib
              .critical_damping = damping->value,
              .critical_damping_uncertainty = damping->standard_uncertainty.value_or(0),
              .value = velocity.value,
-             .standard_uncertainty = velocity.standard_uncertainty.value_or(1e-3 * velocity.value)});
+             .standard_uncertainty =
+                 velocity.standard_uncertainty.value_or(assumed_uncertainty * velocity.value)});
     }
     auto times = published.contact_times;
     std::ranges::sort(times, {}, [](const auto& time) {
@@ -61,8 +67,8 @@ void add_observations(const PublishedSample& published, std::size_t index, Calib
              .velocity = time.velocity.value,
              .velocity_uncertainty = time.velocity.standard_uncertainty.value_or(0),
              .value = time.contact_time.value,
-             .standard_uncertainty =
-                 time.contact_time.standard_uncertainty.value_or(1e-3 * time.contact_time.value),
+             .standard_uncertainty = time.contact_time.standard_uncertainty.value_or(assumed_uncertainty *
+                                                                                     time.contact_time.value),
              .damping_fit_uncertainty = published.damping_fit_uncertainty.value_or(0)});
     }
 }
@@ -113,6 +119,36 @@ bool has_inferred_adhesion(const Sample& sample) {
 }
 
 }  // namespace
+
+std::vector<Finding> doubts_of_published(const Case& data) {
+    std::size_t assumed = 0;
+    std::vector<std::string> unused;
+    for (const Sample& sample : data.samples) {
+        if (!sample.published) continue;
+        const auto take = [&](const Quantity& number, Law law, const char* name, const char* needs,
+                              bool used) {
+            if (used)
+                assumed += number.standard_uncertainty ? 0 : 1;
+            else
+                unused.push_back(fmt::format("{} of {} by {} is not used, without its {}", name,
+                                             in_quotes(sample.name), law.name(), needs));
+        };
+        for (const auto& [law, velocity] : sample.published->critical_velocity)
+            take(velocity, law, "the critical velocity", "critical_damping",
+                 sample.published->critical_damping.find(law) != nullptr);
+        for (const auto& time : sample.published->contact_times)
+            take(time.contact_time, time.law, "a contact time", "damping_fits",
+                 sample.published->damping_fits.find(time.law) != nullptr);
+    }
+    std::vector<Finding> doubts;
+    for (std::string& each : unused) doubts.push_back({"unused", Severity::doubt, std::move(each)});
+    if (assumed > 0)
+        doubts.push_back({"assumed", Severity::doubt,
+                          fmt::format("{} published {} no uncertainty: {} % is assumed", assumed,
+                                      assumed == 1 ? "number states" : "numbers state",
+                                      shortest(100 * assumed_uncertainty))});
+    return doubts;
+}
 
 CalibrationProblem calibration_problem(const Case& data, const ModulusResult& moduli,
                                        const ContactResult& contacts) {

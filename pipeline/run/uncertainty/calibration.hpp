@@ -23,6 +23,9 @@ namespace ashimpact {
 [[nodiscard]] CalibrationProblem calibration_problem(const Case& data, const ModulusResult& moduli,
                                                      const ContactResult& contacts);
 
+/// Published numbers that a calibration leaves out, and those whose uncertainty it assumes.
+[[nodiscard]] std::vector<Finding> doubts_of_published(const Case& data);
+
 /// How the inferred constants of each sample of a case follow its contact modulus: those that the case's
 /// calibration leaves free and whose origin is "inferred". All others do not follow.
 /// @param record gets a note if the calibration cannot be linearised; they are then taken as independent
