@@ -179,6 +179,8 @@ double TubeImpaction::offset_of_angle(double angle) const {
 
 std::vector<OffsetRange> TubeImpaction::slower_than(double normal) const {
     std::vector<OffsetRange> ranges;
+    constexpr double least = 1e-12;  // their share is some 1e-24
+    if (!(normal > least)) return ranges;
     const auto add = [&](double from, double to) {
         if (!ranges.empty() && ranges.back().to == from)
             ranges.back().to = to;

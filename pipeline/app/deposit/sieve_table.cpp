@@ -407,6 +407,11 @@ class SieveTable {
         if (std::abs(sum * scale - 1) > sum_tolerance)
             refuse_line(rows.front().line, fmt::format("the shares add up to {:.4g} %", 100 * sum * scale),
                         "98 to 102 %");
+        constexpr double rounding = 2e-3;
+        if (std::abs(sum * scale - 1) > rounding)
+            notes.push_back(
+                {"deposition", Severity::remark,
+                 fmt::format("the shares add up to {:.4g} % and are scaled to 100 %", 100 * sum * scale)});
         if (rows.front().from == 0) note_fines(rows.front().share / sum, notes);
         const double first = rows.front().from > 0 ? rows.front().from : finest_ratio * rows.front().to;
         std::vector<double> diameters{first};

@@ -137,6 +137,10 @@ TEST_CASE("sizes that stick again when they are faster are refused") {
 TEST_CASE("what stays goes from nothing to all, and without a load there are shares alone") {
     const Sandbox sandbox;
     const std::string ash = " --density '2300 kg/m3' --contact-modulus '90 GPa' --sizes '20 um'";
+    const Json hardly = deposited(sandbox,
+                                  " --density '2300 kg/m3' --contact-modulus '90 GPa' --sizes '90 um' "
+                                  "--law hertz --damping '1e-5 kg/s'");  // v_c 1e-16 m/s
+    CHECK(value_of(hardly["result"]["total"], "stick_fraction") == 0);
     const Json none = deposited(sandbox, ash + " --law hertz");
     CHECK(value_of(none["result"]["total"], "stick_fraction") == 0);
     CHECK(value_of(none["result"]["total"], "impaction_efficiency") > 0.2);
@@ -264,6 +268,8 @@ TEST_CASE("what a sieve table has beside sizes and shares is said") {
           {"size [um];share [%];Q3(x) [%]\n10;20;20\n20;80;100\n", "\"share [%]\" agrees with \"Q3(x) [%]\""},
           {"from [um];to [um];share [%];passing [%]\n5;10;20;20\n10;20;80;100\n",
            "\"passing [%]\" agrees with \"share [%]\""},
+          {"from [um];to [um];share [%]\n1;10;18.4\n10;20;80\n",
+           "the shares add up to 98.4 % and are scaled to 100 %"},
           {"from [um];to [um];share [%]\n0;10;20\n10;20;80\n", "20 % is finer than the smallest size"}}) {
         CAPTURE(table);
         sandbox.write("sieve.csv", table);
