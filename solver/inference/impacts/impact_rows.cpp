@@ -19,6 +19,7 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "solver/inference/impacts/measurement.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
 #include "solver/statistics/moments.hpp"
 
 namespace ashimpact {
@@ -81,7 +82,12 @@ constexpr std::array summaries{
     Summary{"sums", [](const Moments& above) { return above.mean * static_cast<double>(above.count); }},
     Summary{"standard deviations", [](const Moments& above) { return std::sqrt(above.variance()); }},
     Summary{"standard deviations",
-            [](const Moments& above) { return std::sqrt(above.second / static_cast<double>(above.count)); }}};
+            [](const Moments& above) { return std::sqrt(above.second / static_cast<double>(above.count)); }},
+    Summary{
+        "standard errors",
+        [](const Moments& above) { return std::sqrt(above.variance() / static_cast<double>(above.count)); }},
+    Summary{"variances", [](const Moments& above) { return above.variance(); }},
+    Summary{"counts", [](const Moments& above) { return static_cast<double>(above.count); }}};
 
 /// Whether a number is the other one, rounded to its last digit; a fine one may be cut there.
 bool is_rounded(double value, double exact) {
@@ -232,7 +238,8 @@ bool RowLabels::is_summary_label(const Column& column, const TableRow& row) cons
     const std::string& cell = row.cells[column.column.position];
     const bool in_footer = column.column.position == 0 && row.line >= footer_;
     const std::string_view label = label_in(cell);
-    if (cell.empty() || is_digit(cell.front()) || !is_summary(label)) return false;
+    const bool is_numbered = !cell.empty() && is_digit(cell.front()) && read_coverage(label).stated.empty();
+    if (cell.empty() || is_numbered || !is_summary(label)) return false;
     if (column.describes_rows) return false;
     const bool between =
         column.stands_between(label) && !is_sign(label) && (column.labels_rows() || !is_total(label));
@@ -288,10 +295,11 @@ void RowLabels::require_valid(const TableRow& row) const {
     }
 }
 
-void refuse_summary_row(std::size_t line, const std::string& holds) {
-    refuse_line(line,
-                "the row holds " + holds + " of the rows above: it may be a measurement, or sum up others",
-                "a column that numbers the rows, or a file without this row");
+void refuse_summary_row(std::size_t line, const std::string& holds, const std::string& where) {
+    refuse_line(
+        line,
+        "the row holds " + holds + " of the rows " + where + ": it may be a measurement, or sum up others",
+        "a column that numbers the rows, or a file without this row");
 }
 
 namespace {
@@ -314,7 +322,7 @@ struct Block {
         constexpr std::size_t fewest = 3;
         constexpr double least_spread = 0.05;  // so that equal rows are no mean
         if (values[0].count < fewest || !(row.values[1] > 0.0)) return std::nullopt;
-        for (const std::array<Moments, 2>& moments : {values, rebounds}) {
+        for (const std::array<Moments, 2>& moments : {values, rebounds, {values[0], rebounds[1]}}) {
             if (moments[0].count < fewest) continue;
             for (const auto& [name, of] : summaries)
                 if (moments[0].maximum > (1.0 + least_spread) * moments[0].minimum &&
@@ -325,9 +333,34 @@ struct Block {
     }
 };
 
+/// Whether a row holds the medians of others.
+bool holds_medians(const MeasuredRow& row, std::span<const MeasuredRow> others) {
+    for (std::size_t k = 0; k < row.values.size(); ++k) {
+        std::vector<double> values;
+        for (const MeasuredRow& other : others) values.push_back(other.values[k]);
+        if (!is_rounded(row.values[k], gsl::quantiles(values, std::array{0.5})[0])) return false;
+    }
+    return true;
+}
+
+/// Refuses a first row that holds means, and a first or last one that holds medians of all others.
+void refuse_summary_at_end(std::span<const MeasuredRow> rows) {
+    constexpr std::size_t fewest = 6;
+    if (rows.size() < fewest) return;
+    Block below;
+    for (const MeasuredRow& row : rows.subspan(1)) below.take(row);
+    if (below.summed_up_in(rows.front()) == "means")
+        refuse_summary_row(rows.front().line, "the means", "below");
+    if (holds_medians(rows.front(), rows.subspan(1)))
+        refuse_summary_row(rows.front().line, "the medians", "below");
+    if (holds_medians(rows.back(), rows.first(rows.size() - 1)))
+        refuse_summary_row(rows.back().line, "the medians");
+}
+
 }  // namespace
 
 void refuse_summaries(std::span<const MeasuredRow> rows, std::vector<Finding>& findings) {
+    refuse_summary_at_end(rows);
     constexpr std::size_t most_rows = 60;   // in longer files some rows equal such means by chance,
     constexpr std::size_t most_group = 20;  // but not one behind each group of so many rows
     Block all;

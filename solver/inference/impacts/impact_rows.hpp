@@ -97,7 +97,8 @@ struct MeasuredRow {
 };
 
 /// Refuses a row that holds what sums up others. @throws InputError at its line
-[[noreturn]] void refuse_summary_row(std::size_t line, const std::string& holds);
+[[noreturn]] void refuse_summary_row(std::size_t line, const std::string& holds,
+                                     const std::string& where = "above");
 
 /// Refuses a row that holds the means, sums or standard deviations of the rows above, of all of them or of
 /// those since a blank line or another such row: at the end, beside a blank line, or one of several. Doubts

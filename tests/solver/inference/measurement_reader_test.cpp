@@ -811,10 +811,24 @@ TEST_CASE("a last row without a label that holds the means of the others is refu
     for (const auto& [row, holds] : {std::pair{"11.1;4.62", "sums"},
                                      {"1.6;0.7", "means"},
                                      {"0.96;0.7", "standard deviations"},
-                                     {"0.895;0.62", "standard deviations"}})
+                                     {"0.895;0.62", "standard deviations"},
+                                     {"1.33;0.47", "medians"},
+                                     {"7;5", "counts"},
+                                     {"0.365;0.253", "standard errors"},
+                                     {"0.935;0.448", "variances"},
+                                     {"1.586;0.924", "means"}})
         CHECK_MESSAGE(contains(input_error_of([&] { return read_measurements(dense + row + "\n", "t.csv"); }),
                                std::string("the row holds the ") + holds + " of the rows above"),
                       row);
+    for (const auto& [row, holds] : {std::pair{"1.586;0.66", "means"}, {"1.33;0.47", "medians"}})
+        CHECK(contains(input_error_of([&] {
+                           return read_measurements("v_in;v_r\n" + std::string(row) + dense.substr(8),
+                                                    "t.csv");
+                       }),
+                       std::string("line 2: the row holds the ") + holds + " of the rows below"));
+    const std::string labelled = "sample;v_in;v_r\nA;1.52;0.48\nA;2.51;0.93\nA;3.03;1.22\n";
+    for (const char* label : {"95 % CI", "VK"})
+        CHECK(read_measurements(labelled + label + ";0.4;0.2\n", "t.csv").points.size() == 3);
     const std::string second = "1,1;0,3\n2,2;0,8\n3,3;1,4\n2,9;0,9\n";
     for (const std::string& series : {rows + "\n2,74;1,08\n\n" + second, rows + "2,74;1,08\n\n" + second,
                                       rows + "2,74;1,08\n" + second + "2,375;0,85\n3,1;1,0\n2,2;0,9\n"})
