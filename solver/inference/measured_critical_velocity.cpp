@@ -24,20 +24,29 @@ struct CaptureTransition {
     double extra_variance;  ///< in addition to the noise; 0 if the noise explains the mixing [m2/s2]
 };
 
+/// Impacts of that outcome; a mean counts as often as it has impacts.
+double impacts_of(const MeasurementSet& set, bool captured) {
+    std::size_t impacts = 0;
+    for (const Measurement& point : set.points)
+        if (point.captured() == captured) impacts += point.count;
+    return static_cast<double>(impacts);
+}
+
 /// Share of the pairs of a capture and a rebound in which the capture is the faster (Mann and Whitney 1947);
 /// pairs of equal velocity count half.
 double reversed_share(const MeasurementSet& set) {
     std::vector<double> rebounds;
     for (const Measurement& point : set.points)
-        if (!point.captured()) rebounds.push_back(point.velocity);
+        if (!point.captured()) rebounds.insert(rebounds.end(), point.count, point.velocity);
     std::sort(rebounds.begin(), rebounds.end());
     double reversed = 0.0;
     for (const Measurement& point : set.points) {
         if (!point.captured()) continue;
         const auto [first, last] = std::equal_range(rebounds.begin(), rebounds.end(), point.velocity);
-        reversed += static_cast<double>(first - rebounds.begin()) + 0.5 * static_cast<double>(last - first);
+        reversed += static_cast<double>(point.count) *
+                    (static_cast<double>(first - rebounds.begin()) + 0.5 * static_cast<double>(last - first));
     }
-    return reversed / (static_cast<double>(rebounds.size()) * static_cast<double>(set.captures()));
+    return reversed / (static_cast<double>(rebounds.size()) * impacts_of(set, true));
 }
 
 /// -2 ln L of the outcomes of a series with captures and rebounds. Of large sets, neighbours of the same
@@ -47,12 +56,13 @@ class OutcomeLikelihood {
     /// @param set with captures and rebounds, validated
     /// @param least standard deviation of v_in in place of an unknown noise [m/s]
     OutcomeLikelihood(const MeasurementSet& set, double least)
-        : captured_(static_cast<double>(set.captures()) / static_cast<double>(set.points.size())),
+        : captured_(impacts_of(set, true) / (impacts_of(set, true) + impacts_of(set, false))),
           reversed_(reversed_share(set)) {
         for (const Measurement& point : set.points)
             outcomes_.push_back({.velocity = point.velocity,
                                  .variance = point.noise ? point.noise->incident : least * least,
-                                 .sign = point.captured() ? 1.0 : -1.0});
+                                 .sign = point.captured() ? 1.0 : -1.0,
+                                 .count = static_cast<double>(point.count)});
         noise_ = outcomes_.front().variance;
         const auto [first, last] = std::ranges::minmax_element(outcomes_, {}, &Outcome::velocity);
         slowest_ = first->velocity;

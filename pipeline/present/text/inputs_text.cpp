@@ -48,7 +48,7 @@ std::string impacts_text(const MeasurementSet& set) {
     std::vector<Measurement> rebounds;
     std::ranges::copy_if(points, std::back_inserter(rebounds), std::not_fn(&Measurement::captured));
     if (!rebounds.empty()) text += ", e_n " + range_text(values_of(rebounds, &Measurement::restitution), "");
-    text += fmt::format(", {} captured", set.captures());
+    text += fmt::format(", {}{} captured", set.captures(), impacts == points.size() ? "" : " of the means");
     if (!set.has_noise()) return text + ", no uncertainties";
     const auto deviation = [&](double VelocityNoise::*variance, const std::vector<Measurement>& of) {
         return range_text(

@@ -210,6 +210,21 @@ TEST_CASE("mixed outcomes widen the transition") {
     CHECK(*measured.value < *measured.upper);
 }
 
+TEST_CASE("a mean counts as often as it has impacts") {
+    std::vector<Measurement> means = mixed_outcomes();
+    std::vector<Measurement> each = means;
+    for (std::size_t i = 0; i < means.size(); i += 3) {
+        means[i].count = 4;
+        each.insert(each.end(), 3, mixed_outcomes()[i]);
+    }
+    const auto of_means = measured_from(means);
+    const auto of_each = measured_from(each);
+    CHECK(relative_difference(*of_means.value, *of_each.value) < 1e-6);
+    CHECK(relative_difference(*of_means.width, *of_each.width) < 1e-6);
+    CHECK(relative_difference(*of_means.lower, *of_each.lower) < 1e-6);
+    CHECK(relative_difference(*of_means.value, *measured_from(mixed_outcomes()).value) > 1e-3);
+}
+
 TEST_CASE("captures and rebounds that overlap by about their noise: always a v_c, never far off") {
     constexpr double truth = 1.2;
     constexpr double noise = 0.058;
