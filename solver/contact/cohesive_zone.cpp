@@ -102,16 +102,7 @@ Real tangent_at_radius(Real lambda, Real a, Real t) {
     return t;
 }
 
-/// cos(theta) that vanishes exactly at the right angle of this number type.
-Extended cosine(Extended theta) {
-    return std::sin(right_angle - theta);
-}
-
 }  // namespace
-
-Extended CohesiveState::contact_radius() const {
-    return cohesive_radius * cosine(angle);
-}
 
 CohesiveZone::CohesiveZone(Extended lambda) : lambda_(lambda) {
     join_ = at_angle(right_angle);
@@ -130,22 +121,25 @@ Extended CohesiveZone::reach() const {
     return 2 / (extended_pi * lambda_);
 }
 
-Extended CohesiveZone::quadratic(Extended theta) const {
-    return quadratic_of<Extended>(lambda_, {theta, std::sin(theta), std::cos(theta)});
+Extended CohesiveZone::quadratic(const CohesiveState& state) const {
+    return quadratic_of<Extended>(lambda_, {state.angle, state.sine, state.cosine});
 }
 
-Extended CohesiveZone::linear(Extended theta) const {
-    return linear_of<Extended>(lambda_, {theta, std::sin(theta), std::cos(theta)});
+Extended CohesiveZone::linear(const CohesiveState& state) const {
+    return linear_of<Extended>(lambda_, {state.angle, state.sine, state.cosine});
 }
 
 CohesiveState CohesiveZone::at_angle(Extended theta) const {
-    const Extended p = quadratic(theta);
-    const Extended q = linear(theta);
-    return {.angle = theta, .cohesive_radius = 2 / (q + std::sqrt(q * q + 4 * p))};
+    CohesiveState state{
+        .angle = theta, .sine = std::sin(theta), .cosine = std::sin(right_angle - theta)};  // 0 at pi/2
+    const Extended p = quadratic(state);
+    const Extended q = linear(state);
+    state.cohesive_radius = 2 / (q + std::sqrt(q * q + 4 * p));
+    return state;
 }
 
 CohesiveState CohesiveZone::in_gap(Extended c) {
-    return {.angle = right_angle, .cohesive_radius = c};
+    return {.angle = right_angle, .sine = 1, .cosine = 0, .cohesive_radius = c};
 }
 
 CohesiveState CohesiveZone::at_contact_radius(Extended a) const {
@@ -157,7 +151,8 @@ CohesiveState CohesiveZone::at_contact_radius(Extended a) const {
         tangent_at_radius(static_cast<double>(lambda_), static_cast<double>(a), static_cast<double>(guess));
     const bool known = std::isnormal(near) && near > 0;
     const Extended t = tangent_at_radius<Extended>(lambda_, a, known ? static_cast<Extended>(near) : guess);
-    return {.angle = std::atan(t), .cohesive_radius = a * std::sqrt(1 + t * t)};
+    const Extended secant = std::sqrt(1 + t * t);
+    return {.angle = std::atan(t), .sine = t / secant, .cosine = 1 / secant, .cohesive_radius = a * secant};
 }
 
 CohesiveState CohesiveZone::at_overlap(Extended delta) const {
@@ -174,13 +169,13 @@ Extended CohesiveZone::overlap(const CohesiveState& state) const {
     const Extended c = state.cohesive_radius;
     if (state.angle >= right_angle && c < join_.cohesive_radius) return gap_overlap()(c);
     const Extended a = state.contact_radius();
-    return a * a - 4 * lambda_ / 3 * c * std::sin(state.angle);
+    return a * a - 4 * lambda_ / 3 * c * state.sine;
 }
 
 Extended CohesiveZone::force(const CohesiveState& state) const {
     const Extended c = state.cohesive_radius;
     const Extended a = state.contact_radius();
-    return a * a * a - lambda_ * c * (c * state.angle + a * std::sin(state.angle));
+    return a * a * a - lambda_ * c * (c * state.angle + a * state.sine);
 }
 
 Extended CohesiveZone::potential(const CohesiveState& state) const {
@@ -188,24 +183,23 @@ Extended CohesiveZone::potential(const CohesiveState& state) const {
     const Extended a = state.contact_radius();
     if (state.angle >= right_angle && c < join_.cohesive_radius)
         return lambda_ * c * c * c * (4 * lambda_ / 9 - extended_pi / 8 * c);
-    const Extended theta = state.angle;
-    const Extended moment = theta / 12 + std::sin(2 * theta) / 18 + std::sin(4 * theta) / 144;
+    const Extended sine_of_double = 2 * state.sine * state.cosine;
+    const Extended cosine_of_double = (state.cosine - state.sine) * (state.cosine + state.sine);
+    const Extended moment = state.angle / 12 + sine_of_double / 18 + sine_of_double * cosine_of_double / 72;
     return force(state) * overlap(state) / 3 + a * a * a * a * a / 15 - c * c / 3 -
            lambda_ * c * c * c * c * moment;
 }
 
 CohesiveZone::Slopes CohesiveZone::slopes(const CohesiveState& state) const {
-    const Extended theta = state.angle;
-    const Extended c = state.cohesive_radius;
-    const Extended sine = std::sin(theta);
-    const Extended cos = cosine(theta);
+    const auto& [theta, sine, cosine, c] = state;
     const Extended m = theta * (2 * lambda_ * sine * c + 4 * lambda_ * lambda_ / 3) * c /
-                       (2 * quadratic(theta) * c + linear(theta));
-    const Extended radius = cos * cos * m + c * sine;
-    return {.radius = radius,
-            .cohesive_radius = m,
-            .overlap = 2 * c * radius + 4 * lambda_ / 3 * (c - m * sine),
-            .force = 3 * c * c * cos * radius - 2 * lambda_ * c * (m * (theta + sine * cos) - c * cos)};
+                       (2 * quadratic(state) * c + linear(state));
+    const Extended radius = cosine * cosine * m + c * sine;
+    return {
+        .radius = radius,
+        .cohesive_radius = m,
+        .overlap = 2 * c * radius + 4 * lambda_ / 3 * (c - m * sine),
+        .force = 3 * c * c * cosine * radius - 2 * lambda_ * c * (m * (theta + sine * cosine) - c * cosine)};
 }
 
 Extended CohesiveZone::stiffness(const CohesiveState& state) const {

@@ -9,11 +9,13 @@ namespace ashimpact {
 /// One state of a Maugis-Dugdale pair, in Maugis' units (see CohesiveZone).
 struct CohesiveState {
     Extended angle = 0;            ///< theta = arccos(a/c); pi/2 where the surfaces do not touch [1]
+    Extended sine = 0;             ///< sin(theta) [1]
+    Extended cosine = 1;           ///< cos(theta), exactly 0 where the surfaces do not touch [1]
     Extended cohesive_radius = 0;  ///< c, edge of the cohesive zone [1]
 
-    [[nodiscard]] bool touching() const { return contact_radius() > 0; }
+    [[nodiscard]] bool touching() const { return cosine > 0; }
     /// a = c cos(theta) [1]
-    [[nodiscard]] Extended contact_radius() const;
+    [[nodiscard]] Extended contact_radius() const { return cohesive_radius * cosine; }
 };
 
 /// Maugis 1992 (J. Colloid Interface Sci. 150:243): elastic spheres that attract one another with the
@@ -86,9 +88,9 @@ class CohesiveZone {
         Extended force;            ///< -dF/dtheta/cos(theta); negative beyond the greatest tension
     };
     [[nodiscard]] Slopes slopes(const CohesiveState& state) const;
-    /// P (quadratic) and Q (linear) at an angle, without cancellation.
-    [[nodiscard]] Extended quadratic(Extended theta) const;
-    [[nodiscard]] Extended linear(Extended theta) const;
+    /// P (quadratic) and Q (linear) at the angle of a state, without cancellation.
+    [[nodiscard]] Extended quadratic(const CohesiveState& state) const;
+    [[nodiscard]] Extended linear(const CohesiveState& state) const;
 
   private:
     template <class Function>

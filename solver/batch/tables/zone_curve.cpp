@@ -106,8 +106,8 @@ Columns functions_of(const CohesiveZone& zone, const ZoneBand::Piece& piece, Dam
         const auto u = static_cast<Extended>(axis.node(i));
         const CohesiveState state = zone.at_contact_radius(u * u);
         const CohesiveZone::Slopes slopes = zone.slopes(state);
-        const Extended cosine = state.contact_radius() / state.cohesive_radius;
-        values(i, ZoneBand::slope) = static_cast<double>(2 * u * slopes.overlap * cosine / slopes.radius);
+        values(i, ZoneBand::slope) =
+            static_cast<double>(2 * u * slopes.overlap * state.cosine / slopes.radius);
         values(i, ZoneBand::force) = static_cast<double>(zone.force(state));
         values(i, ZoneBand::potential) = static_cast<double>(zone.potential(state));
         values(i, ZoneBand::overlap) = static_cast<double>(zone.overlap(state));
@@ -195,8 +195,7 @@ ZoneBand::ZoneBand(double lower, double upper, DampingLaw damping_law)
         way(rest_overlap, rest);
         energy(rest_potential, rest);
         const CohesiveZone::Slopes slopes = zone.slopes(rest);
-        const Extended by_u = 2 * std::sqrt(rest.contact_radius()) * rest.contact_radius() /
-                              (rest.cohesive_radius * slopes.radius);
+        const Extended by_u = 2 * std::sqrt(rest.contact_radius()) * rest.cosine / slopes.radius;
         values(j, rest_slope) = static_cast<double>(slopes.overlap * by_u);
         values(j, rest_force_slope) = static_cast<double>(slopes.force * by_u);
         radius(zero_radius, zone.at_overlap(0));

@@ -44,10 +44,10 @@ class SeriesOfZone {
         : lambda_(static_cast<Real>(zone.lambda())) {
         angle_[0] = static_cast<Real>(state.angle);
         outer_[0] = static_cast<Real>(state.cohesive_radius);
-        sine_[0] = static_cast<Real>(std::sin(state.angle));
-        cosine_[0] = static_cast<Real>(state.contact_radius() / state.cohesive_radius);
-        quadratic_[0] = static_cast<Real>(zone.quadratic(state.angle));
-        linear_[0] = static_cast<Real>(zone.linear(state.angle));
+        sine_[0] = static_cast<Real>(state.sine);
+        cosine_[0] = static_cast<Real>(state.cosine);
+        quadratic_[0] = static_cast<Real>(zone.quadratic(state));
+        linear_[0] = static_cast<Real>(zone.linear(state));
     }
     /// With the leading terms of another number type.
     template <class Other>
@@ -228,7 +228,7 @@ CohesiveState TouchingBranch::state(Extended q) const {
 Extended TouchingBranch::slope(Extended q) const {
     const CohesiveState at = state(q);
     const CohesiveZone::Slopes slopes = zone_.slopes(at);
-    const Extended by_radius = at.contact_radius() / at.cohesive_radius * slopes.overlap / slopes.radius;
+    const Extended by_radius = at.cosine * slopes.overlap / slopes.radius;
     return rooted_ ? 2 * q * by_radius : by_radius;
 }
 
