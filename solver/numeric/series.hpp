@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <type_traits>
 
 namespace ashimpact {
 
@@ -87,6 +90,24 @@ template <class Real, std::size_t size>
     return (numerator[n] - before - quotient[0] * denominator[n]) / denominator[0];
 }
 
+/// log2 |x| to 0.01; minus infinity for 0.
+template <class Real>
+[[nodiscard]] double nearly_log2(Real x) {
+    int exponent = 0;
+    double mantissa = 0;                           // in [1/2, 1)
+    if constexpr (std::is_same_v<Real, double>) {  // a call of frexp() takes several times as long
+        const auto bits = std::bit_cast<std::uint64_t>(std::abs(x));
+        constexpr unsigned digits = std::numeric_limits<double>::digits - 1;
+        constexpr std::uint64_t half = 1022;
+        exponent = static_cast<int>(bits >> digits) - static_cast<int>(half);
+        if (x != 0) mantissa = std::bit_cast<double>((bits & ((1ULL << digits) - 1)) | (half << digits));
+    } else {
+        mantissa = static_cast<double>(std::frexp(std::abs(x), &exponent));
+    }
+    if (!(mantissa > 0)) return -std::numeric_limits<double>::infinity();
+    return (4 - 4.0 / 3 * mantissa) * mantissa - 8.0 / 3 + exponent;
+}
+
 /// Radius within which the terms fall off geometrically from the leading ones, by the root test on the last
 /// ten coefficients, since a symmetric start leaves gaps of up to nine zeros; infinite if all ten vanish.
 template <class Real, std::size_t size>
@@ -95,14 +116,12 @@ template <class Real, std::size_t size>
     constexpr std::size_t last = 10;
     static_assert(size > leading + last);
     constexpr double infinite = std::numeric_limits<double>::infinity();
-    int exponent = 0;
-    const auto mantissa = [&](Real x) { return static_cast<double>(std::frexp(std::abs(x), &exponent)); };
+    static constexpr auto inverse = [] {
+        std::array<double, size> of{};
+        for (std::size_t n = 1; n < size; ++n) of[n] = 1 / static_cast<double>(n);
+        return of;
+    }();
     // The decisive pair is sought by logarithms to 0.01: those of all would take a tenth of an impact.
-    const auto nearly_log2 = [&](Real x) {
-        const double m = mantissa(x);
-        if (!(m > 0 && m < 1)) return m > 0 ? m : -infinite;
-        return (4 - 4.0 / 3 * m) * m - 8.0 / 3 + exponent;
-    };
     std::array<double, leading> first;
     for (std::size_t m = 0; m < leading; ++m) first[m] = nearly_log2(c[m]);
     double smallest = infinite;
@@ -111,27 +130,17 @@ template <class Real, std::size_t size>
     for (std::size_t n = size - last; n < size; ++n) {
         const double tail = nearly_log2(c[n]);
         if (tail == -infinite) continue;
-        double largest = -infinite;
-        std::size_t of_largest = 0;
-        for (std::size_t m = 0; m < leading; ++m) {
-            const double log_radius = (first[m] - tail) / static_cast<double>(n - m);
-            if (log_radius > largest) {
-                largest = log_radius;
-                of_largest = m;
-            }
-        }
-        if (largest < smallest) {
-            smallest = largest;
-            from = of_largest;
-            to = n;
-        }
+        std::array<double, leading> log_radius;
+        for (std::size_t m = 0; m < leading; ++m) log_radius[m] = (first[m] - tail) * inverse[n - m];
+        const double largest = std::max({log_radius[0], log_radius[1], log_radius[2]});
+        if (!(largest < smallest)) continue;
+        smallest = largest;
+        from = largest == log_radius[0] ? 0 : largest == log_radius[1] ? 1 : 2;
+        to = n;
     }
     if (std::isinf(smallest)) return static_cast<Real>(smallest < 0 ? 0 : smallest);
-    const auto log2_of = [&](Real x) {
-        const double m = mantissa(x);
-        return std::log2(m) + exponent;
-    };
-    return std::exp2(static_cast<Real>((log2_of(c[from]) - log2_of(c[to])) / static_cast<double>(to - from)));
+    const auto log2_of = [](Real x) { return static_cast<double>(std::log2(std::abs(x))); };
+    return std::exp2(static_cast<Real>((log2_of(c[from]) - log2_of(c[to])) * inverse[to - from]));
 }
 
 }  // namespace ashimpact
