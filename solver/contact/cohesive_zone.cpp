@@ -87,7 +87,9 @@ Real step_to_radius(Real lambda, Real a, Real t) {
     const Real sum = (p * c + q) * c;
     const Real rise =
         theta * cosine * (2 * lambda * sine * c + 4 * lambda * lambda / 3) * c + (2 * p * c + q) * c * t;
-    return -std::log(sum) * sum / (rise * t * cosine_squared);
+    const Real off = sum - 1;
+    const Real log = std::abs(off) < Real(1e-6) ? off - off * off / 2 : std::log(sum);
+    return -log * sum / (rise * t * cosine_squared);
 }
 
 /// Steps from @p t on until one leaves no more than the rounding of Real.
@@ -96,8 +98,8 @@ Real tangent_at_radius(Real lambda, Real a, Real t) {
     const Real enough = Real(0.1) * std::sqrt(std::numeric_limits<Real>::epsilon());  // leaves its square
     for (int i = 0; i < 60; ++i) {
         const Real step = step_to_radius(lambda, a, t);
+        if (std::abs(step) < enough) return t * (1 + step);
         t *= std::exp(std::fmax(Real(-2), std::fmin(Real(2), step)));
-        if (std::abs(step) < enough) break;
     }
     return t;
 }
