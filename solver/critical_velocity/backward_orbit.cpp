@@ -257,12 +257,11 @@ class FoldArrival {
         arrival.state.position = fold + x;
         arrival.state.velocity = value(velocity_, x);
         // From x to the fold: work of eta v over d(delta), time of d(delta)/v.
+        Terms drag{};
         Terms work{};
         Terms pace{};
         for (std::size_t n = 0; n + 1 < velocity_.size(); ++n) {
-            Terms drag{};
-            for (std::size_t i = 0; i <= n; ++i)
-                drag[i] = product_coefficient(statics_.damping, velocity_, i);
+            drag[n] = product_coefficient(statics_.damping, velocity_, n);
             work[n + 1] = -product_coefficient(drag, statics_.slope, n) / static_cast<Extended>(n + 1);
         }
         Terms quotient{};  // delta'/v, both without their leading power
