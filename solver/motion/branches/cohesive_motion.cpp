@@ -335,17 +335,25 @@ MotionExpansion<Extended> TouchingBranch::expanded(const MotionState<Extended>& 
 }
 
 TouchingBranch::Statics TouchingBranch::statics(Extended q) const {
-    Terms<Extended, Extended> terms(*this, state(q));
-    Series<Extended> place{};  // q itself
-    place[0] = q;
-    place[1] = 1;
-    Series<Extended> one{};
-    one[0] = 1;
-    for (std::size_t n = 0; n < place.size(); ++n) {
-        terms.advance(place, n);
-        if (n + 1 < place.size()) terms.follow(place, one, n);
-    }
-    return {.slope = terms.slope, .force = terms.force(), .damping = terms.damping};
+    const auto expanded_in = [&]<class Real>() {
+        Terms<Real, Extended> terms(*this, state(q));
+        Series<Real, Extended> place{};  // q itself
+        place[0] = static_cast<Real>(q);
+        place[1] = 1;
+        Series<Real, Extended> one{};
+        one[0] = 1;
+        for (std::size_t n = 0; n < place.size(); ++n) {
+            terms.advance(place, n);
+            if (n + 1 < place.size()) terms.follow(place, one, n);
+        }
+        Statics statics;
+        copy_terms(terms.slope, statics.slope, place.size());
+        copy_terms(terms.force(), statics.force, place.size());
+        copy_terms(terms.damping, statics.damping, place.size());
+        return statics;
+    };
+    return precision_ == Precision::extended ? expanded_in.template operator()<Extended>()
+                                             : expanded_in.template operator()<double>();
 }
 
 }  // namespace ashimpact
