@@ -169,13 +169,22 @@ std::optional<RestPlace<Extended>> CohesiveMotion::creeps_to(const MotionState<E
     const RestPlace<Extended> place = rest();
     if (state.position >= place.position) return std::nullopt;
     const Extended damping = touching_.damping(state.position);
-    const Extended way = place.overlap - touching_.overlap(state.position);
     const Extended rounding = 64 * std::numeric_limits<Extended>::epsilon() * place.overlap;
-    const bool arrived = std::abs(way) <= rounding && state.velocity <= damping * rounding;
-    const bool creeps =
-        state.velocity <= damping / 2 * way && zone_.stiffness(zone_.equilibrium()) <= damping * damping / 4;
+    const bool rests = state.velocity <= damping * rounding;
+    const bool overdamped = zone_.stiffness(zone_.equilibrium()) <= damping * damping / 4;
+    if (!rests && !overdamped) return std::nullopt;
+    const Extended way = place.overlap - touching_.overlap(state.position);
+    const bool arrived = rests && std::abs(way) <= rounding;
+    const bool creeps = overdamped && state.velocity <= damping / 2 * way;
     if (!arrived && !creeps) return std::nullopt;
     return place;
+}
+
+bool CohesiveMotion::captured(const MotionState<Extended>& state) const {
+    if (too_slow_) return true;
+    const Extended lacking = potential_at_end() - state.velocity * state.velocity / 2;
+    if (lacking <= rest().potential) return false;  // the least potential is enough
+    return touching_.potential(state.position) < lacking;
 }
 
 std::optional<std::string> cohesive_refusal(const CohesiveZone& zone, Detachment detachment) {

@@ -104,10 +104,7 @@ class CohesiveMotion {
     /// way, and the stiffness rises all the way. @param state its position is a coordinate of touching()
     [[nodiscard]] std::optional<RestPlace<Extended>> creeps_to(const MotionState<Extended>& state) const;
     /// After the turn, in contact: whether the energy no longer suffices to reach the end.
-    [[nodiscard]] bool captured(const MotionState<Extended>& state) const {
-        return too_slow_ ||
-               state.velocity * state.velocity / 2 + touching_.potential(state.position) < potential_at_end();
-    }
+    [[nodiscard]] bool captured(const MotionState<Extended>& state) const;
 
   private:
     CohesiveZone zone_;
