@@ -39,12 +39,16 @@ struct TurnBefore {
 
 /// Follows the outward leg on a branch backward in time to its turning point; none if the orbit escapes, so
 /// that no velocity is high enough to rebound.
-/// @param equilibrium coordinate of static equilibrium. @throws ConvergenceError
+/// @param equilibrium coordinate of static equilibrium
+/// @param fastest_return velocity that no return exceeds: a faster one did not begin at rest
+/// @throws ConvergenceError
 template <class Branch, class Real>
-TurnBefore<Real> back_to_turn(const Branch& branch, MotionState<Real> state, Real equilibrium) {
+TurnBefore<Real> back_to_turn(const Branch& branch, MotionState<Real> state, Real equilibrium,
+                              Real fastest_return) {
     const Real farthest = static_cast<Real>(escape) * std::max({Real(1), equilibrium, state.position});
+    const Real too_fast = fastest_return * (1 + 64 * std::numeric_limits<Real>::epsilon());
     int steps = 0;
-    while (state.position < farthest) {
+    while (state.position < farthest && !(-state.velocity > too_fast)) {
         const MotionExpansion<Real> x = counted_expansion(branch, state, steps, backward);
         if (!std::isfinite(x.position.back()) || !std::isfinite(x.velocity.back()))
             return {.within_numbers = false};
@@ -389,8 +393,9 @@ class PlasticCapture {
         Unloading unloading{u > motion_.yield() ? motion_.unloading(u) : motion_.elastic()};
         unloading.arrival = critical_arrival(unloading.motion);
         if (unloading.arrival)
-            unloading.turn =
-                back_to_turn(unloading.motion, unloading.arrival->state, unloading.motion.equilibrium).state;
+            unloading.turn = back_to_turn(unloading.motion, unloading.arrival->state,
+                                          unloading.motion.equilibrium, unloading.motion.fastest_return)
+                                 .state;
         return unloading;
     }
 
@@ -420,7 +425,8 @@ template <class Real>
 CriticalImpacts critical_impacts(const Motion<Real>& motion) {
     const std::optional<Arrival<Real>> arrival = critical_arrival(motion);
     if (!arrival) return {.verdict = CaptureVerdict::never_captured};
-    const auto [turn, certain] = back_to_turn(motion, arrival->state, motion.equilibrium);
+    const auto [turn, certain] =
+        back_to_turn(motion, arrival->state, motion.equilibrium, motion.fastest_return);
     if (!turn) return {.verdict = CaptureVerdict::always_captured, .certain = certain};
     return {.impacts = {critical_impact(*arrival, back_to(motion, *turn, motion.touch), 0,
                                         motion.potential(*motion.end) - motion.potential(motion.touch),
@@ -433,7 +439,8 @@ template CriticalImpacts critical_impacts(const Motion<long double>&);
 CriticalImpacts critical_impacts(const CohesiveMotion& motion) {
     const TouchingBranch& branch = motion.touching();
     const Arrival<Extended> arrival = arrival_of(motion);
-    const auto [turn, certain] = back_to_turn(branch, arrival.state, motion.rest().position);
+    const auto [turn, certain] =
+        back_to_turn(branch, arrival.state, motion.rest().position, motion.fastest_return());
     if (!turn) return {.verdict = CaptureVerdict::always_captured, .certain = certain};
     const bool begins_in_gap = !motion.begin().touching();
     const CohesiveState first = begins_in_gap ? motion.zone().join() : motion.begin();

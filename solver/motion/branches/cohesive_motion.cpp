@@ -152,9 +152,9 @@ CohesiveMotion::CohesiveMotion(const CohesiveZone& zone, const ScaledDamping<Ext
       touching_(zone, damping, precision),
       gap_(zone),
       begin_(zone.touch()),
-      end_(end_of(zone, detachment)) {
-    const Extended fastest = damping.fastest_return;
-    too_slow_ = fastest * fastest / 2 + rest().potential < potential_at_end();
+      end_(end_of(zone, detachment)),
+      fastest_return_(damping.fastest_return) {
+    too_slow_ = fastest_return_ * fastest_return_ / 2 + rest().potential < potential_at_end();
     if (detachment != Detachment::zero_overlap) return;
     begin_ = end_;
     outside_ = zone.potential(begin_);

@@ -98,6 +98,7 @@ class CohesiveMotion {
     [[nodiscard]] Extended potential_at_end() const { return zone_.potential(end_); }
     /// Static equilibrium, on the touching branch.
     [[nodiscard]] RestPlace<Extended> rest() const;
+    [[nodiscard]] Extended fastest_return() const { return fastest_return_; }  ///< as of ScaledDamping
 
     /// Before the turn, in contact: the equilibrium that an approach creeps up to, if it is so damped that it
     /// never turns. It stays below the line v = (eta/2) (delta_eq - delta) if dF/d(delta) <= eta^2/4 all the
@@ -113,6 +114,7 @@ class CohesiveMotion {
     CohesiveState begin_;
     CohesiveState end_;
     Extended outside_ = 0;
+    Extended fastest_return_;
     bool too_slow_;  ///< no return is fast enough at equilibrium to reach the end
 };
 
