@@ -64,10 +64,25 @@ ChebyshevSurface::ChebyshevSurface(const ChebyshevAxis& x, const ChebyshevAxis& 
     assert(values.rows() == x.degree + 1 && values.cols() == y.degree + 1);
 }
 
+namespace {
+
+/// The polynomials of ChebyshevBasis without their slopes.
+ChebyshevBasis::Vector values_of_basis(const ChebyshevAxis& axis, double position) {
+    ChebyshevBasis::Vector value(axis.degree + 1);
+    value[0] = 1.0;
+    if (axis.degree == 0) return value;
+    const double t = (position - axis.lower) * (2.0 / (axis.upper - axis.lower)) - 1.0;
+    value[1] = t;
+    for (int k = 2; k <= axis.degree; ++k) value[k] = 2.0 * t * value[k - 1] - value[k - 2];
+    return value;
+}
+
+}  // namespace
+
 double ChebyshevSurface::value(double x, double y) const {
     ChebyshevBasis::Vector along(x_.degree + 1);
-    along.noalias() = coefficients_ * ChebyshevBasis(y_, y).value;
-    return along.dot(ChebyshevBasis(x_, x).value);
+    along.noalias() = coefficients_ * values_of_basis(y_, y);
+    return along.dot(values_of_basis(x_, x));
 }
 
 SurfacePoint ChebyshevSurface::operator()(double x, double y) const {
