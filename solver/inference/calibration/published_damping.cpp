@@ -5,12 +5,14 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <string>
 
 #include "core/text/error.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/numeric/gsl/solvers.hpp"
+#include "solver/surrogate/rebound_table.hpp"
 
 namespace ashimpact {
 
@@ -82,6 +84,30 @@ double finite_critical_velocity(const Impact& impact, double restitution) {
     return *critical.value;
 }
 
+/// Relative step of Newton's method, with the slope of a table, whose error is lost in rounding.
+constexpr double newton_reach = 1e-9;
+
+/// A root of the restitution over sqrt(ln(v/v_c)) with the slope there.
+struct TabulatedRoot {
+    double value;
+    double slope;
+};
+/// Where restitution is @p restitution between v_c and a faster impact, by a table of the contact; none next
+/// to its ends.
+std::optional<TabulatedRoot> root_by_table(const Impact& impact, const VelocityRange& velocities,
+                                           double restitution) {
+    const ReboundTable table(impact, velocities);
+    const double critical = std::log(velocities.lower);
+    const auto miss = [&](double root) {
+        return std::sqrt(std::max(0.0, table.energy_ratio(critical + root * root))) - restitution;
+    };
+    const double width = std::sqrt(std::log(velocities.upper) - critical);
+    if (!(miss(0.0) < 0.0 && miss(width) > 0.0)) return std::nullopt;
+    const double root = gsl::brent(miss, 0.0, width).root;
+    const double aside = 1e-3 * root;
+    return TabulatedRoot{root, (miss(root + aside) - miss(root - aside)) / (2.0 * aside)};
+}
+
 }  // namespace
 
 DampingFit fit_damping(std::span<const DampingPoint> points) {
@@ -120,18 +146,23 @@ double velocity_of_restitution(const Impact& impact, double restitution) {
                          "a contact without yield pressure");
     if (!(restitution > 0.0 && restitution < 1.0)) not_reached(restitution, "0 < e < 1");
     const double critical = finite_critical_velocity(impact, restitution);
-    // Over the root of ln(v/v_c) restitution rises about linearly.
+    // Over the root of ln(v/v_c) restitution rises about linearly, from 0.
     const auto velocity_at = [&](double root) { return critical * std::exp(root * root); };
     const auto miss = [&](double root) {
         Impact at = impact;
         at.velocity = velocity_at(root);
-        return restitution_of(at) - restitution;
+        return root > 0.0 ? restitution_of(at) - restitution : -restitution;
     };
-    if (miss(0.0) >= 0.0) return critical;  // v_c itself, to rounding
     double width = 1.0;
     while (miss(width) < 0.0) {
         width *= std::numbers::sqrt2;
         if (width > 16.0) not_reached(restitution, "a smaller restitution for this damping law");
+    }
+    auto root = root_by_table(impact, {critical, velocity_at(width)}, restitution);
+    for (int i = 0; root && i < 3; ++i) {
+        const double step = -miss(root->value) / root->slope;
+        root->value += step;
+        if (std::abs(step) < newton_reach * root->value) return velocity_at(root->value);
     }
     return velocity_at(gsl::brent(miss, 0.0, width, {.relative = 1e-14, .absolute = 1e-14}).root);
 }
