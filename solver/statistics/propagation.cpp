@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
@@ -49,16 +50,21 @@ double jackknife_error(std::span<const double> values) {
 }
 
 /// Errors of two quantiles of samples, of which one replicate after the other is left out.
+/// @param begins where each replicate begins in the samples
 std::array<double, 2> end_errors(const std::vector<double>& samples, const std::vector<std::size_t>& begins,
                                  const std::array<double, 2>& fractions) {
+    std::vector<std::pair<double, std::size_t>> sorted;  // each with its replicate; sorted once for all
+    for (std::size_t i = 0, replicate = 0; i < samples.size(); ++i) {
+        if (replicate + 1 < begins.size() && i == begins[replicate + 1]) ++replicate;
+        sorted.emplace_back(samples[i], replicate);
+    }
+    std::ranges::sort(sorted);
     std::array<std::vector<double>, 2> ends;
-    for (std::size_t i = 0; i < begins.size(); ++i) {
-        const auto at = [&](std::size_t place) {
-            return samples.begin() + static_cast<std::ptrdiff_t>(place);
-        };
-        std::vector<double> others(samples.begin(), at(begins[i]));
-        if (i + 1 < begins.size()) others.insert(others.end(), at(begins[i + 1]), samples.end());
-        const std::vector<double> found = gsl::quantiles(others, fractions);
+    for (std::size_t left_out = 0; left_out < begins.size(); ++left_out) {
+        std::vector<double> others;
+        for (const auto& [value, replicate] : sorted)
+            if (replicate != left_out) others.push_back(value);
+        const std::vector<double> found = gsl::quantiles(std::move(others), fractions);
         for (std::size_t end = 0; end < 2; ++end) ends[end].push_back(found[end]);
     }
     return {jackknife_error(ends[0]), jackknife_error(ends[1])};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/numeric/gsl/statistics.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_sf_erf.h>
-#include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
 
 namespace ashimpact::gsl {
@@ -45,7 +45,7 @@ double binomial_probability(unsigned most, double success, unsigned trials) {
 }
 
 std::vector<double> quantiles(std::vector<double> values, std::span<const double> fractions) {
-    gsl_sort(values.data(), 1, values.size());
+    std::ranges::sort(values);  // gsl_sort() takes twice as long
     std::vector<double> result;
     for (const double fraction : fractions)
         result.push_back(gsl_stats_quantile_from_sorted_data(values.data(), 1, values.size(), fraction));
