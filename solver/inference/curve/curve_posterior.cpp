@@ -65,17 +65,17 @@ double normal_below(double z) {
 
 /// The standard normal distribution above a bound.
 struct AboveBound {
-    double share;
-    double mean;
-    double deviation;
+    double share = 1.0;
+    double mean = 0.0;
+    double deviation = 1.0;
 
-    explicit AboveBound(double bound) {
-        share = normal_below(-bound);
+    [[nodiscard]] static AboveBound of(double bound) {
+        const double share = normal_below(-bound);
         // Mills' ratio, by its continued fraction where both parts are tiny.
         const double density = std::exp(-0.5 * bound * bound) / std::sqrt(2.0 * std::numbers::pi);
-        mean = bound > 8.0 ? bound + 1.0 / (bound + 2.0 / (bound + 3.0 / (bound + 4.0 / bound)))
-                           : density / share;
-        deviation = std::sqrt(std::max(1e-4, 1.0 - mean * (mean - bound)));
+        const double mean = bound > 8.0 ? bound + 1.0 / (bound + 2.0 / (bound + 3.0 / (bound + 4.0 / bound)))
+                                        : density / share;
+        return {share, mean, std::sqrt(std::max(1e-4, 1.0 - mean * (mean - bound)))};
     }
 };
 
@@ -87,6 +87,45 @@ double place_by_energy(double above, double offset) {
     return along + 0.5 * std::log(std::exp(-2.0 * along) - std::expm1(-2.0 * above));
 }
 
+/// Noise of v_in and differences between particles both shift an impact along ln v. Those shifts by which it
+/// rebounds are represented by two of the same mean and variance. None of this depends on the coefficients of
+/// the curve.
+struct ShiftedImpact {
+    struct Place {
+        double y;         ///< ln(v/v_c)
+        double incident;  ///< true v_in [m/s]
+        Vector terms;     ///< of the curve at y
+    };
+    double width;     ///< standard deviation of the shift
+    double share;     ///< of v_in in its variance
+    double captured;  ///< probability
+    bool fades;
+    AboveBound rebounds{};
+    double along = 0.0;      ///< change of the reading by that of v_in
+    double rebound_u = 0.0;  ///< of the reading beside that [m/s]
+    std::array<Place, 2> places{};
+
+    ShiftedImpact(double log_critical, const Scatter& scatter, const RecordedImpact& impact)
+        : fades(scatter.fades) {
+        const double by_noise = scatter.noise * impact.incident_u / impact.velocity;
+        width = std::hypot(by_noise, scatter.threshold);
+        share = square(by_noise / width);
+        const double from = (log_critical - impact.log_velocity) / width;
+        captured = normal_below(from);
+        if (impact.recorded == Recorded::capture) return;
+        rebounds = AboveBound::of(from);
+        along = impact.correlation * impact.rebound_u / impact.incident_u;
+        rebound_u = scatter.noise * impact.rebound_u * std::sqrt(1.0 - square(impact.correlation));
+        for (const int side : {-1, 1}) {
+            const double shift = (rebounds.mean + side * rebounds.deviation) * width;
+            const double above = impact.log_velocity + shift - log_critical;
+            const double y =
+                std::max(1e-6, fades ? place_by_energy(std::max(1e-6, above), (share - 1.0) * shift) : above);
+            places[side < 0 ? 0 : 1] = {y, impact.velocity * std::exp(share * shift), OnsetCurve::terms(y)};
+        }
+    }
+};
+
 /// The record of one impact: its probability, and how the expected reading moves with the coefficients.
 struct RecordFit {
     double probability;  ///< of a capture, or density of a reading [s/m]
@@ -97,25 +136,16 @@ struct RecordFit {
     Vector slope = Vector::Zero();  ///< of the expected reading
 };
 
-/// Noise of v_in and differences between particles both shift an impact along ln v. Those shifts by which it
-/// rebounds are represented by two of the same mean and variance.
-/// @param addition to the deviation of readings, as a share of v_in
-RecordFit fit_of(const OnsetCurve& curve, const Scatter& scatter, const RecordedImpact& impact,
+/// @param coefficients of the curve @param addition to the deviation of readings, as a share of v_in
+RecordFit fit_of(const Vector& coefficients, const ShiftedImpact& shifted, const RecordedImpact& impact,
                  double addition = 0.0) {
-    const double by_noise = scatter.noise * impact.incident_u / impact.velocity;
-    const double width = std::hypot(by_noise, scatter.threshold);
-    const double share = square(by_noise / width);  // of v_in in the variance of the shift
-    const double from = (curve.log_critical_velocity() - impact.log_velocity) / width;
-    const double captured = normal_below(from);
+    const auto& [width, share, captured, fades, rebounds, along, rebound_u, places] = shifted;
     const double flat = 1.0 / (1.5 * impact.velocity);  // density of an outlier's reading
     if (impact.recorded == Recorded::capture) {
         const double regular = (1.0 - outlier_share) * captured;
         const double all = regular + outlier_share * outliers_at_rest;
         return {.probability = all, .regular = regular / all};
     }
-    const AboveBound rebounds(from);
-    const double along = impact.correlation * impact.rebound_u / impact.incident_u;
-    const double rebound_u = scatter.noise * impact.rebound_u * std::sqrt(1.0 - square(impact.correlation));
     double mean = 0.0;
     double half = 0.0;
     double half_y = 0.0;
@@ -123,13 +153,8 @@ RecordFit fit_of(const OnsetCurve& curve, const Scatter& scatter, const Recorded
     double middle = 0.0;    // of y
     RecordFit fit{};
     for (const double side : {-1.0, 1.0}) {
-        const double shift = (rebounds.mean + side * rebounds.deviation) * width;
-        const double above = impact.log_velocity + shift - curve.log_critical_velocity();
-        const double y = std::max(
-            1e-6, scatter.fades ? place_by_energy(std::max(1e-6, above), (share - 1.0) * shift) : above);
-        const Vector terms = OnsetCurve::terms(y);
-        const double incident = impact.velocity * std::exp(share * shift);
-        const double log_restitution = terms.dot(curve.coefficients());
+        const auto& [y, incident, terms] = places[side < 0.0 ? 0 : 1];
+        const double log_restitution = terms.dot(coefficients);
         const double r = incident * std::exp(std::min(1.0, log_restitution));
         middle += 0.5 * y;
         half_y += 0.5 * side * y;
@@ -140,7 +165,7 @@ RecordFit fit_of(const OnsetCurve& curve, const Scatter& scatter, const Recorded
         fit.slope += 0.5 * r * terms;
     }
     // At an equal v/v_own noise of v_in moves the place on the curve only where the difference fades.
-    const double moved = scatter.fades ? half_log / std::max(half_y, 1e-9) * -std::expm1(-2.0 * middle) : 0.0;
+    const double moved = fades ? half_log / std::max(half_y, 1e-9) * -std::expm1(-2.0 * middle) : 0.0;
     const double by_incident = (mean * (1.0 + moved) - along * impact.velocity) * width;
     fit.variance = square(rebound_u) + square(half) + share * (1.0 - share) * square(by_incident) +
                    square(form_error * mean) + square(addition * impact.velocity);
@@ -189,7 +214,8 @@ double OnsetCurve::restitution(double x) const {
 }
 
 double log_probability(const OnsetCurve& curve, const Scatter& scatter, const RecordedImpact& impact) {
-    return std::log(fit_of(curve, scatter, impact).probability);
+    const ShiftedImpact shifted(curve.log_critical_velocity(), scatter, impact);
+    return std::log(fit_of(curve.coefficients(), shifted, impact).probability);
 }
 
 LikeliestCurve CurvePosterior::fitted(double log_critical_velocity, const Scatter& start) const {
@@ -204,8 +230,16 @@ LikeliestCurve CurvePosterior::fitted(double log_critical_velocity, const Scatte
     Scatter scatter = start;
     double& noise = scatter.noise;
     double log_density = 0.0;
-    for (const double addition : additions) {
-        const OnsetCurve curve(log_critical_velocity, coefficients);
+    std::vector<ShiftedImpact> shifted;
+    double noise_of_shifts = 0.0;
+    for (const double& addition : additions) {
+        const bool last = &addition == &additions.back();
+        if (noise != noise_of_shifts) {
+            shifted.clear();
+            for (const RecordedImpact& impact : *impacts_)
+                shifted.emplace_back(log_critical_velocity, scatter, impact);
+            noise_of_shifts = noise;
+        }
         const Vector off = coefficients - prior.mean;
         Matrix precision = prior.deviation.cwiseAbs2().cwiseInverse().asDiagonal();
         Vector gradient = -(precision * off);
@@ -214,9 +248,10 @@ LikeliestCurve CurvePosterior::fitted(double log_critical_velocity, const Scatte
         double count = 0.0;
         double noise_weight = 0.0;  // number of impacts, each by the share of noise in its variance
         double squares = 0.0;
-        for (const RecordedImpact& impact : *impacts_) {
-            const RecordFit fit = fit_of(curve, scatter, impact, addition);
-            log_density += impact.count * std::log(std::max(fit.probability, 1e-300));
+        for (std::size_t i = 0; i < shifted.size(); ++i) {
+            const RecordedImpact& impact = (*impacts_)[i];
+            const RecordFit fit = fit_of(coefficients, shifted[i], impact, addition);
+            if (last) log_density += impact.count * std::log(std::max(fit.probability, 1e-300));
             if (impact.recorded != Recorded::rebound) continue;
             const double weight = impact.count * fit.regular / fit.variance;
             gradient += weight * fit.residual * fit.slope;
@@ -226,21 +261,22 @@ LikeliestCurve CurvePosterior::fitted(double log_critical_velocity, const Scatte
             squares += weight * fit.by_noise * square(fit.residual);
         }
         const Eigen::LLT<Matrix> factor(precision.selfadjointView<Eigen::Lower>());
-        log_density -=
-            factor.matrixLLT().diagonal().array().log().sum() + prior.deviation.array().log().sum();
+        if (last)
+            log_density -=
+                factor.matrixLLT().diagonal().array().log().sum() + prior.deviation.array().log().sum();
         const Vector step = factor.solve(gradient);
         double longest = 0.0;
         for (const double y : {0.03, 0.3, 1.0, 2.0})
             longest = std::max(longest, std::abs(OnsetCurve::terms(y).dot(step)));
         coefficients += std::min(1.0, 1.5 / longest) * step;
+        if (addition >= 0.015) continue;
         // Maximum likelihood of the noise: each impact counts by the share of noise in its variance, and the
         // degrees of freedom of the curve are subtracted.
         const Matrix inverse = factor.solve(Matrix::Identity());
         const double taken =
             OnsetCurve::size - inverse.diagonal().cwiseQuotient(prior.deviation.cwiseAbs2()).sum();
-        if (addition < 0.015)
-            noise = std::sqrt((square(noise) * squares + freedom * square(expected_noise)) /
-                              (std::max(noise_weight * (1.0 - taken / std::max(count, 1.0)), 0.0) + freedom));
+        noise = std::sqrt((square(noise) * squares + freedom * square(expected_noise)) /
+                          (std::max(noise_weight * (1.0 - taken / std::max(count, 1.0)), 0.0) + freedom));
     }
     return {OnsetCurve(log_critical_velocity, coefficients), scatter, log_density};
 }
