@@ -143,10 +143,11 @@ std::optional<double> coefficient_at_capture(const SizeSources& sources, const M
         const auto velocity = critical_velocity_of(sources, {law, coefficient}, size.contact);
         if (!velocity) return std::nullopt;
         const double difference = std::log(*velocity / wanted);
-        if (std::abs(difference) < 1e-11) break;
         if (i > 0) slope = std::max(least_slope, slope * (last - difference) / last);
-        last = difference;
         coefficient *= std::exp(-difference / slope);
+        // The error of a secant step is about the product of the last two.
+        if (std::abs(difference) < 1e-11 || (i > 0 && std::abs(difference * last) < 1e-12)) break;
+        last = difference;
     }
     return coefficient;
 }
