@@ -83,16 +83,17 @@ ReboundTable::ReboundTable(Impact impact, const VelocityRange& velocities, const
     impact.velocity = velocities.upper;
     const bool elastic = !can_yield(impact.law, impact.contact);
     // A search for v_c takes long where there is none; all these impacts are captured if the fastest one is.
-    log_critical_ = elastic && restitution_of(impact) == 0 ? std::numeric_limits<double>::infinity()
-                                                           : log_critical_velocity(impact);
+    std::optional<double> fastest;
+    if (elastic) fastest = restitution_of(impact);
+    log_critical_ = fastest == 0.0 ? std::numeric_limits<double>::infinity() : log_critical_velocity(impact);
     const double upper = std::log(velocities.upper);
     if (log_critical_ >= upper) return;
     const double lower = std::max(log_critical_, std::log(velocities.lower));
     const int degree = in_lanes(impact) ? options.lane_degree : options.scalar_degree;
     double yield = upper;
     if (!elastic) yield = log_yield_velocity(impact, lower, upper, options.yield_halvings);
-    if (yield > lower) add_piece(impact, lower, yield, degree);
-    if (yield <= lower || yield < upper) add_piece(impact, yield, upper, degree);
+    if (yield > lower) add_piece(impact, lower, yield, degree, fastest);
+    if (yield <= lower || yield < upper) add_piece(impact, yield, upper, degree, std::nullopt);
 }
 
 double ReboundTable::position(double log_velocity) const {
@@ -100,16 +101,19 @@ double ReboundTable::position(double log_velocity) const {
                                         : log_velocity;
 }
 
-void ReboundTable::add_piece(const Impact& impact, double slowest, double fastest, int degree) {
+void ReboundTable::add_piece(const Impact& impact, double slowest, double fastest, int degree,
+                             std::optional<double> last) {
     const ChebyshevAxis axis{position(slowest), position(fastest), fastest > slowest ? degree : 0};
     const int captured = slowest == log_critical_ ? 1 : 0;  // the impact at v_c itself
     std::vector<double> velocities;
-    for (int i = captured; i <= axis.degree; ++i) {
+    for (int i = captured; i <= axis.degree - (last ? 1 : 0); ++i) {
         const double node = axis.node(i);
         velocities.push_back(std::exp(std::isfinite(log_critical_) ? log_critical_ + node * node : node));
     }
     Eigen::VectorXd values = Eigen::VectorXd::Zero(axis.degree + 1);
-    if (!velocities.empty()) values.tail(std::ssize(velocities)) = restitutions_at(impact, velocities);
+    if (!velocities.empty())
+        values.segment(captured, std::ssize(velocities)) = restitutions_at(impact, velocities);
+    if (last) values[axis.degree] = *last;
     pieces_.push_back({axis, axis.analysis() * values});
     if (captured == 0 || axis.degree == 0) return;
     const double by_root = ChebyshevBasis(axis, 0).slope.dot(pieces_.back().coefficients);

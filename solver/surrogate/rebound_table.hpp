@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -47,7 +48,9 @@ class ReboundTable {
     };
     /// Position of ln v on the axis of the polynomials.
     [[nodiscard]] double position(double log_velocity) const;
-    void add_piece(const Impact& impact, double slowest, double fastest, int degree);
+    /// @param last restitution of the fastest impact, if known
+    void add_piece(const Impact& impact, double slowest, double fastest, int degree,
+                   std::optional<double> last);
 
     double log_critical_ = -std::numeric_limits<double>::infinity();  ///< ln v_c; infinite: none is finite
     double slope_at_capture_ = 0.01;  ///< d(e^2)/d(ln v); that value where it is not known, or less [1]
