@@ -115,8 +115,10 @@ class Rereading {
         for (std::size_t i = 0; i < restitutions_.size(); ++i) {
             const double eta = damping(restitutions_[i]);
             if (!(eta > 0.0)) return {};
-            std::optional<double> guess;  // from the fitted curve, moved as the place before
-            if (!fitted_.empty()) guess = fitted_[i] * (i == 0 ? 1.0 : result[i - 1] / fitted_[i - 1]);
+            std::optional<double> guess;  // from the fitted curve, moved as the places before
+            const auto moved = [&](std::size_t place) { return result[place] / fitted_[place]; };
+            if (!fitted_.empty())
+                guess = fitted_[i] * (i == 0 ? 1.0 : i == 1 ? moved(0) : 2.0 * moved(i - 1) - moved(i - 2));
             const auto velocity = model_.velocity(restitutions_[i], eta, guess);
             if (!velocity) return {};
             result.push_back(velocity->value);
