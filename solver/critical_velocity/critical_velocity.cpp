@@ -165,14 +165,19 @@ CriticalVelocity critical_velocity(const CriticalVelocityProblem& problem, Preci
 std::optional<double> capturing_damping(CriticalVelocityProblem problem, double velocity) {
     constexpr double reach = 1.3;
     const double guess = problem.damping.coefficient;
-    const auto excess = [&](double damping) {
+    const auto excess_by = [&](double damping, Precision precision) {
         problem.damping.coefficient = damping;
-        const CriticalVelocity critical = critical_velocity(problem, Precision::standard);
+        const CriticalVelocity critical = critical_velocity(problem, precision);
         if (critical.value) return std::log(*critical.value / velocity);
         return critical.verdict == CaptureVerdict::never_captured ? -1.0 : 1.0;
     };
+    const auto excess = [&](double damping) { return excess_by(damping, Precision::standard); };
     if (!(guess > 0) || excess(guess / reach) >= 0 || excess(guess * reach) <= 0) return std::nullopt;
-    return gsl::brent(excess, guess / reach, guess * reach).root;
+    const double near = gsl::brent(excess, guess / reach, guess * reach, {.relative = 1e-8}).root;
+    // The last step, by Newton's method, leaves the square of that and of the distance for the slope.
+    constexpr double aside = 1e-4;
+    const double slope = (excess(near * (1 + aside)) - excess(near * (1 - aside))) / (2 * aside * near);
+    return near - excess_by(near, Precision::extended) / slope;
 }
 
 }  // namespace ashimpact

@@ -123,7 +123,7 @@ struct Bracket {
 
 /// A bracket about a damping that captures nearly alone, or from nothing to more than captures.
 Bracket capturing_bracket(RestitutionByDamping& curve, const std::optional<double>& guess) {
-    for (double margin = 1e-14; guess && margin < 1e-2; margin *= 8) {
+    for (double margin = 1e-15; guess && margin < 1e-2; margin *= 8) {
         const Bracket bracket{*guess * (1 - margin), *guess * (1 + margin)};
         if (curve.at<Extended>(bracket.lower) > 0.0 && !(curve.at<Extended>(bracket.upper) > 0.0))
             return bracket;
@@ -230,8 +230,9 @@ DampingInversion damping_from_restitution(const DampingProblem& problem, std::op
     const double greatest = undamped_restitution(curve.impact(0.0));
     const bool reachable = target > 0.0 ? target <= greatest : target == 0.0 && reaches_zero(problem);
     if (!reachable) unreachable_restitution(problem, greatest, reaches_zero(problem));
+    if (near) near = curve.number(*near);
     // In single precision, so that it is the same by all instruction sets, whose batches differ in rounding.
-    if (near) near = static_cast<float>(curve.number(*near));
+    if (near && target > 0.0) near = static_cast<float>(*near);
     const double number = target < greatest ? scaled_solution(problem, curve, near) : 0.0;
     const ImpactResult impact = curve.result(number);
     require_found(problem, curve, number, impact.restitution, greatest);
