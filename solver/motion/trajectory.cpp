@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <vector>
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <fmt/format.h>
@@ -87,6 +89,13 @@ Extended pseudo_time(const Series<Extended>& series, Extended used, Extended tim
     return sign_change<Extended>([&](Extended h) { return time - value(series, h); }, used);
 }
 
+/// A step of an impact, kept to be sampled once the duration is known.
+struct SampledStep {
+    MotionExpansion<Extended> expansion;
+    Extended used;
+    std::function<TrajectoryPoint(const MotionState<Extended>&)> point_at;  ///< owns the branch
+};
+
 /// Sides of (44) or (45) nearer than this share are equal but for rounding.
 constexpr double rounding = 1e-12;
 
@@ -150,28 +159,26 @@ std::vector<TrajectoryPoint> trajectory(const Impact& impact, int count) {
     validate(impact);
     if (count < 2) throw InputError("trajectory has " + std::to_string(count) + " points", "at least 2");
     const auto scaled = scaled_impact<Extended>(impact, Precision::extended);
-    const auto ringing = static_cast<std::size_t>(count);
-    int steps = 0;
-    Extended last = 0;
-    const auto measure = [&](const auto&, const MotionExpansion<Extended>& x, Extended used) {
-        ++steps;
-        last = value(x.time, used);
-    };
-    follow(scaled, measure, ringing);
-    // The same steps again, now that the duration is known.
     const Sampler sampler(impact, scaled.scale);
+    std::vector<SampledStep> steps;
+    const auto record = [&](const auto& branch, const MotionExpansion<Extended>& x, Extended used) {
+        steps.push_back(
+            {x, used, [&sampler, branch](const auto& state) { return sampler.at(branch, state); }});
+    };
+    follow(scaled, record, static_cast<std::size_t>(count));
+    const Extended last = value(steps.back().expansion.time, steps.back().used);
     std::vector<TrajectoryPoint> points;
     points.reserve(static_cast<std::size_t>(count));
-    const auto sample = [&](const auto& branch, const MotionExpansion<Extended>& x, Extended used) {
-        --steps;
-        const Extended end = value(x.time, used);
-        while (points.size() < ringing) {
-            const Extended time = last * static_cast<Extended>(points.size()) / (count - 1);
-            if (end < time && steps > 0) return;
-            points.push_back(sampler.at(branch, x.at(pseudo_time(x.time, used, time))));
-        }
-    };
-    follow(scaled, sample, ringing);
+    auto step = steps.begin();
+    for (int i = 0; i < count; ++i) {
+        const Extended time = last * static_cast<Extended>(i) / (count - 1);
+        const auto ends_before = [time](const SampledStep& s) {
+            return value(s.expansion.time, s.used) < time;
+        };
+        while (step + 1 != steps.end() && ends_before(*step)) ++step;
+        const auto& [x, used, point_at] = *step;
+        points.push_back(point_at(x.at(pseudo_time(x.time, used, time))));
+    }
     return points;
 }
 
