@@ -99,7 +99,8 @@ Eigen::VectorXd impulse_of(const Eigen::VectorXd& slope_powers, const ZoneBand::
     return chebyshev_by_powers(terms) * integral;
 }
 
-Columns functions_of(const CohesiveZone& zone, const ZoneBand::Piece& piece, DampingLaw law) {
+/// All but the impulse.
+Columns functions_of(const CohesiveZone& zone, const ZoneBand::Piece& piece) {
     const ChebyshevAxis axis{piece.lower, piece.upper, terms - 1};
     Columns values = Columns::Zero();
     for (int i = 0; i < terms; ++i) {
@@ -112,9 +113,7 @@ Columns functions_of(const CohesiveZone& zone, const ZoneBand::Piece& piece, Dam
         values(i, ZoneBand::potential) = static_cast<double>(zone.potential(state));
         values(i, ZoneBand::overlap) = static_cast<double>(zone.overlap(state));
     }
-    Columns powers = by_powers(terms) * values;
-    powers.col(ZoneBand::impulse) = impulse_of(powers.col(ZoneBand::slope), piece, law);
-    return powers;
+    return by_powers(terms) * values;
 }
 
 double band_of(double lambda) {
@@ -141,7 +140,7 @@ std::size_t ZoneSpans::index(double lambda) {
            (lambda >= least_folded() ? 1U : 0U);
 }
 
-ZoneBand::ZoneBand(double lower, double upper, DampingLaw damping_law)
+ZoneBand::ZoneBand(double lower, double upper)
     : middle_(0.5 * (lower + upper)), stretch_(2.0 / (upper - lower)) {
     const bool touching = lower >= least_touching();
     if (touching) {
@@ -163,24 +162,9 @@ ZoneBand::ZoneBand(double lower, double upper, DampingLaw damping_law)
     nodes.setZero();
     for (int j = 0; j < order_count; ++j) {
         const CohesiveZone zone(axis.node(j));
-        double from = 0.0;  // of the impulse
-        Eigen::VectorXd before;
-        for (std::size_t k = 0; k < pieces_.size(); ++k) {
-            Columns powers = functions_of(zone, pieces_[k], damping_law);
-            const auto t_of = [&](std::size_t piece, double u) {
-                return (2.0 * u - pieces_[piece].lower - pieces_[piece].upper) /
-                       (pieces_[piece].upper - pieces_[piece].lower);
-            };
-            if (k == 0)
-                from = -at(powers.col(impulse), -1.0);
-            else
-                from =
-                    at(before, t_of(k - 1, 0.5 * (pieces_[k].lower + pieces_[k].upper))) - powers(0, impulse);
-            powers(0, impulse) += from;
-            before = powers.col(impulse);
+        for (std::size_t k = 0; k < pieces_.size(); ++k)
             nodes.block(j, static_cast<Eigen::Index>(k * padded), 1, terms * functions) =
-                powers.reshaped().transpose();
-        }
+                functions_of(zone, pieces_[k]).reshaped().transpose();
         const auto radius = [&](Number number, const CohesiveState& state) {
             values(j, number) = static_cast<double>(state.contact_radius());
         };
@@ -224,13 +208,51 @@ ZoneBand::ZoneBand(double lower, double upper, DampingLaw damping_law)
     }
 }
 
+ZoneBand::ZoneBand(const ZoneBand& statics, DampingLaw damping_law) : ZoneBand(statics) {
+    const ChebyshevAxis axis{-1.0, 1.0, order_count - 1};
+    Eigen::MatrixXd nodes(order_count, static_cast<Eigen::Index>(pieces_.size() * terms));
+    for (int j = 0; j < order_count; ++j) {
+        Eigen::VectorXd before;
+        for (std::size_t k = 0; k < pieces_.size(); ++k) {
+            const Piece& piece = pieces_[k];
+            Eigen::VectorXd slopes(terms);
+            for (std::size_t i = 0; i < terms; ++i) {
+                double sum = 0.0;
+                for (std::size_t order = orders; order-- > 0;)
+                    sum = sum * axis.node(j) + piece.by_order[order][slope * terms + i];
+                slopes[static_cast<Eigen::Index>(i)] = sum;
+            }
+            Eigen::VectorXd powers = impulse_of(slopes, piece, damping_law);
+            // Continues the impulse of the piece before.
+            if (k == 0) {
+                powers[0] -= at(powers, -1.0);
+            } else {
+                const Piece& last = pieces_[k - 1];
+                const double middle = 0.5 * (piece.lower + piece.upper);
+                powers[0] = at(before, (2.0 * middle - last.lower - last.upper) / (last.upper - last.lower));
+            }
+            nodes.block(j, static_cast<Eigen::Index>(k * terms), 1, terms) = powers.transpose();
+            before = std::move(powers);
+        }
+    }
+    nodes = by_powers(order_count) * nodes;
+    for (int j = 0; j < order_count; ++j)
+        for (std::size_t k = 0; k < pieces_.size(); ++k)
+            for (std::size_t i = 0; i < terms; ++i)
+                pieces_[k].by_order[static_cast<std::size_t>(j)][impulse * terms + i] =
+                    nodes(j, static_cast<Eigen::Index>(k * terms + i));
+}
+
 const ZoneBand& ZoneBand::of(double lambda, DampingLaw damping_law) {
     static std::mutex access;
-    static std::map<std::pair<double, DampingLaw>, ZoneBand> bands;  // by the lower end
+    static std::map<double, ZoneBand> statics;  // by the lower end
+    static std::map<std::pair<double, DampingLaw>, ZoneBand> bands;
     const NumberSpan span = ZoneSpans::of(lambda);
     const std::scoped_lock lock(access);
-    return bands.try_emplace({span.lower(), damping_law}, span.lower(), span.upper(), damping_law)
-        .first->second;
+    const auto known = bands.find({span.lower(), damping_law});
+    if (known != bands.end()) return known->second;
+    const auto& of_all_laws = statics.try_emplace(span.lower(), span.lower(), span.upper()).first->second;
+    return bands.try_emplace({span.lower(), damping_law}, of_all_laws, damping_law).first->second;
 }
 
 double ZoneBand::place(double lambda) const {

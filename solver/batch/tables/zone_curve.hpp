@@ -71,7 +71,10 @@ class ZoneBand {
     /// @param lambda within the range that the law computes
     [[nodiscard]] static const ZoneBand& of(double lambda, DampingLaw damping_law);
 
-    ZoneBand(double lower, double upper, DampingLaw damping_law);
+    /// The static laws alone. @param lower, upper ends of the band
+    ZoneBand(double lower, double upper);
+    /// The same with the integral of a damping law's shape.
+    ZoneBand(const ZoneBand& statics, DampingLaw damping_law);
 
     [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
     [[nodiscard]] double place(double lambda) const;
