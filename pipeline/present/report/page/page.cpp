@@ -252,11 +252,12 @@ std::string run_page(const std::vector<RunData>& runs) {
     for (const FigureMaker& maker : figure_makers())
         if (std::ranges::any_of(runs, maker.is_on_page)) ids.push_back(maker.id);
     body += html_contents(ids);
-    body += per_run(runs, "Critical velocities", "comparison", comparison_html) + figures_html(runs) +
-            per_run(runs, "What was assumed, inferred or reconstructed", "assumptions", assumptions_html) +
-            per_run(runs, "What the model holds for", "validity", validity_html) +
-            per_run(runs, "Warnings", "warnings", warnings_html) +
-            per_run(runs, "Provenance", "provenance", provenance_html);
+    body += per_run(runs, "Critical velocities", "comparison", comparison_html);
+    body += figures_html(runs);
+    body += per_run(runs, "What was assumed, inferred or reconstructed", "assumptions", assumptions_html);
+    body += per_run(runs, "What the model holds for", "validity", validity_html);
+    body += per_run(runs, "Warnings", "warnings", warnings_html);
+    body += per_run(runs, "Provenance", "provenance", provenance_html);
     body += "</main>\n<footer><p>Made by ashimpact " + escaped(program_version()) +
             ". Curves are read off with the mouse, by touch or with the arrow keys; without scripts "
             "everything else stays.</p></footer>\n";
