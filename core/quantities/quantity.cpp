@@ -233,10 +233,12 @@ void refuse_thousands_point(std::string_view text, PointDigits digits) {
                      grouped + ", or " + std::string(number) + "0");
 }
 
-/// Whether a text ends with a unit in which plausible numbers often are thousands: E in N/mm2, amounts in
-/// ppm.
+/// Whether a text ends with a unit in which plausible numbers often are thousands: E in N/mm2, velocities in
+/// mm/s.
 static bool often_holds_thousands(std::string_view text) {
-    constexpr std::array<std::string_view, 6> units{"MPa", "N/mm2", "N/mm\u00b2", "N/mm^2", "ppm", "mg/kg"};
+    constexpr std::array<std::string_view, 13> units{"MPa",       "N/mm2", "N/mm\u00b2", "N/mm^2",  "ppm",
+                                                     "mg/kg",     "mm/s",  "mm s-1",     "mm s^-1", "Pa s",
+                                                     "Pa\u00b7s", "nm",    "rpm"};
     return std::ranges::any_of(units, [&](std::string_view unit) { return text.ends_with(unit); });
 }
 

@@ -15,6 +15,10 @@
 
 namespace ashimpact {
 
+bool is_sheet_name(const TextBeside& text) {
+    return text.text.starts_with("comment on the sheet: ");
+}
+
 std::vector<TextBeside> texts_beside(const TextLines& file, std::span<const TextLine> table) {
     constexpr std::size_t longest = 20'000;  // its words are compared with those of many statements
     std::vector<TextBeside> texts;
@@ -155,7 +159,10 @@ std::set<std::string_view> bases_in(std::string_view text, bool of_fractions) {
 
 void require_basis(const std::vector<TextBeside>& texts, std::string_view own) {
     for (const TextBeside& each : texts) {
-        const auto bases = bases_in(each.text);
+        auto bases = bases_in(each.text);
+        if (is_sheet_name(each))  // "Volumen" is one, unlike "Number 5"
+            for (const std::string_view base : bases_in(each.text, false))
+                if (base == "volume" || base == "mole") bases.insert(base);
         const auto other = std::ranges::find_if(
             bases, [&](std::string_view base) { return base != own && (!own.empty() || base != "weight"); });
         if (other == bases.end() || (!own.empty() && bases.contains(own))) continue;

@@ -25,6 +25,9 @@ struct TextBeside {
     std::string text{};
 };
 
+/// The name of a sheet as a text beside its table.
+[[nodiscard]] bool is_sheet_name(const TextBeside& text);
+
 /// The lines of a file that do not belong to its table: titles, comments and notes.
 /// @param table heading and rows @throws InputError at a text of more than 20,000 characters
 [[nodiscard]] std::vector<TextBeside> texts_beside(const TextLines& file, std::span<const TextLine> table);

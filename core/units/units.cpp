@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -464,7 +465,22 @@ double difference_to_si(double value, std::string_view unit, Dimension expected)
     return conversion(value) - conversion(0);
 }
 
+/// Whether a raised digit stands before any letter, in the number: "1\u00b710\u00b3 Pa s", unlike "5
+/// m\u00b2".
+static bool has_raised_digit(std::string_view text) {
+    const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+    const std::string_view number =
+        text.substr(0, static_cast<std::size_t>(std::ranges::find_if(text, is_letter) - text.begin()));
+    constexpr std::array<std::string_view, 10> raised{"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                                      "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+    return std::ranges::any_of(
+        raised, [&](std::string_view digit) { return number.find(digit) != std::string_view::npos; });
+}
+
 double parse_quantity(std::string_view text, Dimension expected) {
+    if (has_raised_digit(text))
+        throw InputError(in_quotes(text) + " has a raised digit in its number",
+                         "1e3 for a power of ten; " + allowed(expected));
     const std::string plain = ascii_unit(text);
     std::string_view rest = trimmed(plain);
     if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);

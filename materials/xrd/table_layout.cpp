@@ -511,13 +511,14 @@ void take_texts_on_phases(Table& table, std::vector<TextBeside> texts) {
     for (std::size_t i = 0; i < texts.size(); ++i) {
         const std::vector<std::string> words = words_in(texts[i].text);
         const auto mentioned = mentions_in(words, materials);
+        const bool is_name = i >= beside || is_sheet_name(texts[i]);
+        const std::size_t first = is_sheet_name(texts[i]) ? 4 : 0;  // behind "comment on the sheet"
         const bool is_mark = std::ranges::any_of(mentions_in(words, marks), [&](const Mention& mention) {
             return mention.list == "standard" && !mention.negated &&
-                   (mention.count > 1 || words[mention.first].size() >= shortest_mark);
+                   (is_name || mention.count > 1 || words[mention.first].size() >= shortest_mark);
         });
-        const bool is_name = i >= beside;
         const auto is_added = [&](const Mention& mention) {  // "FA1 with corundum", unlike "Corundum ash"
-            return is_name && mention.first > 0 && !mention.negated;
+            return is_name && mention.first > first && !mention.negated;
         };
         if (!is_mark && !states_amount_added(texts[i].text) && !std::ranges::any_of(mentioned, is_added))
             continue;

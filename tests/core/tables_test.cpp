@@ -53,11 +53,12 @@ const std::string office = "http://schemas.openxmlformats.org/officeDocument/200
 
 /// An .xlsx with one sheet of these rows, and what else is given.
 std::string xlsx(const std::string& rows, const std::string& styles = "", const std::string& strings = "",
-                 const std::string& comments = "", const std::string& drawing = "") {
+                 const std::string& comments = "", const std::string& drawing = "",
+                 const std::string& sheet = "S") {
     Parts parts{{"_rels/.rels", "<Relationships><Relationship Id='r' Type='" + office +
                                     "officeDocument' Target='xl/workbook.xml'/></Relationships>"},
-                {"xl/workbook.xml",
-                 "<workbook xmlns:r='x'><sheets><sheet name='S' sheetId='1' r:id='a'/></sheets></workbook>"},
+                {"xl/workbook.xml", "<workbook xmlns:r='x'><sheets><sheet name='" + sheet +
+                                        "' sheetId='1' r:id='a'/></sheets></workbook>"},
                 {"xl/_rels/workbook.xml.rels",
                  "<Relationships><Relationship Id='a' Type='" + office +
                      "worksheet' Target='worksheets/s.xml'/>" + "<Relationship Id='b' Type='" + office +
@@ -633,6 +634,20 @@ TEST_CASE("text boxes, and heads and feet of pages, count as comments") {
           in_ods("", "<text:p>Page <text:page-number>1</text:page-number></text:p>"),
           in_ods("", "<text:p><text:sheet-name>S</text:sheet-name> ()</text:p>")})
         CHECK_FALSE(contains(said(bytes), "comment"));
+}
+
+TEST_CASE("what the name of a sheet states counts: a basis, a standard") {
+    const std::string table =
+        inline_row({"Phase", "%"}) + inline_row({"Quartz", "90"}) + inline_row({"Corundum", "10"});
+    const auto named = [&](const std::string& sheet) {
+        return read_xrd(xlsx(table, "", "", "", "", sheet), "a.xlsx").samples.front().analysis.phases;
+    };
+    for (const char* sheet : {"Volume", "Volumen", "Vol.-%"})
+        CHECK(contains(input_error_of([&] { return named(sheet).size(); }), "states fractions by volume"));
+    for (const char* sheet : {"mit Korund", "with 10% corundum", "internal standard", "spiked"})
+        CHECK_MESSAGE(named(sheet).back().is_standard, sheet);
+    for (const char* sheet : {"S", "Number 5", "Corundum", "Mass"})
+        CHECK_MESSAGE(!named(sheet).back().is_standard, sheet);
 }
 
 TEST_CASE("comments of a table are said, unless they are its heading") {

@@ -377,6 +377,16 @@ TEST_CASE("a string may carry its standard uncertainty, with one unit for both, 
     CHECK_FALSE(json_message(R"("+- 3 um")", Dimension::length).empty());
 }
 
+TEST_CASE("a raised digit in a number is refused, in a unit it counts") {
+    for (const char* text : {"1\u00b710\u00b3 m/s", "10\u00b3 m/s", "1.5\u00b9 m/s", "2\u00d710\u2076 m/s"})
+        CHECK_MESSAGE(
+            contains(input_error_of([&] { return quantity_of_text(text, Dimension::velocity).value; }),
+                     "has a raised digit in its number"),
+            text);
+    CHECK(quantity_of_text("1e3 kg/m\u00b3", Dimension::density).value == 1000);
+    CHECK(quantity_of_text("2.6 g\u00b7cm\u207b\u00b3", Dimension::density).value == doctest::Approx(2600));
+}
+
 TEST_CASE("three decimals in a unit that often has thousands are refused") {
     for (const char* text : {"95.600 N/mm2", "206.800 MPa", "193.000 GPa"})
         CHECK_MESSAGE(
@@ -385,6 +395,9 @@ TEST_CASE("three decimals in a unit that often has thousands are refused") {
             text);
     CHECK(contains(input_error_of([&] { return quantity_of_text("15.400 ppm", Dimension::fraction).value; }),
                    "15.400 or 15400"));
+    CHECK(contains(input_error_of([&] { return quantity_of_text("1.550 mm/s", Dimension::velocity).value; }),
+                   "1.550 or 1550"));
+    CHECK(quantity_of_text("1.550 m/s", Dimension::velocity).value == 1.55);
     CHECK(quantity_of_text("2.648 g/cm3", Dimension::density).value == doctest::Approx(2648));
     CHECK(quantity_of_text("0.950 MPa", Dimension::pressure).value == doctest::Approx(0.95e6));
     CHECK(quantity_of_text("110.25 MPa", Dimension::pressure).value == doctest::Approx(110.25e6));

@@ -152,10 +152,12 @@ TEST_CASE("what the name of a sample states counts: a basis, a coverage, a stand
     CHECK(read_xrd(plain + "FA1 (n = 3);12,3 \u00b1 0,8;28,4;59,3\n", "t.csv").samples.size() == 1);
     for (const char* name : {"FA1 (outlier)", "FA1, excluded"})
         CHECK(contains(refusal(plain + name + ";12;24;64\n"), "calls the row invalid"));
-    for (const char* name : {"FA1 spiked", "FA1 mit Korund", "FA1_Corundum"})
+    for (const char* name :
+         {"FA1 spiked", "FA1 mit Korund", "FA1_Corundum", "FA1 (IS)", "FA1+IS", "FA1 with NIST 676a"})
         CHECK(contains(
             standard("Phase;" + std::string(name) + " [wt%]\nQuarz;11\nMullit;26\nKorund;10\nGlas;53\n"),
             "internal standard"));
+    CHECK(contains(standard("Phase;FA1 [wt%]\nQuarz;37\nKorund (ref.);10\nGlas;53\n"), "internal standard"));
     for (const char* name : {"Corundum ash", "FA1 without corundum"})
         CHECK(standard("Phase;" + std::string(name) + " [wt%]\nQuarz;11\nKorund;36\nGlas;53\n").empty());
     for (const char* name : {"FA1 + 10 % Korund", "FA1 (spiked with 10 % corundum)"}) {
