@@ -175,6 +175,11 @@ std::optional<PrintedNumber> number_in(const TableRow& row, std::size_t column, 
                              " states another unit",
                          "one of the two")
             .at(at_cell(row.line, column));
+    const bool of_ratio = heading.role == Role::ratio || heading.role == Role::ratio_uncertainty;
+    if (number->per_cent && of_ratio)
+        throw InputError(in_quotes(cell) + " is per cent, and reference intensity ratios have no unit",
+                         "a number without a unit, 0.17 for 5 % of 3.4")
+            .at(at_cell(row.line, column));
     const auto states_per_cent = [](const Heading& each) { return each.scale == Scale::per_cent; };
     if (heading.role == Role::uncertainty && number->per_cent &&
         std::ranges::any_of(table.headings, states_per_cent) && !states_per_cent(heading))

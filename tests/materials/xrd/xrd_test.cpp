@@ -1180,6 +1180,7 @@ TEST_CASE("an uncertainty behind ratio and intensity is refused, as it may be of
         return input_error_of([&] { return read_xrd(rows, "t.csv").samples.front().name; });
     };
     CHECK(contains(refusal("Phase;Int. [cts];RIR;esd\nQuarz;753;3.1;10\n"), "\"RIR\" or of \"Int. [cts]\""));
+    CHECK(contains(refusal("Phase;Int. [cts];RIR;RIR esd\nQuarz;753;3.1;5%\n"), "\"5%\" is per cent"));
     CHECK(refusal("Phase;Int. [cts];esd;RIR\nQuarz;753;10;3.1\n").empty());
     CHECK(refusal("Phase;Int. [cts];RIR;RIR esd\nQuarz;753;3.1;0.1\n").empty());
 }
