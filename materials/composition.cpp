@@ -254,6 +254,21 @@ void note_small_remainder(const Analysis& analysis, const FractionModel& model, 
                          " for the amorphous part: are the fractions of the whole sample?"});
 }
 
+/// Notes statements on the amorphous part that count for nothing, since it is listed among the phases.
+void note_listed_amorphous(const Analysis& analysis, const FractionModel& model,
+                           std::vector<Finding>& notes) {
+    if (model.kind != FractionModel::Kind::closed) return;
+    const auto* const total = std::get_if<CrystallineTotal>(&analysis.amorphous);
+    if (total && total->standard_uncertainty)
+        notes.push_back({phases_code, Severity::remark,
+                         "the uncertainty of the crystalline total is not used, as the amorphous part is "
+                         "listed"});
+    if (analysis.amorphous_phase != Analysis{}.amorphous_phase)
+        notes.push_back({phases_code, Severity::remark,
+                         "the amorphous phase " + in_quotes(analysis.amorphous_phase) +
+                             " is not used, as none is left to it by the phases listed"});
+}
+
 /// Notes the remark of the catalogue on the glass, whose modulus is the least certain input.
 void note_glass(Composition& composition) {
     for (const Component& c : composition.components)
@@ -328,6 +343,7 @@ Composition compose(const Analysis& given, const PhaseCatalogue& catalogue, cons
     note_glass(composition);
     note_rescaling(composition.model, composition.notes);
     note_small_remainder(analysis, composition.model, composition.notes);
+    note_listed_amorphous(analysis, composition.model, composition.notes);
     fill_fractions(composition);
     return composition;
 }

@@ -161,6 +161,10 @@ Camera read_camera(const View& node) {
     return camera;
 }
 
+static bool is_mean_without_noise(const Measurement& point) {
+    return point.count > 1 && !point.noise && !point.captured();
+}
+
 MeasuredRestitution read_measured(const View& node, InputFiles& files, const std::optional<View>& camera) {
     MeasuredRestitution data{.source = "the case file"};
     if (const auto file = node.find("file")) {
@@ -185,7 +189,12 @@ MeasuredRestitution read_measured(const View& node, InputFiles& files, const std
         if (!place) return check_impacts(data.impacts);
         at_place(FileName{files.shown(place->text())}, [&] { check_impacts(data.impacts); });
     });
-    if (const auto binning = node.find("binning")) apply_binning(*binning, data);
+    if (const auto binning = node.find("binning"))
+        apply_binning(*binning, data);
+    else if (std::ranges::any_of(data.impacts.points, is_mean_without_noise))
+        data.impacts.warnings.push_back({impacts_code, Severity::remark,
+                                         "of how many impacts a rebound is the mean changes nothing without "
+                                         "uncertainties of the velocities"});
     return data;
 }
 

@@ -130,6 +130,23 @@ TEST_CASE("a remainder of nothing is noted: the fractions may be those of the cr
     for (const Finding& note : half.notes) CHECK(!contains(note.text, "the phases leave"));
 }
 
+TEST_CASE("statements beside a listed amorphous part that count for nothing are noted") {
+    const Analysis listed{
+        .phases = {{.name = "quartz", .fraction = 0.4}, {.name = "glass", .fraction = 0.6}}};
+    Analysis total = listed;
+    total.amorphous = CrystallineTotal{.value = 0.4, .standard_uncertainty = 0.03};
+    Analysis named = listed;
+    named.amorphous_phase = "fused-silica";
+    const auto notes = [](const Analysis& analysis) {
+        std::string texts;
+        for (const Finding& note : compose(analysis, shipped_catalogue()).notes) texts += note.text + '\n';
+        return texts;
+    };
+    CHECK(contains(notes(total), "the uncertainty of the crystalline total is not used"));
+    CHECK(contains(notes(named), "the amorphous phase \"fused-silica\" is not used"));
+    CHECK_FALSE(contains(notes(listed), "not used"));
+}
+
 TEST_CASE("errors about phases name their place in the file") {
     const auto analysis = [](const char* second) {
         return Analysis{.phases = {{.name = "quartz", .fraction = 0.5, .place = "line 4"},

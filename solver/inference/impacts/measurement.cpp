@@ -47,12 +47,15 @@ Measurement mean_of(const std::vector<Measurement>& bin) {
     double sum = 0.0;
     long double velocity = 0.0L;  // means of the points so far
     long double rebound = 0.0L;
+    long double along = 0.0L;
     long double weights = 0.0L;
     for (const Measurement& point : bin) {
-        const double weight = point.noise ? 1.0 / (point.noise->incident + point.noise->rebound) : 1.0;
+        const double weight = point.noise ? 1.0 / (point.noise->incident + point.noise->rebound)
+                                          : static_cast<double>(point.count);
         weights += weight;
         velocity += (point.velocity - velocity) * (weight / weights);
         rebound += (point.rebound - rebound) * (weight / weights);
+        along += (point.tangential.value_or(0.0) - along) * (weight / weights);
         sum += weight;
         mean.count += point.count;
         if (!point.noise) continue;
@@ -62,6 +65,8 @@ Measurement mean_of(const std::vector<Measurement>& bin) {
     }
     mean.velocity = static_cast<double>(velocity);
     mean.rebound = static_cast<double>(rebound);
+    if (std::ranges::all_of(bin, [](const Measurement& point) { return point.tangential.has_value(); }))
+        mean.tangential = static_cast<double>(along);
     if (bin.front().noise) mean.noise = noise.scaled(1.0 / (sum * sum));
     return mean;
 }

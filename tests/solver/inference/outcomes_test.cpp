@@ -342,6 +342,15 @@ TEST_CASE("bins hold the mean of their impacts and its uncertainty; captures sta
         CHECK(relative_difference(point.rebound, slow ? 0.7 : 1.3) < 1e-12);
     }
     CHECK_THROWS_AS(static_cast<void>(binned(set, {})), InputError);
+    MeasurementSet means = series_of({impact(2.0, 0.6), impact(2.3, 0.9)});
+    means.points[0].count = 2;
+    means.points[0].tangential = 0.3;
+    means.points[1].tangential = 0.6;
+    const Measurement mean = binned(means, {.impacts_per_bin = 2}).points.front();
+    CHECK(mean.count == 3);
+    CHECK(relative_difference(mean.velocity, 2.1) < 1e-12);
+    CHECK(relative_difference(mean.rebound, 0.7) < 1e-12);
+    CHECK(relative_difference(*mean.tangential, 0.4) < 1e-12);
 }
 
 TEST_CASE("the uncertainty of a bin is that of its weighted mean, with what both velocities share") {
