@@ -340,7 +340,7 @@ std::optional<ResolvedPhase> PhaseCatalogue::of_group(std::string_view name) con
             if (phase_key(group) == phase_key(name))
                 return ResolvedPhase{
                     .phase = resolve(representative).phase,
-                    .note = in_quotes(name) + " is a mineral group: " + representative + " is used"};
+                    .note = in_quotes(name) + " may be one of several phases: " + representative + " is used"};
     return std::nullopt;
 }
 

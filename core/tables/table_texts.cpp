@@ -15,10 +15,6 @@
 
 namespace ashimpact {
 
-bool is_sheet_name(const TextBeside& text) {
-    return text.text.starts_with("comment on the sheet: ");
-}
-
 std::vector<TextBeside> texts_beside(const TextLines& file, std::span<const TextLine> table) {
     constexpr std::size_t longest = 20'000;  // its words are compared with those of many statements
     std::vector<TextBeside> texts;
@@ -31,7 +27,8 @@ std::vector<TextBeside> texts_beside(const TextLines& file, std::span<const Text
         if (text.size() > longest)
             refuse_line(line.number, "a text beside the table is longer than 20,000 characters",
                         "the table with shorter texts");
-        if (!text.empty()) texts.push_back({line.number, std::string(text)});
+        constexpr std::string_view sheet = "comment on the sheet: ";
+        if (!text.empty()) texts.push_back({line.number, std::string(text), text.starts_with(sheet)});
     }
     return texts;
 }
@@ -160,7 +157,7 @@ std::set<std::string_view> bases_in(std::string_view text, bool of_fractions) {
 void require_basis(const std::vector<TextBeside>& texts, std::string_view own) {
     for (const TextBeside& each : texts) {
         auto bases = bases_in(each.text);
-        if (is_sheet_name(each))  // "Volumen" is one, unlike "Number 5"
+        if (each.is_name)  // unlike "Number 5"
             for (const std::string_view base : bases_in(each.text, false))
                 if (base == "volume" || base == "mole") bases.insert(base);
         const auto other = std::ranges::find_if(

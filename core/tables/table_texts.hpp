@@ -23,10 +23,8 @@ namespace ashimpact {
 struct TextBeside {
     std::size_t line = 0;
     std::string text{};
+    bool is_name = false;  ///< of a sample or sheet: "Volumen" alone states a basis
 };
-
-/// The name of a sheet as a text beside its table.
-[[nodiscard]] bool is_sheet_name(const TextBeside& text);
 
 /// The lines of a file that do not belong to its table: titles, comments and notes.
 /// @param table heading and rows @throws InputError at a text of more than 20,000 characters

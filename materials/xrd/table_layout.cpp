@@ -490,10 +490,10 @@ void drop_summaries(Table& table) {
 std::vector<TextBeside> sample_names(const Table& table) {
     std::vector<TextBeside> names;
     if (const auto label = table.column(Role::sample))
-        for (const TableRow& row : table.rows) names.push_back({row.line, row.cells[*label]});
+        for (const TableRow& row : table.rows) names.push_back({row.line, row.cells[*label], true});
     else if (table.has(Role::phase))
         for (const Heading& heading : table.headings)
-            if (heading.role == Role::other) names.push_back({table.heading_line, heading.text});
+            if (heading.role == Role::other) names.push_back({table.heading_line, heading.text, true});
     return names;
 }
 
@@ -511,24 +511,22 @@ void take_texts_on_phases(Table& table, std::vector<TextBeside> texts) {
     constexpr std::size_t shortest_mark = 4;  // unlike "is"
     constexpr std::string_view any_material = "any";
     std::set<std::string_view> standards;
-    const std::size_t beside = texts.size();
     for (TextBeside& name : sample_names(table)) texts.push_back(std::move(name));
-    for (std::size_t i = 0; i < texts.size(); ++i) {
-        const std::vector<std::string> words = words_in(texts[i].text);
+    for (const TextBeside& text : texts) {
+        const std::vector<std::string> words = words_in(text.text);
         const auto mentioned = mentions_in(words, materials);
-        const bool is_name = i >= beside || is_sheet_name(texts[i]);
-        const std::size_t first = is_sheet_name(texts[i]) ? 4 : 0;  // behind "comment on the sheet"
+        const std::size_t first = text.text.starts_with("comment on the sheet: ") ? 4 : 0;  // of the name
         const bool is_mark = std::ranges::any_of(mentions_in(words, marks), [&](const Mention& mention) {
             return mention.list == "standard" && !mention.negated &&
-                   (is_name || mention.count > 1 || words[mention.first].size() >= shortest_mark);
+                   (text.is_name || mention.count > 1 || words[mention.first].size() >= shortest_mark);
         });
         const auto is_added = [&](const Mention& mention) {  // "FA1 with corundum", unlike "Corundum ash"
-            return is_name && mention.first > first && !mention.negated;
+            return text.is_name && mention.first > first && !mention.negated;
         };
-        if (!is_mark && !states_amount_added(texts[i].text) && !std::ranges::any_of(mentioned, is_added))
+        if (!is_mark && !states_amount_added(text.text) && !std::ranges::any_of(mentioned, is_added))
             continue;
         for (const Mention& mention : mentioned) standards.insert(mention.list);
-        if (is_name && mentioned.empty()) standards.insert(any_material);  // "FA1 spiked"
+        if (text.is_name && mentioned.empty()) standards.insert(any_material);  // "FA1 spiked"
     }
     if (standards.empty() || table.has(Role::standard)) return;
     const auto take = [&](std::string& name) {
@@ -905,7 +903,7 @@ void require_agreeing_texts(Table& table, std::vector<TextBeside> texts, std::sp
             if (is_unused(table.headings[k]) && is_long)
                 refuse_other_unit(cell, "column " + in_quotes(table.headings[k].written), scale, row.number,
                                   k);
-            if (is_beside(cell, k)) texts.push_back({row.number, std::string(cell)});
+            if (is_beside(cell, k)) texts.push_back({row.number, std::string(cell), is_name});
         });
     UncertainColumns columns(table.headings.size());
     for (std::size_t k = 0; k < columns.size(); ++k) {

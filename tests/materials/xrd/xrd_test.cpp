@@ -141,6 +141,9 @@ TEST_CASE("what the name of a sample states counts: a basis, a coverage, a stand
     };
     const std::string plain = "Sample;Quarz [%];Mullit [%];Glas [%]\n";
     CHECK(contains(refusal(plain + "FA1 (Vol.-%);12,4;24,1;63,5\n"), "Vol.-%"));
+    for (const char* name : {"FA1 vol", "Volume", "FA1 Volumen"})
+        CHECK(
+            contains(refusal(plain + "FA1;12;24;64\n" + name + ";12;24;64\n"), "states fractions by volume"));
     CHECK(contains(refusal("Phase;Sample;Anteil [%]\nQuarz;FA1 Vol.-%;12,4\nGlas;FA1 Vol.-%;87,6\n"),
                    "Vol.-%"));
     for (const char* name : {"FA1 \u00b1 2\u03c3", "FA1 (k=2)"})
