@@ -260,11 +260,11 @@ void note_listed_amorphous(const Analysis& analysis, const FractionModel& model,
     if (model.kind != FractionModel::Kind::closed) return;
     const auto* const total = std::get_if<CrystallineTotal>(&analysis.amorphous);
     if (total && total->standard_uncertainty)
-        notes.push_back({phases_code, Severity::remark,
+        notes.push_back({phases_code, Severity::doubt,
                          "the uncertainty of the crystalline total is not used, as the amorphous part is "
                          "listed"});
     if (analysis.amorphous_phase != Analysis{}.amorphous_phase)
-        notes.push_back({phases_code, Severity::remark,
+        notes.push_back({phases_code, Severity::doubt,
                          "the amorphous phase " + in_quotes(analysis.amorphous_phase) +
                              " is not used, as none is left to it by the phases listed"});
 }

@@ -224,6 +224,17 @@ void require_coverage_in_headings(const std::vector<TextBeside>& texts, const Un
                                     " states relative uncertainties, or may, and the column " +
                                     in_quotes(column->heading) + " does not",
                                 "one of the two: [%] in the heading, or a file without this text");
+        if (states_relative(each.text))
+            for_each_uncertain(columns, rows, separator, [&](std::size_t k, std::string_view cell) {
+                if (cell.find('%') == std::string_view::npos)
+                    refuse_line(each.line,
+                                fmt::format("{} states relative uncertainties, or may, and {} in column {} "
+                                            "does not",
+                                            in_quotes(each.text), in_quotes(cell),
+                                            in_quotes(columns[k]->heading)),
+                                "a column of the uncertainties, or a file without this text");
+                return false;
+            });
         const StatedCoverage coverage = read_coverage(each.text);
         const bool is_other = coverage.stated.empty() && !coverage.problem.empty();  // "FA1 ± range"
         if (!is_other && (coverage.stated.empty() || coverage.factor == 1)) continue;
@@ -279,7 +290,7 @@ void check_coverage(std::string_view code, const std::vector<TextBeside>& texts,
                                 fmt::format("column {} states a coverage and holds no uncertainties",
                                             in_quotes(column->heading))});
         else if (!coverage.problem.empty())
-            findings.push_back({code, Severity::remark,
+            findings.push_back({code, Severity::doubt,
                                 fmt::format("uncertainties of column {} are not read, as {}",
                                             in_quotes(column->heading), coverage.problem)});
         else

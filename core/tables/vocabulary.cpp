@@ -203,6 +203,9 @@ std::string unknown_behind_plus_minus(std::string_view heading) {
         }
         const bool is_known = word.empty() || word == "u" || is_digit(word.front()) || word.front() == '.' ||
                               word.find('%') != std::string_view::npos || read_unit(ascii_unit(word));
+        const std::string_view unit = trimmed(behind.substr(word.size()));
+        const bool of_error = unit == "(%)" || unit == "[%]";  // "wt% ± error (%)" may be of the value
+        if (of_error && heading.substr(0, at).find('%') != std::string_view::npos) return std::string(behind);
         if (is_known || may_be_name || (word != "U" && is_uncertainty_word(word))) return {};
         return std::string(word);
     }

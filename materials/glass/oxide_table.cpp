@@ -891,11 +891,13 @@ class OxideSampleMaker {
     void find_scale() {
         double sum = 0;
         bool any = false;
+        bool in_per_cent = false;
         for (const OxideCell& cell : column_.cells) {
             if (cell.what.role != OxideRole::oxide) continue;
             const auto number = number_of(cell, marks_);
             if (!number) continue;
             sum_ += number->value * (number->scale ? *number->scale / 0.01 : 1);
+            in_per_cent = in_per_cent || (number->scale == 0.01 && number->value > 0);
             if (number->scale) continue;
             sum += number->value;
             any = true;
@@ -903,6 +905,11 @@ class OxideSampleMaker {
         if (!any) return;
         constexpr double between = 2;  // sums near 1 and near 100
         scale_ = sum > between ? 0.01 : 1;
+        if (in_per_cent && scale_ == 1)
+            refuse_line(
+                column_.cells.front().line,
+                "some amounts are per cent, and others state no unit: they may be fractions or per cent",
+                "one unit for all");
         note(std::string("the table states no unit: by their sum the amounts are ") +
                  (sum > between ? "per cent" : "fractions"),
              Severity::background);

@@ -82,6 +82,14 @@ void read_list(const View& list, Analysis& analysis) {
 PeakIntensity read_peak(const View& node) {
     node.require_keys({"name", "intensity", "rir"});
     require_plain_name(node.at("name").text(), node);
+    for (const char* key : {"intensity", "rir"}) {
+        const View number = node.at(key);
+        const bool in_per_cent = number.is_string() && number.text().find('%') != std::string::npos;
+        const bool is_uncertain = in_per_cent && number.text().find_first_of("+\xb1(") != std::string::npos;
+        if (in_per_cent && (key == std::string_view("rir") || is_uncertain))
+            number.fail(in_quotes(number.text()) + " may be per cent, or its uncertainty per cent of it",
+                        "numbers without \"%\", \"3.4 +- 0.17\"");
+    }
     const Quantity intensity = node.at("intensity").quantity(Dimension::fraction);
     const Quantity ratio = node.at("rir").quantity(Dimension::fraction);
     return {.name = node.at("name").text(),

@@ -453,7 +453,7 @@ void take_rows_of_uncertainties(std::vector<TableRow>& rows, std::size_t first, 
         const TableRow& row = rows[first + 2 * i + 1];
         if (coverages[i].factor != 1 || !coverages[i].problem.empty()) {
             warnings.push_back(
-                {code, Severity::remark,
+                {code, Severity::doubt,
                  "the uncertainties in " + at_line(row.line) + " are not read, as " +
                      in_quotes(row.cells[label]) +
                      (coverages[i].problem.empty() ? " are no standard ones" : ": " + coverages[i].problem)});
@@ -489,6 +489,9 @@ void drop_summaries(Table& table) {
 /// The names of samples, in cells or headings, as texts.
 std::vector<TextBeside> sample_names(const Table& table) {
     std::vector<TextBeside> names;
+    for (const Heading& heading : table.headings)  // "Phase (spiked)"
+        if (heading.role == Role::phase || heading.role == Role::sample)
+            names.push_back({table.heading_line, heading.written, true});
     if (const auto label = table.column(Role::sample))
         for (const TableRow& row : table.rows) names.push_back({row.line, row.cells[*label], true});
     else if (table.has(Role::phase))
@@ -909,7 +912,7 @@ void require_agreeing_texts(Table& table, std::vector<TextBeside> texts, std::sp
     for (std::size_t k = 0; k < columns.size(); ++k) {
         const Heading& heading = table.headings[k];
         if (heading.role == Role::phase || heading.role == Role::sample)
-            texts.push_back({table.heading_line, heading.written});
+            texts.push_back({table.heading_line, heading.written, true});
         else if (!stands_beside(heading) || heading.role == Role::intensity || heading.role == Role::ratio ||
                  heading.role == Role::ratio_uncertainty)
             columns[k] = {heading.written, heading.coverage, is_uncertainty(heading)};
@@ -922,6 +925,25 @@ void require_agreeing_texts(Table& table, std::vector<TextBeside> texts, std::sp
             unused_statement(xrd_code, found->second, "the fractions are taken as those of the sample"));
     if (!table.has(Role::intensity)) require_basis(texts, stated_basis(table));
     check_coverage(xrd_code, texts, columns, rows, table.separator, table.warnings);
+}
+
+/// Refuses the name of a sample that may be a factor of its amounts: "0.1 wt%", "FA7 x10". @throws InputError
+void refuse_factor(const std::string& name, const std::string& written, std::size_t line) {
+    static const std::regex factor("10+|(?:.* )?0[.]0*1|.*(?:x|\u00d7|[*]) *10+");
+    if (name.size() > longest_heading || !std::regex_match(name, factor)) return;
+    refuse_line(line,
+                "the column " + in_quotes(written) +
+                    " may be a sample of that name, or state a factor of its amounts",
+                "a name of other letters, and the amounts in [wt%]");
+}
+
+/// Refuses a heading that states one uncertainty for all numbers below it: "wt% ± 1". @throws InputError
+void require_no_common_uncertainty(std::string_view text, std::string_view written, std::size_t line) {
+    if (const std::string number = number_behind_plus_minus(text); !number.empty())
+        refuse_line(line,
+                    "the heading " + in_quotes(written) + " states one uncertainty, " + number +
+                        ", for all numbers of its column",
+                    "a column of the uncertainties, with the heading " + in_quotes("esd"));
 }
 
 }  // namespace
@@ -937,11 +959,24 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
         return !text.empty() && (unit_of(text) != HeadingUnit::other || role_of_text(text) != Role::other ||
                                  read_unit(ascii_unit(text)));
     };
-    const CutTable cut = cut_table(
-        file, std::move(lines), *heading, xrd_code, {"crystalline part", "ignited sample"},
-        [&](TableRow& names, const TableRow& second) {
-            return take_second_heading(names, second, is_unit) || take_units(names, second, is_unit);
-        });
+    std::vector<TextBeside> groups;  // headings of several columns, "FA1 to FA5 (2 sigma)"
+    CutTable cut =
+        cut_table(file, std::move(lines), *heading, xrd_code, {"crystalline part", "ignited sample"},
+                  [&](TableRow& names, const TableRow& second) {
+                      const std::vector<std::string> first = names.cells;
+                      if (!take_second_heading(names, second, is_unit))
+                          return take_units(names, second, is_unit);
+                      for (std::size_t k = 1; k < first.size(); ++k)
+                          if (!first[k].empty() && first[k] != names.cells[k])
+                              groups.push_back({names.line, first[k], true});
+                      return true;
+                  });
+    refuse_factors(groups);
+    for (const TextBeside& group : groups) {
+        require_no_common_uncertainty(group.text, group.text, group.line);
+        refuse_factor(group.text, group.text, group.line);
+    }
+    std::ranges::move(groups, std::back_inserter(cut.texts));
     Table table{.heading_line = cut.heading.line,
                 .headings = headings_of(cut.heading),
                 .rows = {},
@@ -963,12 +998,8 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     check_units_of_uncertainties(table);
     require_owners_of_uncertainties(table);
     for (const Heading& each : table.headings)
-        if (const std::string number = number_behind_plus_minus(each.coverage.rest);
-            !number.empty() && each.role != Role::measure)
-            refuse_line(table.heading_line,
-                        "the heading " + in_quotes(each.written) + " states one uncertainty, " + number +
-                            ", for all numbers of its column",
-                        "a column of the uncertainties, with the heading " + in_quotes("esd"));
+        if (each.role != Role::measure)
+            require_no_common_uncertainty(each.coverage.rest, each.written, table.heading_line);
     table.warnings = cut.findings;
     table.texts = cut.texts;
     for (std::size_t k = 0; k < table.headings.size(); ++k)
@@ -1005,16 +1036,6 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     if (table.rows.empty())
         refuse_line(table.heading_line, "no line below the heading names a phase", "one line a phase");
     return table;
-}
-
-/// Refuses the name of a sample that may be a factor of its amounts: "0.1 wt%", "FA7 x10". @throws InputError
-static void refuse_factor(const std::string& name, const std::string& written, std::size_t line) {
-    static const std::regex factor("10+|(?:.* )?0[.]0*1|.*(?:x|\u00d7|[*]) *10+");
-    if (name.size() > longest_heading || !std::regex_match(name, factor)) return;
-    refuse_line(line,
-                "the column " + in_quotes(written) +
-                    " may be a sample of that name, or state a factor of its amounts",
-                "a name of other letters, and the amounts in [wt%]");
 }
 
 Layout layout_of(const Table& table) {

@@ -268,7 +268,7 @@ XrdSample completed(XrdSample sample, const TopasPattern& pattern) {
                                            shortest(std::round(100 * ours) / 100) + " %, which is used"});
     }
     if (pattern.amorphous && pattern.amorphous->standard_uncertainty)
-        sample.warnings.push_back({xrd_code, Severity::remark,
+        sample.warnings.push_back({xrd_code, Severity::doubt,
                                    "the uncertainty of weight_percent_amorphous is not used: that of the "
                                    "standard counts"});
     return at_place(at_line(standard->listed.line),

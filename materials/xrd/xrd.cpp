@@ -33,7 +33,7 @@ std::string file_stem(std::string_view name) {
 void set_density(PhaseFraction& phase, const PrintedNumber& density, std::vector<Finding>& findings) {
     phase.density = 1000 * density.value;  // g/cm3
     if (density.standard_uncertainty)
-        findings.push_back({xrd_code, Severity::background,
+        findings.push_back({xrd_code, Severity::doubt,
                             "the uncertainty of the density of " + in_quotes(phase.name) + ", " +
                                 readable_number(*density.standard_uncertainty) + " g/cm3, is not used"});
 }

@@ -44,7 +44,10 @@ int count_of(const View& node, std::initializer_list<std::string_view> keys) {
 
 DampingPolynomial read_quadratic(const View& node) {
     const auto coefficient = [&](const char* key) {
-        const double value = node.at(key).number(Dimension::damping);
+        const double value = node.at(key).certain_number(
+            Dimension::damping,
+            "the coefficient alone; the uncertainty of all is coefficient_uncertainty, of "
+            "published fits damping_fit_uncertainty");
         if (!(std::abs(value) <= greatest_number))
             node.at(key).fail("is " + shortest(value) + " kg/s", "up to 1e40 kg/s");
         return value;
@@ -118,8 +121,8 @@ OxideAnalysis read_oxide_file(const View& node, const View& file, const std::str
 }
 
 Reconstruction read_reconstruction(const View& node, const std::optional<PublishedSample>& published) {
-    Reconstruction plan{.from = node.at("from").number(Dimension::fraction),
-                        .to = node.at("to").number(Dimension::fraction),
+    Reconstruction plan{.from = node.at("from").certain_number(Dimension::fraction, "the restitution alone"),
+                        .to = node.at("to").certain_number(Dimension::fraction, "the restitution alone"),
                         .points = node.at("points").integer(),
                         .reference = node.at("reference_law").text()};
     if (!(plan.from > 0 && plan.from < plan.to && plan.to < 1))

@@ -362,8 +362,11 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
     add_shared_impacts(data.samples, findings);
     data.laws = read_case_laws(document, data.samples);
     if (const auto law = document.find("damping_law")) data.damping_law = named<DampingLaw>(law->text());
-    if (const auto scheme = document.find("paper_explicit"))
-        data.paper_time_step = read_positive(scheme->at("time_step"), "time step", Dimension::time).value();
+    if (const auto scheme = document.find("paper_explicit")) {
+        const View step = scheme->at("time_step");
+        data.paper_time_step = read_positive(step, "time step", Dimension::time).value();
+        static_cast<void>(step.certain_number(Dimension::time, "the time step alone"));
+    }
     data.histories = read_histories(document);
     data.fit = read_fit_options(document.find("fit"));
     data.uncertainty = read_uncertainty_choices(document.find("uncertainty"));

@@ -28,8 +28,10 @@ void apply_camera(const View& node, MeasuredRestitution& data) {
 void apply_binning(const View& node, MeasuredRestitution& data) {
     Binning binning;
     if (const auto count = node.find("impacts_per_bin")) binning.impacts_per_bin = count->integer();
-    if (const auto width = node.find("width"))
+    if (const auto width = node.find("width")) {
         binning.width = positive_quantity(*width, "width", Dimension::velocity).value;
+        static_cast<void>(width->certain_number(Dimension::velocity, "the width alone"));
+    }
     const std::size_t before = data.impacts.rebounds();
     data.impacts = at_place(node.pointer(), [&] { return binned(data.impacts, binning); });
     data.source += fmt::format("; {} rebounds in {} bins", before, data.impacts.rebounds());
@@ -161,10 +163,6 @@ Camera read_camera(const View& node) {
     return camera;
 }
 
-static bool is_mean_without_noise(const Measurement& point) {
-    return point.count > 1 && !point.noise && !point.captured();
-}
-
 MeasuredRestitution read_measured(const View& node, InputFiles& files, const std::optional<View>& camera) {
     MeasuredRestitution data{.source = "the case file"};
     if (const auto file = node.find("file")) {
@@ -189,12 +187,7 @@ MeasuredRestitution read_measured(const View& node, InputFiles& files, const std
         if (!place) return check_impacts(data.impacts);
         at_place(FileName{files.shown(place->text())}, [&] { check_impacts(data.impacts); });
     });
-    if (const auto binning = node.find("binning"))
-        apply_binning(*binning, data);
-    else if (std::ranges::any_of(data.impacts.points, is_mean_without_noise))
-        data.impacts.warnings.push_back({impacts_code, Severity::remark,
-                                         "of how many impacts a rebound is the mean changes nothing without "
-                                         "uncertainties of the velocities"});
+    if (const auto binning = node.find("binning")) apply_binning(*binning, data);
     return data;
 }
 

@@ -739,8 +739,7 @@ TEST_CASE("what fractions are by counts wherever it stands, or the table is refu
           "Phase;%;remark\nQuartz;20;vol%\nGlass;80;vol%\n", "Phase;wt%\nQuartz (vol%);20\nGlass;80\n"})
         CHECK(contains(error(table), "line 2: \""));
     for (const char* group : {"mol%", "Molenbruch", "Fl\u00e4chen-%", "intensit\u00e9 [%]"})
-        CHECK(contains(error("Phase;" + std::string(group) + ";\n;FA1;FA2" + rows),
-                       "no weight or volume fractions"));
+        CHECK_FALSE(error("Phase;" + std::string(group) + ";\n;FA1;FA2" + rows).empty());
     for (const char* heading : {"Molenbruch [%]", "fraction molaire [%]", "\u6469\u5c14%",
                                 "Intensit\u00e9 [%]", "plocha [%]", "molfractie [%]", "Volumen FA1 [%]",
                                 "objem [%]", "frakcja molowa [%]", "mol oran\u0131 [%]", "conteggi [%]"})

@@ -195,21 +195,6 @@ TEST_CASE("a run answers as `damping --impacts` does, also of outliers without a
     CHECK(result(artifacts, "7-critical-velocity.json")["dmt"]["extrapolated"].is_null());
 }
 
-TEST_CASE("how many impacts a rebound is the mean of counts with uncertainties, else it is said") {
-    Json document = one_sample("dmt");
-    Json& data = document["samples"][0]["restitution"];
-    data = {{"velocity", {1.0, 2.0, 3.0}}, {"rebound_velocity", {0.0, 1.0, 1.8}}, {"impacts", {4, 1, 1}}};
-    const auto said = [&] {
-        return mentions(computed_from(document), "0-case.json",
-                        "of how many impacts a rebound is the mean changes nothing");
-    };
-    CHECK_FALSE(said());
-    data["impacts"] = {1, 4, 1};
-    CHECK(said());
-    data["velocity_uncertainty"] = data["rebound_uncertainty"] = std::vector<double>(3, 0.03);
-    CHECK_FALSE(said());
-}
-
 TEST_CASE("data that show nothing get a reason and no number") {
     struct Poor {
         const char* what;

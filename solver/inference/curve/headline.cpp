@@ -209,6 +209,15 @@ std::optional<Finding> wide_note(const Interval& velocity) {
                        ": impacts closer to it would narrow the interval"};
 }
 
+/// Note on rebounds that are means, of which each counts once beside captures that count by their impacts.
+std::optional<Finding> means_note(const MeasurementSet& set) {
+    const auto is_mean = [](const Measurement& point) { return point.count > 1 && !point.captured(); };
+    if (!std::ranges::any_of(set.points, is_mean)) return std::nullopt;
+    return Finding{"means", Severity::doubt,
+                   "rebounds that are means of several impacts, as bins are, count once each, captures as "
+                   "often as they have impacts: v_c tends to be too high; single impacts do without this"};
+}
+
 /// Note on impacts that bound v_c from above alone.
 std::optional<Finding> no_captures_note(const MeasurementSet& set) {
     if (set.captures() > 0) return std::nullopt;
@@ -362,7 +371,7 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
     for (const auto& note :
          {slow_rebound_note(estimate.curve, curve, impacts),
           misfit_note(estimate.curve.scatter, set.has_noise()), particles_note(estimate.curve.scatter),
-          wide_note(v), no_captures_note(set), adhesion_note(model, found_velocity.value),
+          wide_note(v), no_captures_note(set), means_note(set), adhesion_note(model, found_velocity.value),
           rising_note(estimate.curve.damping), onset_note(impacts, slow_noise)})
         if (note) estimate.findings.push_back(*note);
     if (grouped_without_noise) estimate.curve.scatter.noise *= neighbours;  // a velocity, as without groups

@@ -327,6 +327,13 @@ TEST_CASE("names, units and marks that laboratories write: one oxide each") {
     CHECK_FALSE(only("Sample,SiO2,Al2O3,LOI 550 C\nx,57,38,5\n").analysis.loss_on_ignition);
 }
 
+TEST_CASE("amounts of which some are per cent and others small and without a unit are refused") {
+    CHECK(input_error_of([] {
+              return only("Oxide;FA 7\nSiO2;60%\nAl2O3;39%\nNa2O;0.02\n").name;
+          }).find("they may be fractions or per cent") != std::string::npos);
+    CHECK(only("Oxide;FA 7\nSiO2;60%\nAl2O3;39%\nNa2O;n.d.\n").analysis.oxides.size() == 3);
+}
+
 TEST_CASE("the oxides of a sample are those of its name, with its marks") {
     const auto silica = [](const std::string& table, const std::string& name, bool must_match = true) {
         const OxideResult result = read_oxides("Sample,SiO2,Al2O3\n" + table, "xrf.csv");

@@ -160,6 +160,22 @@ TEST_CASE("what the name of a sample states counts: a basis, a coverage, a stand
         CHECK(contains(
             standard("Phase;" + std::string(name) + " [wt%]\nQuarz;11\nMullit;26\nKorund;10\nGlas;53\n"),
             "internal standard"));
+    const std::string mixture = "Quarz;11;12\nMullit;26;25\nKorund;10;10\nGlas;53;53\n";
+    for (const char* heading : {"Phase (spiked);FA1;FA2\n", "Phase (IS);FA1;FA2\n",
+                                "Phase;Mixture with 10 % corundum;\n;FA1;FA2\n", "Phase;Spiked;\n;FA1;FA2\n"})
+        CHECK_MESSAGE(contains(standard(heading + mixture), "internal standard"), heading);
+    CHECK(standard("Phase;Fly ash;\n;FA1;FA2\nQuarz;11;12\nGlas;89;88\n").empty());
+    const std::string uncertain = "FA1;12.3 \u00b1 1.2;28.5 \u00b1 2.4;59.2 \u00b1 3\n";
+    for (const char* group :
+         {"wt% \u00b1 95 % CI", "wt% (2\u03c3)", "wt% \u00b1 1", "wt% x 10", "multiplied by 10"})
+        CHECK_MESSAGE(
+            !refusal("Sample;" + std::string(group) + ";;\n;Quartz;Mullite;Amorphous\n" + uncertain).empty(),
+            group);
+    CHECK(contains(refusal("rel. errors\n" + plain + "FA1;12,3 \u00b1 6;28,4 \u00b1 5;59,3\n"),
+                   "states relative uncertainties"));
+    CHECK(refusal("Sample;wt%;;\n;Quartz;Mullite;Amorphous\n" + uncertain).empty());
+    CHECK(
+        contains(refusal("Phase (volume);Content\nQuartz;12\nAmorphous;88\n"), "states fractions by volume"));
     CHECK(contains(standard("Phase;FA1 [wt%]\nQuarz;37\nKorund (ref.);10\nGlas;53\n"), "internal standard"));
     for (const char* name : {"Corundum ash", "FA1 without corundum"})
         CHECK(standard("Phase;" + std::string(name) + " [wt%]\nQuarz;11\nKorund;36\nGlas;53\n").empty());
@@ -1186,6 +1202,21 @@ TEST_CASE("an uncertainty behind ratio and intensity is refused, as it may be of
     CHECK(contains(refusal("Phase;Int. [cts];RIR;RIR esd\nQuarz;753;3.1;5%\n"), "\"5%\" is per cent"));
     CHECK(refusal("Phase;Int. [cts];esd;RIR\nQuarz;753;10;3.1\n").empty());
     CHECK(refusal("Phase;Int. [cts];RIR;RIR esd\nQuarz;753;3.1;0.1\n").empty());
+}
+
+TEST_CASE("per cent in the peaks of JSON are refused where they have two readings") {
+    const auto refusal = [](const char* intensity, const char* ratio) {
+        return input_error_of([&] {
+            return read_xrd(std::string(
+                                R"({"samples": [{"name": "a", "peaks": [{"name": "quartz", "intensity": ")") +
+                                intensity + R"(", "rir": ")" + ratio + R"("}], "amorphous": "50 %"}]})",
+                            "a.json")
+                .samples.size();
+        });
+    };
+    CHECK(contains(refusal("753", "3.41 +- 5 %"), "or its uncertainty per cent of it"));
+    CHECK(contains(refusal("753 +- 20 %", "3.41"), "or its uncertainty per cent of it"));
+    CHECK(refusal("753 +- 20", "3.41 +- 0.2").empty());
 }
 
 TEST_CASE("intensities and ratios that make no sense are refused") {

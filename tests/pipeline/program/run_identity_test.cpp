@@ -330,6 +330,8 @@ TEST_CASE("impossible numbers of a case, a NUL in a name and endless lists are r
             {{"surface_energies", {{"particle", "40 +- 4 mJ/m2"}, {"wall", "0.5 J/m2"}}}, {"rule", "dupre"}},
             "case.json: /work_of_adhesion/surface_energies/particle: states an uncertainty, which nothing "
             "here uses");
+    refused("/paper_explicit", {{"time_step", "1 +- 0.1 ns"}},
+            "case.json: /paper_explicit/time_step: states an uncertainty, which nothing here uses");
     refused("/samples/0/diameter", "88 pm",
             "case.json: /samples/0/diameter: the diameter 88 pm is that of a molecule");
     refused("/samples/0/restitution/file", std::string("impacts.csv\0x", 13),

@@ -267,6 +267,10 @@ TEST_CASE("a robust extrapolation of few rebounds with outliers is finite or ref
     CHECK(has_finding(scattered, "no-extrapolation"));                 // at 88 m/s
     CHECK(*scattered.estimate->curve.critical_velocity.lower < 0.97);  // the slowest rebound
     CHECK(has_finding(scattered, "no-captures"));
+    CHECK_FALSE(has_finding(scattered, "means"));
+    MeasurementSet means = eight;
+    means.points.front().count = 3;
+    CHECK(has_finding(analysed(means, Law::of<Dmt>()), "means"));
     for (unsigned long seed = 1; seed <= static_cast<unsigned long>(repetitions(15)); ++seed) {
         CAPTURE(seed);
         MeasurementSet set = measured(4 + static_cast<int>(seed % 5), 20, seed);
