@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -43,6 +42,14 @@ bool is_out_of_range(std::string_view text, double value) {
     if (std::isinf(value)) return text.find_first_of("0123456789") != std::string_view::npos;
     const std::string_view mantissa = text.substr(0, text.find_first_of("eE"));
     return value == 0 && mantissa.find_first_of("123456789") != std::string_view::npos;
+}
+
+/// Number of significant digits of a number in decimal notation.
+std::size_t significant_digits(std::string text) {
+    text.resize(std::min(text.find('e'), text.size()));
+    std::erase_if(text, [](char c) { return c == '.' || c == '-'; });
+    const auto first = text.find_first_not_of('0');
+    return first == std::string::npos ? 1 : text.find_last_not_of('0') + 1 - first;
 }
 
 unsigned char byte_of(char c) {
@@ -292,15 +299,13 @@ std::optional<double> whole_decimal(std::string_view text) {
 }
 
 std::string shortest(double value) {
-    if (!std::isfinite(value)) return fmt::format("{}", value);
-    const auto written = [value](std::chars_format format) {
-        std::array<char, 32> text;
-        return std::string(text.data(),
-                           std::to_chars(text.data(), text.data() + text.size(), value, format).ptr);
-    };
-    const std::string exponential = written(std::chars_format::scientific);
-    if (value != 0 && (std::abs(value) < 1e-4 || std::abs(value) > 1e25)) return exponential;
-    const std::string fixed = written(std::chars_format::fixed);
+    std::string fixed = fmt::format("{}", value);  // in exponential notation below 1e-4 and from 1e16
+    if (!std::isfinite(value)) return fixed;
+    std::string exponential = fmt::format("{:.{}e}", value, significant_digits(fixed) - 1);
+    if (fixed.find('e') != std::string::npos) {
+        if (std::abs(value) < 1 || std::abs(value) > 1e25) return exponential;
+        fixed = fmt::format("{:.0f}", value);
+    }
     return fixed.size() <= exponential.size() ? fixed : exponential;
 }
 
