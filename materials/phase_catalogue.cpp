@@ -338,9 +338,9 @@ std::optional<ResolvedPhase> PhaseCatalogue::of_group(std::string_view name) con
     for (const PhaseSet& set : sets_)
         for (const auto& [group, representative] : set.group_representatives)
             if (phase_key(group) == phase_key(name))
-                return ResolvedPhase{
-                    .phase = resolve(representative).phase,
-                    .note = in_quotes(name) + " may be one of several phases: " + representative + " is used"};
+                return ResolvedPhase{.phase = resolve(representative).phase,
+                                     .note = in_quotes(name) +
+                                             " may be one of several phases: " + representative + " is used"};
     return std::nullopt;
 }
 

@@ -227,12 +227,12 @@ void require_coverage_in_headings(const std::vector<TextBeside>& texts, const Un
         if (states_relative(each.text))
             for_each_uncertain(columns, rows, separator, [&](std::size_t k, std::string_view cell) {
                 if (cell.find('%') == std::string_view::npos)
-                    refuse_line(each.line,
-                                fmt::format("{} states relative uncertainties, or may, and {} in column {} "
-                                            "does not",
-                                            in_quotes(each.text), in_quotes(cell),
-                                            in_quotes(columns[k]->heading)),
-                                "a column of the uncertainties, or a file without this text");
+                    refuse_line(
+                        each.line,
+                        fmt::format("{} states relative uncertainties, or may, and {} in column {} "
+                                    "does not",
+                                    in_quotes(each.text), in_quotes(cell), in_quotes(columns[k]->heading)),
+                        "a column of the uncertainties, or a file without this text");
                 return false;
             });
         const StatedCoverage coverage = read_coverage(each.text);

@@ -259,7 +259,8 @@ WantedResults SweepPlan::wanted(Law law) const {
     const bool many = design_.points() >= tabulated_from;
     return {.contact_time = has_observable(spec(), Observable::contact_time),
             .maximum_overlap = has_observable(spec(), Observable::maximum_overlap),
-            .method = many ? method_of_many(law, spec().damping_law, design_.points()) : BatchMethod::integration};
+            .method =
+                many ? method_of_many(law, spec().damping_law, design_.points()) : BatchMethod::integration};
 }
 
 std::vector<TableColumn> SweepPlan::table_columns() const {
