@@ -27,8 +27,8 @@ std::vector<TextBeside> texts_beside(const TextLines& file, std::span<const Text
         if (text.size() > longest)
             refuse_line(line.number, "a text beside the table is longer than 20,000 characters",
                         "the table with shorter texts");
-        constexpr std::string_view sheet = "comment on the sheet: ";
-        if (!text.empty()) texts.push_back({line.number, std::string(text), text.starts_with(sheet)});
+        if (!text.empty())
+            texts.push_back({line.number, std::string(text), text.starts_with(sheet_name_mark)});
     }
     return texts;
 }

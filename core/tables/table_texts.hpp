@@ -26,6 +26,9 @@ struct TextBeside {
     bool is_name = false;  ///< of a sample or sheet: "Volumen" alone states a basis
 };
 
+/// Begins the text that states the name of a sheet.
+inline constexpr std::string_view sheet_name_mark = "comment on the sheet: ";
+
 /// The lines of a file that do not belong to its table: titles, comments and notes.
 /// @param table heading and rows @throws InputError at a text of more than 20,000 characters
 [[nodiscard]] std::vector<TextBeside> texts_beside(const TextLines& file, std::span<const TextLine> table);

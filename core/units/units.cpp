@@ -465,8 +465,7 @@ double difference_to_si(double value, std::string_view unit, Dimension expected)
     return conversion(value) - conversion(0);
 }
 
-/// Whether a raised digit stands before any letter, in the number: "1\u00b710\u00b3 Pa s", unlike "5
-/// m\u00b2".
+/// Whether a raised digit belongs to the number of a text: "1·10³ Pa s", unlike "5 m²".
 static bool has_raised_digit(std::string_view text) {
     const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
     const std::string_view number =

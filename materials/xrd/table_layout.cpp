@@ -518,7 +518,8 @@ void take_texts_on_phases(Table& table, std::vector<TextBeside> texts) {
     for (const TextBeside& text : texts) {
         const std::vector<std::string> words = words_in(text.text);
         const auto mentioned = mentions_in(words, materials);
-        const std::size_t first = text.text.starts_with("comment on the sheet: ") ? 4 : 0;  // of the name
+        const std::size_t first =  // word of the name
+            text.text.starts_with(sheet_name_mark) ? words_in(sheet_name_mark).size() : 0;
         const bool is_mark = std::ranges::any_of(mentions_in(words, marks), [&](const Mention& mention) {
             return mention.list == "standard" && !mention.negated &&
                    (text.is_name || mention.count > 1 || words[mention.first].size() >= shortest_mark);

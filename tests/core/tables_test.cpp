@@ -593,7 +593,7 @@ TEST_CASE("a comment on a cell is said, and what it states counts as of a text b
                    "\"comment on B1: by volume\" states fractions by volume"));
 }
 
-TEST_CASE("text boxes, and heads and feet of pages, count as comments") {
+TEST_CASE("text boxes, and headers and footers of pages, count as comments") {
     const std::string table = inline_row({"Phase", "%"}) + inline_row({"Quartz", "100"});
     const auto boxed = [&](const std::string& text) {
         return xlsx(table, "", "", "",

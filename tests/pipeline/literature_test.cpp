@@ -154,7 +154,7 @@ TEST_CASE("constants come back from critical velocities of three sizes") {
     }
 }
 
-TEST_CASE("calibrate says which published numbers it leaves out, and whose uncertainty it assumes") {
+TEST_CASE("published numbers that a calibration leaves out, and assumed uncertainties, are named") {
     const Sandbox sandbox;
     sandbox.write("case.json", R"({"name": "T", "work_of_adhesion": "0.3 J/m2", "laws": ["jkr"], "samples": [
         {"name": "S", "diameter": "88 um", "density": "2300 kg/m3", "contact_modulus": "87.75 GPa",

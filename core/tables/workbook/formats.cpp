@@ -246,7 +246,7 @@ void take_shapes(const pugi::xml_node& table, const TextStyles& styles, Sheet& s
         sheet.comment("a text box", text_of_paragraphs(shape.node(), styles));
 }
 
-/// Adds the heads and feet of the pages of an .ods, but for those that number them.
+/// Adds the headers and footers of the pages of an .ods, except those with a page number.
 void take_page_texts(const pugi::xml_node& styles_root, const TextStyles& styles,
                      std::vector<Sheet>& sheets) {
     for (const pugi::xpath_node& page :
@@ -657,7 +657,7 @@ void take_drawing(const std::string& content, const std::string& name, Sheet& sh
     }
 }
 
-/// Adds the heads and feet of the pages, without their codes ("&C&12"), but for those that number them.
+/// Adds the headers and footers of the pages, without their codes ("&C&12"), except those with a page number.
 void take_page_texts(const pugi::xml_node& worksheet, Sheet& sheet) {
     static const std::regex codes("&(?:\"[^\"]*\"|K[0-9A-F]{6}|[0-9]+|.)");
     constexpr std::size_t longest = 1000;  // 255 in a spreadsheet

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/quantities/quantity.hpp"
+#include "core/tables/table_texts.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 
@@ -44,8 +45,8 @@ std::string in_rows(std::string text) {
 std::unique_ptr<TextLines> lines_of(const Sheet& sheet, TextLimits limits) {
     limits.of_sheet = true;
     // Its name is a text beside the table, which may state a unit: "Vol.-%".
-    return std::make_unique<TextLines>(sheet.as_text() + "# comment on the sheet: " + sheet.name() + '\n',
-                                       limits);
+    return std::make_unique<TextLines>(
+        fmt::format("{}# {}{}\n", sheet.as_text(), sheet_name_mark, sheet.name()), limits);
 }
 
 bool holds_table(const Sheet& sheet, const SheetRequest& request) {
