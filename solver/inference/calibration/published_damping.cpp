@@ -105,7 +105,9 @@ std::optional<TabulatedRoot> root_by_table(const Impact& impact, const VelocityR
     if (!(miss(0.0) < 0.0 && miss(width) > 0.0)) return std::nullopt;
     const double root = gsl::brent(miss, 0.0, width).root;
     const double aside = 1e-3 * root;
-    return TabulatedRoot{root, (miss(root + aside) - miss(root - aside)) / (2.0 * aside)};
+    const double slope = (miss(root + aside) - miss(root - aside)) / (2.0 * aside);
+    // In single precision, so that it is the same by all instruction sets, whose batches differ in rounding.
+    return TabulatedRoot{static_cast<float>(root), static_cast<float>(slope)};
 }
 
 }  // namespace
