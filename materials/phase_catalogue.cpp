@@ -397,17 +397,26 @@ void PhaseCatalogue::refuse_lacking(std::string_view name) const {
 
 ResolvedPhase PhaseCatalogue::resolve(std::string_view name) const {
     const std::string key = phase_key(name);
+    const auto members_of = [&](const std::string& group) {
+        std::vector<std::string> members;
+        for (const PhaseSet& set : sets_)
+            for (const Phase& phase : set.phases)
+                if (!phase.group.empty() && phase_key(phase.group) == group) members.push_back(phase.name);
+        return members;
+    };
     if (auto phase = known(name, name)) {
         refuse_shared_formula(name);
+        const std::string group = phase_key(phase->phase.group);
+        const bool is_group =
+            !group.empty() && key.starts_with(group) && group == phase_key(phase->phase.name);
+        if (is_group && members_of(group).size() > 1 && phase->note.empty())  // spinel
+            phase->note =
+                in_quotes(name) + " may be one of several phases: " + phase->phase.formula + " is used";
         return *phase;
     }
     if (auto phase = by_parts(name)) return *phase;
     if (auto phase = of_group(name)) return *phase;
-    std::vector<std::string> members;
-    for (const PhaseSet& set : sets_) {
-        for (const Phase& phase : set.phases)
-            if (!phase.group.empty() && phase_key(phase.group) == key) members.push_back(phase.name);
-    }
+    const std::vector<std::string> members = members_of(key);
     if (!members.empty())
         throw InputError(in_quotes(name) + " is a mineral group", "one of its phases: " + joined(members));
     if (auto phase = by_stem(name)) return *phase;

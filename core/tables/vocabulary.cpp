@@ -281,9 +281,29 @@ std::optional<std::string_view> WordLists::list_of(std::string_view text) const 
     return found == words_.end() ? std::nullopt : std::optional<std::string_view>(found->second);
 }
 
+namespace {
+
+/// "FA1Vol" as "FA1 Vol", unlike "CaCl2" and "MgAl2O4".
+std::string apart_at_capitals(std::string_view text) {
+    const auto is_small = [&](std::size_t i) {
+        return i < text.size() && std::islower(static_cast<unsigned char>(text[i])) != 0;
+    };
+    std::string apart;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool is_capital = std::isupper(static_cast<unsigned char>(text[i])) != 0;
+        if (i > 0 && is_capital && (is_small(i - 1) || is_digit(text[i - 1])) && is_small(i + 1) &&
+            is_small(i + 2))
+            apart += ' ';
+        apart += text[i];
+    }
+    return apart;
+}
+
+}  // namespace
+
 std::vector<std::string> words_in(std::string_view text) {
     std::vector<std::string> words(1);
-    for (const char c : word_key(text, all_marks)) {
+    for (const char c : word_key(apart_at_capitals(text), all_marks)) {
         const auto byte = static_cast<unsigned char>(c);
         const bool of_word = std::isalnum(byte) != 0 || byte >= 0x80U;
         if (of_word)

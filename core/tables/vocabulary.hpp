@@ -59,7 +59,7 @@ inline constexpr std::string_view all_marks = " !\"#$%&'()*+,-./:;<=>?@[\\]^_`{|
 /// Whether a cell names the sum of other rows: "Total", "Summe".
 [[nodiscard]] bool is_total(std::string_view text);
 
-/// The words of a text as word_key() writes them; "%" is one.
+/// The words of a text as word_key() writes them; "%" is one. "FA1Vol" and "FA1_Vol" are two.
 [[nodiscard]] std::vector<std::string> words_in(std::string_view text);
 
 /// A word or some words of a list in a text.

@@ -356,7 +356,7 @@ class OxideTable {
             for (std::size_t k = 0; k < row.cells.size(); ++k)
                 if ((row.line != heading || k == label) && !row.cells[k].empty() &&
                     !read_number(row.cells[k], true))
-                    names.push_back({row.line, row.cells[k]});
+                    names.push_back({row.line, row.cells[k], true});
             if (row.line != heading && label < row.cells.size())
                 labels.push_back({row.line, row.cells[label]});
         }

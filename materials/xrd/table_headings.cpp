@@ -99,9 +99,10 @@ bool names_other_basis(const Heading& heading) {
         return false;
     auto bases = bases_in(heading.text, false);
     bases.erase("weight");
-    bases.erase("number");  // "Number 5" is a name
-    if (heading.states == HeadingUnit::none && !holds_per_cent(heading.text))
-        bases.erase("intensity");  // "Surface"
+    bases.erase("number");                                    // "Number 5" is a name
+    const bool is_name = words_in(heading.text).size() == 1;  // "Surface", unlike "FA1 area"
+    if (is_name && heading.states == HeadingUnit::none && !holds_per_cent(heading.text))
+        bases.erase("intensity");
     return !bases.empty();
 }
 
@@ -361,6 +362,52 @@ MarkedPhase read_phase_name(std::string_view text) {
             return found;
     }
     return {.name = std::string(text)};
+}
+
+namespace {
+
+/// Whether a text states what was added: "FA1 + 10 % corundum".
+bool states_amount_added(const std::string& text) {
+    static const std::regex addition("[+] *[0-9][0-9.,]* *(?:wt|m|Gew\\.-|Ma\\.-)?%");
+    return text.size() <= longest_heading && std::regex_search(text, addition);
+}
+
+const WordLists& standard_materials() {
+    static const WordLists words("internal standards", " ");
+    return words;
+}
+
+}  // namespace
+
+void StandardsInTexts::take(const TextBeside& text) {
+    static const WordLists marks("XRD marks", " ");
+    constexpr std::size_t shortest_mark = 4;  // unlike "is"
+    const std::vector<std::string> words = words_in(text.text);
+    const auto mentioned = mentions_in(words, standard_materials());
+    const std::size_t first =  // word of the name
+        text.text.starts_with(sheet_name_mark) ? words_in(sheet_name_mark).size() : 0;
+    const bool is_mark = std::ranges::any_of(mentions_in(words, marks), [&](const Mention& mention) {
+        return mention.list == "standard" && !mention.negated &&
+               (text.is_name || mention.count > 1 || words[mention.first].size() >= shortest_mark);
+    });
+    const auto is_added = [&](const Mention& mention) {  // "FA1 with corundum", unlike "Corundum ash"
+        return text.is_name && mention.first > first && !mention.negated;
+    };
+    if (!is_mark && !states_amount_added(text.text) && !std::ranges::any_of(mentioned, is_added)) return;
+    for (const Mention& mention : mentioned) materials_.insert(mention.list);
+    any_ = any_ || (text.is_name && mentioned.empty());  // "FA1 spiked"
+}
+
+bool StandardsInTexts::hold(std::string_view phase) const {
+    const auto material = standard_materials().list_of(phase);
+    return material && (any_ || materials_.contains(*material));
+}
+
+void mark_standards(Analysis& analysis, const std::string& sample) {
+    StandardsInTexts standards;
+    standards.take({.line = 0, .text = sample, .is_name = true});
+    for (PhaseFraction& phase : analysis.phases)
+        phase.is_standard = phase.is_standard || standards.hold(phase.name);
 }
 
 namespace {

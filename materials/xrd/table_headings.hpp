@@ -125,6 +125,19 @@ struct UncertaintyName {
 [[nodiscard]] bool is_uncertainty_of_unused(const Heading& heading, const Heading& before,
                                             bool holds_numbers);
 
+/// Materials that texts beside a table or names of samples call internal standards, or added to a sample:
+/// "spiked with 10 % Korund", "FA1 with corundum"; all such materials for "FA1 spiked".
+class StandardsInTexts {
+  public:
+    void take(const TextBeside& text);
+    /// Whether a phase is one of these materials.
+    [[nodiscard]] bool hold(std::string_view phase) const;
+
+  private:
+    std::set<std::string_view> materials_{};
+    bool any_ = false;
+};
+
 }  // namespace ashimpact::xrd
 
 template <>

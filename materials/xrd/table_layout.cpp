@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <map>
 #include <regex>
 #include <set>
 #include <span>
@@ -500,45 +501,16 @@ std::vector<TextBeside> sample_names(const Table& table) {
     return names;
 }
 
-/// Whether a text states what was added: "FA1 + 10 % corundum".
-bool states_amount_added(const std::string& text) {
-    static const std::regex addition("[+] *[0-9][0-9.,]* *(?:wt|m|Gew\\.-|Ma\\.-)?%");
-    return text.size() <= longest_heading && std::regex_search(text, addition);
-}
-
 /// Appends " (internal standard)" to the phase that a text beside the table or the name of a sample calls so,
 /// unless it is marked: "spiked with 10 % Korund".
 void take_texts_on_phases(Table& table, std::vector<TextBeside> texts) {
-    static const WordLists marks("XRD marks", " ");
-    static const WordLists materials("internal standards", " ");
-    constexpr std::size_t shortest_mark = 4;  // unlike "is"
-    constexpr std::string_view any_material = "any";
-    std::set<std::string_view> standards;
-    for (TextBeside& name : sample_names(table)) texts.push_back(std::move(name));
-    for (const TextBeside& text : texts) {
-        const std::vector<std::string> words = words_in(text.text);
-        const auto mentioned = mentions_in(words, materials);
-        const std::size_t first =  // word of the name
-            text.text.starts_with(sheet_name_mark) ? words_in(sheet_name_mark).size() : 0;
-        const bool is_mark = std::ranges::any_of(mentions_in(words, marks), [&](const Mention& mention) {
-            return mention.list == "standard" && !mention.negated &&
-                   (text.is_name || mention.count > 1 || words[mention.first].size() >= shortest_mark);
-        });
-        const auto is_added = [&](const Mention& mention) {  // "FA1 with corundum", unlike "Corundum ash"
-            return text.is_name && mention.first > first && !mention.negated;
-        };
-        if (!is_mark && !states_amount_added(text.text) && !std::ranges::any_of(mentioned, is_added))
-            continue;
-        for (const Mention& mention : mentioned) standards.insert(mention.list);
-        if (text.is_name && mentioned.empty()) standards.insert(any_material);  // "FA1 spiked"
-    }
-    if (standards.empty() || table.has(Role::standard)) return;
+    StandardsInTexts standards;
+    for (const TextBeside& name : sample_names(table)) texts.push_back(name);
+    for (const TextBeside& text : texts) standards.take(text);
+    if (table.has(Role::standard)) return;
     const auto take = [&](std::string& name) {
         const MarkedPhase phase = read_phase_name(name);
-        const auto material = materials.list_of(phase.name);
-        const bool is_standard =
-            material && (standards.contains(*material) || standards.contains(any_material));
-        if (is_standard && phase.mark == PhaseMark::none) name += " (internal standard)";
+        if (standards.hold(phase.name) && phase.mark == PhaseMark::none) name += " (internal standard)";
     };
     if (const auto label = table.column(Role::phase))
         for (TableRow& row : table.rows) take(row.cells[*label]);
@@ -603,9 +575,14 @@ void require_units_at_amounts(const Table& table) {
     if (!label) return;
     const Heading& heading = table.headings[*label];
     const bool of_volume = heading.states == HeadingUnit::volume;
-    if (!of_volume && (heading.states != HeadingUnit::other || heading.scale == Scale::not_stated)) return;
+    const auto bracket = heading.written.find_first_of("([");
+    const bool of_areas =  // "Phase (area)"
+        bracket != std::string::npos && !table.has(Role::intensity) &&
+        bases_in(heading.written.substr(bracket), false).contains("intensity");
+    const bool in_other_unit = heading.states == HeadingUnit::other && heading.scale != Scale::not_stated;
+    if (!of_volume && !of_areas && !in_other_unit) return;
     for (const Heading& each : table.headings)
-        if (&each != &heading && each.states == heading.states) return;
+        if (&each != &heading && each.states == heading.states && !of_areas) return;
     refuse_line(table.heading_line,
                 "the heading " + in_quotes(heading.written) + " of the names states a unit of amounts",
                 "the unit in the headings of the amounts: " + in_quotes("FA1 [vol%]"));
@@ -648,6 +625,31 @@ void find_uncertainties(Table& table) {
                             " for standard uncertainties, else another name");
         heading.role = Role::uncertainty;
         heading.text.clear();
+    }
+}
+
+/// Refuses columns whose names differ by letters for a weight and a volume alone: "FA1_m;FA1_v".
+/// @throws InputError
+void refuse_pairs_of_bases(const Table& table) {
+    std::map<std::vector<std::string>, const Heading*> by_volume;
+    const auto last_of = [](const Heading& heading, std::vector<std::string>& words) {
+        words = heading.role == Role::other ? words_in(heading.text) : std::vector<std::string>();
+        const std::string last = words.size() < 2 ? std::string() : words.back();
+        if (!words.empty()) words.pop_back();
+        return last;
+    };
+    std::vector<std::string> words;
+    for (const Heading& heading : table.headings)
+        if (last_of(heading, words) == "v") by_volume.emplace(words, &heading);
+    for (const Heading& heading : table.headings) {
+        const std::string last = last_of(heading, words);
+        const auto found = by_volume.find(words);
+        if ((last == "m" || last == "w") && found != by_volume.end())
+            refuse_line(table.heading_line,
+                        "the columns " + in_quotes(heading.written) + " and " +
+                            in_quotes(found->second->written) +
+                            " may be two samples, or one by weight and by volume",
+                        "names without these letters, with [wt%] or [vol%]");
     }
 }
 
@@ -991,6 +993,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
         find_uncertainties(table);
     }
     require_units_at_amounts(table);
+    refuse_pairs_of_bases(table);
     if (table.has(Role::phase) && !table.has(Role::sample)) mark_sums(table);
     if (is_wide) require_owner_of_last(table);
     prefer_fractions(table);

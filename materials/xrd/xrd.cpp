@@ -130,8 +130,10 @@ XrdResult read(std::string_view bytes, const TableOptions& options) {
 XrdResult read_xrd(std::string_view text, std::string_view name, const TableOptions& options) {
     return at_place(FileName{std::string(name)}, [&] {
         XrdResult result = read(text, options);
-        for (XrdSample& sample : result.samples)
+        for (XrdSample& sample : result.samples) {
             if (sample.name.empty()) sample.name = xrd::file_stem(name);
+            xrd::mark_standards(sample.analysis, sample.name);
+        }
         return result;
     });
 }

@@ -91,6 +91,9 @@ struct PeakIntensity {
 /// which docs/case.md describes.
 namespace xrd {
 
+/// Marks the phases that are internal standards by the name of their sample: corundum of "fa1_spiked".
+void mark_standards(Analysis& analysis, const std::string& sample);
+
 /// Reads the fractions: "weight_fractions" or "volume_fractions" (an object with a fraction under the name of
 /// each phase), "phases" (a list of such fractions with names) or "peaks". The place of each phase is its
 /// JSON pointer. Errors: InputError with the JSON pointer for a fraction outside 0 to 1, a phase that is

@@ -165,6 +165,8 @@ TEST_CASE("phases of fly ash and of its deposits, by the names that users have")
         CHECK_FALSE(catalogue.resolve(name).phase.formula.empty());
     }
     CHECK(catalogue.resolve("microcline").phase.young_modulus.assumed);
+    CHECK(catalogue.resolve("Spinell").note == "\"Spinell\" may be one of several phases: MgAl2O4 is used");
+    CHECK(catalogue.resolve("MgAl2O4").note.empty());
 }
 
 TEST_CASE("what is not found comes with the nearest names, all at once") {

@@ -382,6 +382,9 @@ TEST_CASE("uncertainties of oxides that are no uncertainties of the sample are n
     CHECK_THROWS_WITH_AS(
         static_cast<void>(only("Sample;SiO2;Al2O3\nFA 7 \u00b1 2\u03c3;60 \u00b1 0.6;40 \u00b1 0.4\n")),
         doctest::Contains("the coverage in the heading"), InputError);
+    for (const char* name : {"FA 7 mol", "FA7Vol"})
+        CHECK_THROWS_WITH_AS(static_cast<void>(only("Sample;SiO2;Al2O3\n" + std::string(name) + ";60;40\n")),
+                             doctest::Contains("states fractions by"), InputError);
     const OxideSample above = only("Sample,SiO2,Al2O3,Na2O,Total\nFA1,60,39.4,0.6,100(2)\nerror,0.5,1,5,\n");
     CHECK(tells(above.warnings, "the uncertainty of Na2O, 5 %, is above its amount, 0.6 %: is it one?"));
     CHECK(tells(above.warnings, "the uncertainty of the total is not used"));

@@ -155,6 +155,23 @@ TEST_CASE("TOPAS: a spiked standard gives the amorphous part of the ash") {
                  "line 5: there are two spiked phases");
 }
 
+TEST_CASE("the name of a sample calls a standard one in every format") {
+    const auto refusal = [](const std::string& text) {
+        return input_error_of(
+            [&] { return compose(read_text(text).samples.front().analysis, shipped_catalogue()); });
+    };
+    const std::string topas =
+        "weight_percent_amorphous 50\nstr phase_name Quartz weight_percent 80\n"
+        "str phase_name Corundum weight_percent 20\n";
+    CHECK(contains(refusal("xdd fa1_spiked.raw\n " + topas), "is called an internal standard"));
+    CHECK(refusal("xdd fa1.raw\n " + topas).empty());
+    const std::string json =
+        R"(", "weight_fractions": {"quartz": 0.4, "corundum": 0.1}, "amorphous": "remainder"}]})";
+    CHECK(contains(refusal(R"({"samples": [{"name": "FA1 mit Korund)" + json),
+                   "is called an internal standard"));
+    CHECK(refusal(R"({"samples": [{"name": "FA1)" + json).empty());
+}
+
 TEST_CASE("TOPAS: several patterns, phases without an xdd, a phase without a weight") {
     const XrdResult two = read_text(
         "xdd a.raw\nstr phase_name Quartz weight_percent 100\n"
