@@ -49,7 +49,9 @@ double jackknife_error(std::span<const double> values) {
                      static_cast<double>(values.size()));
 }
 
-/// Errors of two quantiles of samples, of which one replicate after the other is left out.
+/// Errors of two quantiles of samples: the root mean square of two estimates, of which one leaves out one
+/// replicate after the other and scatters, and the other, from the quantiles of the replicates by themselves,
+/// is biased where the tails of these hold few samples.
 /// @param begins where each replicate begins in the samples
 std::array<double, 2> end_errors(const std::vector<double>& samples, const std::vector<std::size_t>& begins,
                                  const std::array<double, 2>& fractions) {
@@ -59,15 +61,26 @@ std::array<double, 2> end_errors(const std::vector<double>& samples, const std::
         sorted.emplace_back(samples[i], replicate);
     }
     std::ranges::sort(sorted);
-    std::array<std::vector<double>, 2> ends;
-    for (std::size_t left_out = 0; left_out < begins.size(); ++left_out) {
+    std::array<std::vector<double>, 2> without_one;
+    std::array<std::vector<double>, 2> alone;
+    for (std::size_t number = 0; number < begins.size(); ++number) {
         std::vector<double> others;
-        for (const auto& [value, replicate] : sorted)
-            if (replicate != left_out) others.push_back(value);
-        const std::vector<double> found = gsl::quantiles(std::move(others), fractions);
-        for (std::size_t end = 0; end < 2; ++end) ends[end].push_back(found[end]);
+        std::vector<double> own;
+        for (const auto& [value, replicate] : sorted) (replicate == number ? own : others).push_back(value);
+        const std::vector<double> of_others = gsl::quantiles(std::move(others), fractions);
+        const std::vector<double> of_own = gsl::quantiles(std::move(own), fractions);
+        for (std::size_t end = 0; end < 2; ++end) {
+            without_one[end].push_back(of_others[end]);
+            alone[end].push_back(of_own[end]);
+        }
     }
-    return {jackknife_error(ends[0]), jackknife_error(ends[1])};
+    const auto error = [&](std::size_t end) {
+        const double jackknife = jackknife_error(without_one[end]);
+        const double of_mean =
+            std::sqrt(Moments::of(alone[end]).variance() / static_cast<double>(begins.size()));
+        return std::sqrt(0.5 * (jackknife * jackknife + of_mean * of_mean));
+    };
+    return {error(0), error(1)};
 }
 
 /// Inputs that vary together.

@@ -85,7 +85,7 @@ struct Influence {
 /// A result with its distribution under uncertain inputs.
 struct Propagation {
     Interval interval;  ///< value at the inputs' values; standard deviation and quantiles of the samples
-    std::array<double, 2> end_errors;  ///< standard errors of both ends by Monte Carlo, by the jackknife
+    std::array<double, 2> end_errors;  ///< standard errors of both ends by Monte Carlo
     double mean;
     double median;
     std::vector<Influence> influences;  ///< largest total first
