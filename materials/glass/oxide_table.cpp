@@ -505,6 +505,22 @@ class OxideTable {
         return first_is_oxide ? headings_.size() : 0;
     }
 
+    /// Notes a text in a column without a heading. @throws InputError for a number, or a text that calls the
+    /// row invalid
+    void refuse_nameless(const TableRow& row, std::size_t column) {
+        const std::string& cell = row.cells[column];
+        const bool has_heading = column < headings_.size() && !headings_[column].heading.written.empty();
+        if (has_heading || trimmed(cell).empty()) return;
+        if (calls_invalid(cell)) refuse_invalid_row(cell, "a column without a heading", row.line, column);
+        if (read_number(cell, true))
+            throw InputError(in_quotes(cell) +
+                                 " stands below no heading: it may be an amount, or the part of "
+                                 "a number behind its comma",
+                             "a heading for each column with numbers")
+                .at(at_cell(row.line, column));
+        note(at_cell(row.line, column) + ", below no heading, is not read: " + in_quotes(cell));
+    }
+
     void add_row(const TableRow& row, const TableRow& names, std::size_t label) {
         const std::string name = label < row.cells.size() ? row.cells[label] : std::string();
         if (!samples.empty() && (is_summary(name) || xrd::coverage_of_row(name, samples.back().sample))) {
@@ -537,6 +553,8 @@ class OxideTable {
         const bool is_named = label >= headings_.size() || !name.empty() || samples.empty();
         const bool blank = std::ranges::all_of(
             sample.cells, [](const OxideCell& cell) { return trimmed(cell.text).empty(); });
+        for (std::size_t i = label < headings_.size() ? label + 1 : 0; !blank && i < row.cells.size(); ++i)
+            refuse_nameless(row, i);
         if (!blank && !is_named)
             refuse_line(row.line,
                         "the line names no sample: it may be another one, or hold a second run or the "
@@ -716,6 +734,7 @@ class OxideTable {
             return;
         }
         refuse_marked(row, names, amounts, what);
+        for (std::size_t i = headings_.size(); i < row.cells.size(); ++i) refuse_nameless(row, i);
         for (std::size_t k = 0; k < amounts.size(); ++k) {
             const std::size_t column = amounts[k];
             if (column >= row.cells.size()) continue;

@@ -390,6 +390,21 @@ TEST_CASE("uncertainties of oxides that are no uncertainties of the sample are n
     CHECK(tells(above.warnings, "the uncertainty of the total is not used"));
 }
 
+TEST_CASE("numbers below no heading are refused, texts are told") {
+    for (const char* table :
+         {"Sample,SiO2,Al2O3\nFA1,60,37,3.0\n", "Sample,SiO2,Al2O3,\nFA1,60,37,3.0\n",
+          "Sample,SiO2,Al2O3,Cr2O3\nFA1,60,37,0,05\n", "Oxide,wt%\nSiO2,60\nAl2O3,37,3\n"}) {
+        CAPTURE(table);
+        CHECK_THROWS_WITH_AS(static_cast<void>(only(table)), doctest::Contains("stands below no heading"),
+                             InputError);
+    }
+    CHECK_THROWS_WITH_AS(static_cast<void>(only("Sample;SiO2;Al2O3\nFA1;60;37;excluded\n")),
+                         doctest::Contains("calls the row invalid"), InputError);
+    CHECK(tells(read_oxides("Sample;SiO2;Al2O3\nFA1;60;37;LOI 3.0 %\n", "t.csv").warnings,
+                "below no heading, is not read: \"LOI 3.0 %\""));
+    CHECK(near(per_cent_of(only(",Sample,SiO2,Al2O3\n0,FA1,60,40\n"), "SiO2"), 60));  // an index of rows
+}
+
 TEST_CASE("oxides of a sample of another name are told") {
     const OxideSample named = only("Sample,SiO2,Al2O3\nFA 1,60,40\n");
     CHECK(other_sample_finding(named, "FA 2")->text == "the oxides are those of the sample \"FA 1\"");
