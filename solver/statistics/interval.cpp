@@ -45,35 +45,34 @@ Interval profile_interval(const std::function<double(double)>& profile, const Pr
     return interval;
 }
 
-MarginalSample::MarginalSample(std::vector<std::pair<double, double>> values) : sorted_(std::move(values)) {
-    std::sort(sorted_.begin(), sorted_.end());
-}
-
-double MarginalSample::quantile(double probability) const {
-    double before = 0.0;
-    for (std::size_t i = 0; i < sorted_.size(); ++i) {
-        const double here = (i > 0 ? before + 0.5 * sorted_[i - 1].second : 0.0) + 0.5 * sorted_[i].second;
-        if (here >= probability) {
-            if (i == 0) return sorted_[0].first;
-            const double share = (probability - before) / (here - before);
-            return sorted_[i - 1].first + share * (sorted_[i].first - sorted_[i - 1].first);
-        }
-        before = here;
+Interval interval_of(const std::vector<LogNormalPart>& parts, double deviation) {
+    double mean = 0.0;
+    double square = 0.0;  // of the distance from the median of the first part, which loses no digits
+    const double origin = std::exp(parts.front().log_median);
+    double least = parts.front().log_median;
+    double greatest = least;
+    const double variance = deviation * deviation;
+    for (const auto& [log_median, share] : parts) {
+        const double here = std::exp(log_median + 0.5 * variance);
+        mean += share * (here - origin);
+        square += share * (here * here * std::expm1(variance) + (here - origin) * (here - origin));
+        least = std::min(least, log_median);
+        greatest = std::max(greatest, log_median);
     }
-    return sorted_.back().first;
-}
-
-double MarginalSample::mean() const {
-    double sum = 0.0;
-    for (const auto& [x, share] : sorted_) sum += share * x;
-    return sum;
-}
-
-double MarginalSample::standard_deviation() const {
-    const double middle = mean();
-    double sum = 0.0;
-    for (const auto& [x, share] : sorted_) sum += share * (x - middle) * (x - middle);
-    return std::sqrt(sum);
+    const auto quantile = [&](double probability) {
+        const auto excess = [&](double x) {
+            double sum = 0.0;
+            for (const auto& [log_median, share] : parts)
+                sum += share * gsl::normal_probability((x - log_median) / deviation);
+            return sum - probability;
+        };
+        constexpr double reach = 8.0;
+        return std::exp(gsl::brent(excess, least - reach * deviation, greatest + reach * deviation,
+                                   {.relative = 0.0, .absolute = 1e-12})
+                            .root);
+    };
+    const double tail = 0.5 * (1.0 - confidence);
+    return {origin + mean, std::sqrt(square - mean * mean), quantile(tail), quantile(1.0 - tail)};
 }
 
 }  // namespace ashimpact

@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "solver/numeric/gsl/statistics.hpp"
@@ -43,18 +42,13 @@ struct ProfileSearch {
 [[nodiscard]] Interval profile_interval(const std::function<double(double)>& profile,
                                         const ProfileSearch& search);
 
-/// Weighted values of one parameter, in ascending order.
-class MarginalSample {
-  public:
-    /// @param values pairs of value and weight; the weights add up to 1
-    explicit MarginalSample(std::vector<std::pair<double, double>> values);
-    /// Interpolated, half of a value's weight lying below it, so that rounding moves no result.
-    [[nodiscard]] double quantile(double probability) const;
-    [[nodiscard]] double mean() const;
-    [[nodiscard]] double standard_deviation() const;
-
-  private:
-    std::vector<std::pair<double, double>> sorted_;
+/// A log-normal distribution that is part of another one.
+struct LogNormalPart {
+    double log_median;
+    double share;  ///< of the whole [1]
 };
+/// Mean, standard deviation and 95 % interval of log-normal distributions together.
+/// @param parts whose shares add up to 1 @param deviation > 0 of the logarithm, of each part
+[[nodiscard]] Interval interval_of(const std::vector<LogNormalPart>& parts, double deviation);
 
 }  // namespace ashimpact

@@ -78,25 +78,19 @@ Density density_of(const std::function<double(double)>& function, const std::pai
     return density;
 }
 
-/// Adds the v_c of a density, with a common error of scale: each at the middles of equal parts of its
-/// distribution. @param uncertainty of that scale [1] @param share of all weight
-void add_velocities(std::vector<std::pair<double, double>>& values, const Density& density,
-                    double uncertainty, double share) {
-    constexpr int parts = 15;
-    const std::size_t first = values.size();
+/// Adds the v_c of a density. @param share of all weight
+void add_velocities(std::vector<LogNormalPart>& velocities, const Density& density, double share) {
+    const std::size_t first = velocities.size();
     const double greatest = density.greatest();
     double total = 0.0;
     for (std::size_t i = 0; i + 1 < density.logarithm.size(); ++i)
         for (std::size_t k = 0; k < places::between; ++k) {
             const double t = (static_cast<double>(k) + 0.5) / places::between;
             const double weight = std::exp(density.between(i, t) - greatest);
-            for (int part = 0; part < parts; ++part)
-                values.emplace_back(std::exp(density.at(static_cast<double>(i) + t) +
-                                             uncertainty * gsl::normal_quantile((part + 0.5) / parts)),
-                                    weight / parts);
+            velocities.push_back({density.at(static_cast<double>(i) + t), weight});
             total += weight;
         }
-    for (std::size_t i = first; i < values.size(); ++i) values[i].second *= share / total;
+    for (std::size_t i = first; i < velocities.size(); ++i) velocities[i].share *= share / total;
 }
 
 /// The least damping that captures; none is needed up to the undamped v_c of the law [kg/s].
@@ -319,14 +313,11 @@ OnsetEstimate estimated_velocity(const MeasurementSet& set, const EstimateOption
         density_of([&](double x) { return posterior.at(x).log_density - far_below(x); }, range);
     const Density outcomes =
         density_of([&](double x) { return posterior.log_outcomes(x) - far_below(x); }, range);
-    std::vector<std::pair<double, double>> velocities;
-    const double common = std::hypot(options.scale_uncertainty, form_error_of_velocity);
-    add_velocities(velocities, density, common, 1.0 - outcomes_share);
-    add_velocities(velocities, outcomes, common, outcomes_share);
-    const MarginalSample velocity(std::move(velocities));
-    const double tail = 0.5 * (1.0 - confidence);
-    const Interval found{velocity.mean(), velocity.standard_deviation(), velocity.quantile(tail),
-                         velocity.quantile(1.0 - tail)};
+    std::vector<LogNormalPart> velocities;
+    add_velocities(velocities, density, 1.0 - outcomes_share);
+    add_velocities(velocities, outcomes, outcomes_share);
+    const Interval found =
+        interval_of(velocities, std::hypot(options.scale_uncertainty, form_error_of_velocity));
     const LikeliestCurve likeliest = posterior.at(std::log(found.value));
     return {std::move(impacts), is_grouped, neighbours, slow_noise, found, likeliest};
 }

@@ -240,15 +240,23 @@ TEST_CASE("bins found in lanes are those of single values") {
 
 using namespace ashimpact::test;
 
-TEST_CASE("quantiles of weighted values lie on lines between the middles of their weights") {
-    const MarginalSample sample({{3.0, 0.25}, {0.0, 0.25}, {1.0, 0.5}});
-    // Middles of the weights: 0.125, 0.5 and 0.875.
-    CHECK(sample.quantile(0.01) == 0.0);
-    CHECK(sample.quantile(0.125) == 0.0);
-    CHECK(sample.quantile(0.3125) == doctest::Approx(0.5).epsilon(1e-15));
-    CHECK(sample.quantile(0.5) == doctest::Approx(1.0).epsilon(1e-15));
-    CHECK(sample.quantile(0.6875) == doctest::Approx(2.0).epsilon(1e-15));
-    CHECK(sample.quantile(0.99) == 3.0);
-    CHECK(sample.mean() == doctest::Approx(1.25).epsilon(1e-15));
-    CHECK(sample.standard_deviation() == doctest::Approx(std::sqrt(1.1875)).epsilon(1e-15));
+TEST_CASE("log-normal distributions together: one, its halves, and two far apart") {
+    const double u = 0.1;
+    const double quantile = confidence_quantile();
+    const auto near = [](double value, double expected) {
+        return relative_difference(value, expected) < 1e-10;
+    };
+    for (const auto& parts : {std::vector<LogNormalPart>{{std::log(2.0), 1.0}},
+                              std::vector<LogNormalPart>{{std::log(2.0), 0.5}, {std::log(2.0), 0.5}}}) {
+        const Interval one = interval_of(parts, u);
+        CHECK(near(one.value, 2.0 * std::exp(0.5 * u * u)));
+        CHECK(near(one.standard_uncertainty, one.value * std::sqrt(std::expm1(u * u))));
+        CHECK(near(*one.lower, 2.0 * std::exp(-quantile * u)));
+        CHECK(near(*one.upper, 2.0 * std::exp(quantile * u)));
+    }
+    // Each end is that of 5 % of one part.
+    const Interval two = interval_of({{0.0, 0.5}, {5.0, 0.5}}, u);
+    CHECK(near(*two.lower, std::exp(-u * gsl::normal_quantile(0.95))));
+    CHECK(near(*two.upper, std::exp(5.0 + u * gsl::normal_quantile(0.95))));
+    CHECK(near(two.value, 0.5 * (1.0 + std::exp(5.0)) * std::exp(0.5 * u * u)));
 }
