@@ -99,7 +99,7 @@ class Rereading {
         const ChebyshevAxis axis{lower, greatest_, 3 * (order_ + 1)};
         Eigen::MatrixXd powers(axis.degree + 1, order_ + 1);
         for (int i = 0; i <= axis.degree; ++i) {
-            restitutions_.push_back(axis.node(i));
+            sections_.emplace_back(model.shared_map(), axis.node(i));
             powers.row(i) = DampingPolynomial::powers(axis.node(i), order_).transpose();
         }
         to_coefficients_ = powers.completeOrthogonalDecomposition().pseudoInverse();
@@ -112,14 +112,14 @@ class Rereading {
         const double at_capture = damping(0.0);
         if (!(at_capture > 0.0) || !model_.velocity(0.0, at_capture)) return {};
         std::vector<double> result;
-        for (std::size_t i = 0; i < restitutions_.size(); ++i) {
-            const double eta = damping(restitutions_[i]);
+        for (std::size_t i = 0; i < sections_.size(); ++i) {
+            const double eta = damping(sections_[i].restitution());
             if (!(eta > 0.0)) return {};
             std::optional<double> guess;  // from the fitted curve, moved as the places before
             const auto moved = [&](std::size_t place) { return result[place] / fitted_[place]; };
             if (!fitted_.empty())
                 guess = fitted_[i] * (i == 0 ? 1.0 : i == 1 ? moved(0) : 2.0 * moved(i - 1) - moved(i - 2));
-            const auto velocity = model_.velocity(restitutions_[i], eta, guess);
+            const auto velocity = model_.velocity(sections_[i], eta, guess);
             if (!velocity) return {};
             result.push_back(velocity->value);
         }
@@ -130,8 +130,7 @@ class Rereading {
                                           const std::vector<double>& velocities) const {
         Eigen::VectorXd damping(static_cast<Eigen::Index>(velocities.size()));
         for (std::size_t i = 0; i < velocities.size(); ++i)
-            damping[static_cast<Eigen::Index>(i)] =
-                other.damping_coefficient(velocities[i], restitutions_[i]);
+            damping[static_cast<Eigen::Index>(i)] = other.damping_coefficient(velocities[i], sections_[i]);
         return to_coefficients_.row(0).dot(damping);
     }
 
@@ -139,8 +138,8 @@ class Rereading {
     ContactModel model_;
     int order_;
     double greatest_;
-    std::vector<double> restitutions_;
-    std::vector<double> fitted_{};  ///< velocities on the fitted curve
+    std::vector<RestitutionSection> sections_;  ///< of the restitutions of the places
+    std::vector<double> fitted_{};              ///< velocities on the fitted curve
     Eigen::MatrixXd to_coefficients_;
 };
 

@@ -382,8 +382,26 @@ double ContactModel::damping_coefficient(double velocity, double restitution) co
     return damping_unit_ * std::pow(velocity, 0.2) * map_->number(restitution, x_of(velocity));
 }
 
+double ContactModel::damping_coefficient(double velocity, const RestitutionSection& section) const {
+    return damping_unit_ * std::pow(velocity, 0.2) * section.number(x_of(velocity));
+}
+
 std::optional<VelocityAt> ContactModel::velocity(double restitution, double damping,
                                                  std::optional<double> guess) const {
+    return found_velocity(restitution, damping, guess,
+                          [&](double x) { return map_->number_along_x(restitution, x); });
+}
+
+std::optional<VelocityAt> ContactModel::velocity(const RestitutionSection& section, double damping,
+                                                 std::optional<double> guess) const {
+    return found_velocity(section.restitution(), damping, guess,
+                          [&](double x) { return section.number_along_x(x); });
+}
+
+template <class NumberAt>
+std::optional<VelocityAt> ContactModel::found_velocity(double restitution, double damping,
+                                                       std::optional<double> guess,
+                                                       const NumberAt& number_at) const {
     // ln eta(v, e) rises with ln v: Newton's method, kept within a bracket that only shrinks.
     double lower = map_->range().lower;
     double upper = map_->range().upper;
@@ -395,7 +413,7 @@ std::optional<VelocityAt> ContactModel::velocity(double restitution, double damp
     double x = std::isfinite(lower) ? 0.5 * (lower + upper) : 0.0;
     if (guess) x = std::clamp(x_of(*guess), lower, upper);
     for (int i = 0; i < most_iterations; ++i) {
-        const NumberAlongX number = map_->number_along_x(restitution, x);
+        const NumberAlongX number = number_at(x);
         const bool positive = number.value > 0.0;
         const double miss = positive ? 0.2 * x + std::log(number.value) - wanted : -1.0;
         const double slope = 0.2 + number.by_x / number.value;

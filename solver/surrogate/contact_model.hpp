@@ -8,6 +8,7 @@
 #include "solver/contact/law.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/surrogate/restitution_map.hpp"
+#include "solver/surrogate/restitution_section.hpp"
 
 namespace ashimpact {
 
@@ -44,11 +45,16 @@ class ContactModel {
     [[nodiscard]] DampingAt damping(double velocity, double restitution) const;
     /// damping().value alone, in less than half the time [kg/s].
     [[nodiscard]] double damping_coefficient(double velocity, double restitution) const;
+    /// The same, from a section of this map.
+    [[nodiscard]] double damping_coefficient(double velocity, const RestitutionSection& section) const;
     /// Restitution without damping, the greatest that can be reached [1].
     [[nodiscard]] double greatest_restitution(double velocity) const;
     /// The velocity at which an impact with this damping has this restitution; none if outside range().
     /// @param damping > 0 [kg/s] @param guess start of the search, if one is known [m/s]
     [[nodiscard]] std::optional<VelocityAt> velocity(double restitution, double damping,
+                                                     std::optional<double> guess = std::nullopt) const;
+    /// The same, from a section of this map.
+    [[nodiscard]] std::optional<VelocityAt> velocity(const RestitutionSection& section, double damping,
                                                      std::optional<double> guess = std::nullopt) const;
     /// The velocity up to which impacts are captured, solved by integration if it lies outside range(); none
     /// if there is no finite critical velocity, or the damping is not positive [m/s].
@@ -67,6 +73,11 @@ class ContactModel {
 
   private:
     [[nodiscard]] double x_of(double velocity) const { return std::log(velocity / velocity_unit_); }
+    /// @param number_at damping number of the restitution at x, a NumberAlongX
+    template <class NumberAt>
+    [[nodiscard]] std::optional<VelocityAt> found_velocity(double restitution, double damping,
+                                                           std::optional<double> guess,
+                                                           const NumberAt& number_at) const;
 
     std::shared_ptr<const RestitutionMap> map_;
     ContactPair contact_;
