@@ -35,6 +35,11 @@ constexpr Reach first_reach{0.3, 6};
 constexpr Reach middle_reach{0.1, 3};
 constexpr Reach other_law_reach{0.15, 1, true};  ///< from the constants of a similar law
 constexpr Reach last_reach{0.02, 6, true};       ///< the error, of third order, is below 1e-6 of a change
+/// For two constants, whose impacts are solved one by one: slopes are computed once, then learned.
+constexpr Reach learning_reach{0.05, 20, true};
+constexpr double converged_shift = 0.01;      ///< of a learning reach; the next one would be below 1e-3 of it
+constexpr double greatest_shift = 4;          ///< in learning reaches
+constexpr double least_shift = 1e-3;          ///< likewise: below it squares fall by less than rounding
 constexpr double strength_of_repulsion = 30;  ///< beside attraction, for the reach of a first constant near 0
 constexpr int grid_of_one = 60;               ///< steps from end to end of the reach
 constexpr int grid_of_two = 12;               ///< likewise, for each of two constants
@@ -124,6 +129,18 @@ struct NearbyRatios {
     [[nodiscard]] Eigen::ArrayXd slope_at(const Eigen::VectorXd& shift, std::size_t k) const {
         return slope[k] + 2 * shift[static_cast<Eigen::Index>(k)] * curvature[k];
     }
+    /// The same parabolas about a shifted place, at which the ratios are @p ratio.
+    [[nodiscard]] NearbyRatios about(const Eigen::VectorXd& shift, const Eigen::ArrayXd& ratio) const {
+        NearbyRatios other{.centre = ratio, .curvature = curvature};
+        for (std::size_t k = 0; k < slope.size(); ++k) other.slope.push_back(slope_at(shift, k));
+        return other;
+    }
+    /// Changes the slopes so that the parabolas pass through @p ratio at a shift (Broyden's update).
+    void learn(const Eigen::VectorXd& shift, const Eigen::ArrayXd& ratio) {
+        const Eigen::ArrayXd missed = (ratio - at(shift)) / shift.squaredNorm();
+        for (std::size_t k = 0; k < slope.size(); ++k)
+            slope[k] += shift[static_cast<Eigen::Index>(k)] * missed;
+    }
 };
 
 /// The impacts of all samples beside one damping law.
@@ -153,23 +170,71 @@ class DampingLawFit {
         Constants constants = best_of_scan(start_law, count);
         constants = corrected(start_law, constants, count, first_reach);
         constants = corrected(start_law, constants, count, middle_reach);
+        if (count == 2) return fitted_by_learning(start_law, constants);
         if (start_law != law_) constants = corrected(start_law, constants, count, other_law_reach);
         constants = corrected(start_law, constants, count, last_reach);
         const NearbyRatios nearby = ratios_near(start_law, constants, count, last_reach);
-        const Eigen::VectorXd shift = best_shift(nearby, constants, last_reach);
         const Eigen::VectorXd reach = reaches(constants, count, last_reach);
-        constants = moved(constants, shift, reach);
+        const Eigen::VectorXd shift = best_shift(nearby, constants, reach);
+        return result_at(moved(constants, shift, reach), nearby, shift, reach);
+    }
+
+  private:
+    /// @param nearby with their minimum at a shift, where the constants are
+    [[nodiscard]] FittedDamping result_at(const Constants& constants, const NearbyRatios& nearby,
+                                          const Eigen::VectorXd& shift, const Eigen::VectorXd& reach) const {
         FittedDamping result{.law = damping_law_};
         const Eigen::ArrayXd differences = differences_of(nearby.at(shift));
         result.misfit = std::sqrt((weights_ * differences.square()).sum() / weights_.sum());
         set_constants(nearby, shift, reach, constants, result);
         if (!result.constants.empty())
-            result.evidence =
-                is_scatter(differences, count) ? DampingEvidence::explains : DampingEvidence::rejected;
+            result.evidence = is_scatter(differences, nearby.slope.size()) ? DampingEvidence::explains
+                                                                           : DampingEvidence::rejected;
         return result;
     }
 
-  private:
+    /// Minimum for two constants, from slopes of @p law that learn from the impacts of the law itself at each
+    /// new place. Steps that do not descend are taken back and shortened.
+    [[nodiscard]] FittedDamping fitted_by_learning(Law law, Constants constants) const {
+        NearbyRatios nearby = parabolas_near(law, constants, 2, learning_reach);
+        if (law != law_) nearby.centre = ratios(law_, constants, fine);
+        const Eigen::VectorXd reach = reaches(constants, 2, learning_reach);
+        Eigen::VectorXd shift;
+        double limit = 1;
+        double here = squares(nearby.centre);
+        for (int i = 0;; ++i) {
+            shift = best_shift(nearby, constants, reach, limit);
+            const double length = shift.cwiseAbs().maxCoeff();
+            if (length <= converged_shift) break;
+            if (i == learning_reach.moves)
+                throw ConvergenceError("damping law: the least misfit is not found");
+            const Constants next = moved(constants, shift, reach);
+            const Eigen::ArrayXd ratio = ratios(law_, next, fine);
+            const double there = squares(ratio);
+            nearby.learn(shift, ratio);
+            if (there < here) {
+                nearby = nearby.about(shift, ratio);
+                constants = next;
+                here = there;
+                limit = std::min(2 * limit, greatest_shift);
+            } else {
+                limit = 0.25 * length;
+                if (limit < least_shift) break;
+            }
+        }
+        const Eigen::ArrayXd ratio = nearby.at(shift);
+        constants = moved(constants, shift, reach);
+        Constants centre = constants;
+        const NearbyRatios last = parabolas_near(law, centre, 2, last_reach);
+        const Eigen::VectorXd last_reaches = reaches(centre, 2, last_reach);
+        Eigen::VectorXd back(2);
+        for (Eigen::Index k = 0; k < 2; ++k) {
+            const auto at = static_cast<std::size_t>(k);
+            back[k] = (constants[at] - centre[at]) / last_reaches[k];
+        }
+        return result_at(constants, last.about(back, ratio), Eigen::VectorXd::Zero(2), last_reaches);
+    }
+
     [[nodiscard]] bool admits(Law law) const {
         return std::ranges::all_of(samples_, [&](const ImpactsOfSample& sample) {
             return !refusal(law, sample.contact, detachment_);
@@ -265,12 +330,19 @@ class DampingLawFit {
     /// none may be negative
     [[nodiscard]] NearbyRatios ratios_near(Law law, Constants& constants, std::size_t count,
                                            const Reach& reach) const {
+        NearbyRatios nearby = parabolas_near(law, constants, count, reach);
+        if (reach.last && law != law_) nearby.centre = ratios(law_, constants, fine);
+        return nearby;
+    }
+
+    /// Of @p law alone.
+    [[nodiscard]] NearbyRatios parabolas_near(Law law, Constants& constants, std::size_t count,
+                                              const Reach& reach) const {
         const Eigen::VectorXd reaches = DampingLawFit::reaches(constants, count, reach);
         for (std::size_t k = 0; k < count; ++k)
             constants[k] = std::max(constants[k], reaches[static_cast<Eigen::Index>(k)]);
         const ReboundTableOptions& options = reach.last ? fine : coarse;
-        const Eigen::ArrayXd centre = ratios(law, constants, options);
-        NearbyRatios nearby{.centre = reach.last && law != law_ ? ratios(law_, constants, options) : centre};
+        NearbyRatios nearby{.centre = ratios(law, constants, options)};
         for (std::size_t k = 0; k < count; ++k) {
             Constants lower = constants;
             Constants upper = constants;
@@ -279,7 +351,7 @@ class DampingLawFit {
             const Eigen::ArrayXd below = ratios(law, lower, options);
             const Eigen::ArrayXd above = ratios(law, upper, options);
             nearby.slope.emplace_back(0.5 * (above - below));
-            nearby.curvature.emplace_back(0.5 * (above + below) - centre);
+            nearby.curvature.emplace_back(0.5 * (above + below) - nearby.centre);
         }
         return nearby;
     }
@@ -299,16 +371,16 @@ class DampingLawFit {
 
     /// The best of a grid within the reach: where an impact passes into capture the squares have a local
     /// minimum.
-    [[nodiscard]] Eigen::VectorXd best_of_grid(const NearbyRatios& nearby,
-                                               const Eigen::VectorXd& least) const {
+    [[nodiscard]] Eigen::VectorXd best_of_grid(const NearbyRatios& nearby, const Eigen::VectorXd& least,
+                                               double greatest) const {
         const int last = least.size() == 1 ? grid_of_one : grid_of_two;
         Eigen::VectorXd best = Eigen::VectorXd::Zero(least.size());
         double least_squares = squares(nearby.at(best));
         Eigen::VectorXd shift = best;
         for (int i = 0; i <= last; ++i)
             for (int j = 0; j <= (least.size() == 1 ? 0 : last); ++j) {
-                shift[0] = least[0] + (1 - least[0]) * i / last;
-                if (least.size() == 2) shift[1] = least[1] + (1 - least[1]) * j / last;
+                shift[0] = least[0] + (greatest - least[0]) * i / last;
+                if (least.size() == 2) shift[1] = least[1] + (greatest - least[1]) * j / last;
                 const double here = squares(nearby.at(shift));
                 if (here >= least_squares) continue;
                 least_squares = here;
@@ -319,14 +391,14 @@ class DampingLawFit {
 
     /// The minimum of the squares within the reach of the parabolas, in units of the reach: Gauss-Newton
     /// steps, damped where they do not descend.
+    /// @param limit of the shifts, in units of the reach
     [[nodiscard]] Eigen::VectorXd best_shift(const NearbyRatios& nearby, const Constants& constants,
-                                             const Reach& reach) const {
+                                             const Eigen::VectorXd& reach, double limit = 1) const {
         const auto count = static_cast<Eigen::Index>(nearby.slope.size());
-        const Eigen::VectorXd reaches = DampingLawFit::reaches(constants, nearby.slope.size(), reach);
         Eigen::VectorXd least(count);
         for (Eigen::Index k = 0; k < count; ++k)
-            least[k] = std::max(-1.0, -constants[static_cast<std::size_t>(k)] / reaches[k]);
-        Eigen::VectorXd shift = best_of_grid(nearby, least);
+            least[k] = std::max(-limit, -constants[static_cast<std::size_t>(k)] / reach[k]);
+        Eigen::VectorXd shift = best_of_grid(nearby, least, limit);
         double here = squares(nearby.at(shift));
         double damping = 0;
         for (int i = 0; i < 200; ++i) {
@@ -337,7 +409,7 @@ class DampingLawFit {
             normal.diagonal() *= 1 + damping;
             for (Eigen::Index k = 0; k < count; ++k) {
                 const bool held =
-                    (shift[k] <= least[k] && downhill[k] < 0) || (shift[k] >= 1 && downhill[k] > 0);
+                    (shift[k] <= least[k] && downhill[k] < 0) || (shift[k] >= limit && downhill[k] > 0);
                 if (!held && normal(k, k) > 0) continue;
                 normal.row(k).setZero();
                 normal.col(k).setZero();
@@ -345,7 +417,7 @@ class DampingLawFit {
                 downhill[k] = 0;
             }
             const Eigen::VectorXd next =
-                (shift + normal.ldlt().solve(downhill)).cwiseMax(least).cwiseMin(1.0);
+                (shift + normal.ldlt().solve(downhill)).cwiseMax(least).cwiseMin(limit);
             const double there = squares(nearby.at(next));
             // Near the minimum squares change by rounding alone; steps go on, so that it is found to
             // rounding.
@@ -377,8 +449,9 @@ class DampingLawFit {
                                       const Reach& reach) const {
         for (int i = 0; i < reach.moves; ++i) {
             const NearbyRatios nearby = ratios_near(law, constants, count, reach);
-            const Eigen::VectorXd shift = best_shift(nearby, constants, reach);
-            constants = moved(constants, shift, reaches(constants, count, reach));
+            const Eigen::VectorXd extent = reaches(constants, count, reach);
+            const Eigen::VectorXd shift = best_shift(nearby, constants, extent);
+            constants = moved(constants, shift, extent);
             bool within = true;
             for (Eigen::Index k = 0; k < shift.size(); ++k)
                 within =
