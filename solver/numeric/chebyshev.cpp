@@ -80,12 +80,17 @@ ChebyshevBasis::Vector values_of_basis(const ChebyshevAxis& axis, double positio
 }  // namespace
 
 double ChebyshevSurface::value(double x, double y) const {
+    if (x_.degree == 0) return coefficients_.row(0).dot(values_of_basis(y_, y));
     ChebyshevBasis::Vector along(x_.degree + 1);
     along.noalias() = coefficients_ * values_of_basis(y_, y);
     return along.dot(values_of_basis(x_, x));
 }
 
 SurfacePoint ChebyshevSurface::operator()(double x, double y) const {
+    if (x_.degree == 0) {
+        const ChebyshevBasis along(y_, y);
+        return {coefficients_.row(0).dot(along.value), 0.0, coefficients_.row(0).dot(along.slope)};
+    }
     const ChebyshevBasis along_x(x_, x);
     const ChebyshevBasis along_y(y_, y);
     ChebyshevBasis::Vector value(x_.degree + 1);

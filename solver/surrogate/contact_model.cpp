@@ -55,28 +55,35 @@ struct SearchStart {
     double slope;       ///< of the function at the centre, roughly; 0 where it is not known
 };
 
+/// A damping number that a search found.
+struct FoundNumber {
+    double value;
+    double slope;  ///< of the function, by the last secant; that of the start where there was none
+};
+
 /// Zero of a decreasing function of the damping number, by secants, which take two or three values where the
 /// function is smooth, else by Brent's method in a bracket that is widened until the sign changes.
-double zero_of_decreasing(const std::function<double(double)>& function, const SearchStart& first) {
+FoundNumber zero_of_decreasing(const std::function<double(double)>& function, const SearchStart& first) {
     constexpr double tolerance = 1e-10;
     double before = first.centre;
     double miss_before = function(before);
     double move = (first.centre > first.half_width ? -0.1 : 0.1) * first.half_width;
     const double newton = -miss_before / first.slope;
     if (std::abs(newton) <= first.half_width && before + newton >= 0.0) move = newton;
-    if (std::abs(move) <= tolerance) return before + move;
+    if (std::abs(move) <= tolerance) return {before + move, first.slope};
     double at = before + move;
     double farther = before - move;  // the place before the last two
     for (int i = 0; i < 8; ++i) {
         const double miss = function(at);
-        const double step = -miss * (at - before) / (miss - miss_before);
+        const double slope = (miss - miss_before) / (at - before);
+        const double step = -miss / slope;
         if (!(std::abs(step) <= 4.0 * first.half_width && at + step >= 0.0)) break;
         // Each error of secants is about the last two times a constant.
         const double next_step = step * step / (at + step - farther);
         farther = before;
         before = std::exchange(at, at + step);
         miss_before = miss;
-        if (std::abs(step) <= tolerance || std::abs(next_step) <= 0.1 * tolerance) return at;
+        if (std::abs(step) <= tolerance || std::abs(next_step) <= 0.1 * tolerance) return {at, slope};
     }
     double lower = std::max(0.0, first.centre - first.half_width);
     double upper = first.centre + first.half_width;
@@ -89,7 +96,7 @@ double zero_of_decreasing(const std::function<double(double)>& function, const S
         lower = upper;
         upper += 4.0 * width;
     }
-    return gsl::brent(function, lower, upper, {.relative = 0.0, .absolute = tolerance}).root;
+    return {gsl::brent(function, lower, upper, {.relative = 0.0, .absolute = tolerance}).root, first.slope};
 }
 
 double solved_restitution(const RestitutionMap& map, double damping_number, double x) {
@@ -98,8 +105,8 @@ double solved_restitution(const RestitutionMap& map, double damping_number, doub
 
 /// Damping number that gives a restitution above 0 [1].
 /// @param power of the restitution in which the damping number is about linear from capture to there
-double solved_damping_number(const RestitutionMap& map, double restitution, double x, double power,
-                             const SearchStart& first) {
+FoundNumber solved_damping_number(const RestitutionMap& map, double restitution, double x, double power,
+                                  const SearchStart& first) {
     return zero_of_decreasing(
         [&](double number) {
             return std::pow(solved_restitution(map, number, x) / restitution, power) - 1.0;
@@ -108,7 +115,7 @@ double solved_damping_number(const RestitutionMap& map, double restitution, doub
 }
 
 /// The smallest damping number that captures [1].
-double solved_capturing_number(const RestitutionMap& map, double x, const SearchStart& first) {
+FoundNumber solved_capturing_number(const RestitutionMap& map, double x, const SearchStart& first) {
     const double velocity = map.unit_velocity(x);
     return zero_of_decreasing(
         [&](double number) {
@@ -180,6 +187,27 @@ struct NodePlaces {
             }
         }
     }
+};
+
+/// What a row of a table missed at the last two places, for a guess at the next one.
+class RowMisses {
+  public:
+    /// Linear through both.
+    [[nodiscard]] double at(double x) const { return last_ + slope_ * (x - place_); }
+    void add(double x, double miss) {
+        slope_ = count_++ > 0 ? (miss - last_) / (x - place_) : 0.0;
+        place_ = x;
+        last_ = miss;
+    }
+
+    /// Slope of the search over the reciprocal of its distance from capture.
+    double steepness = -1.0;
+
+  private:
+    int count_ = 0;
+    double place_ = 0.0;
+    double last_ = 0.0;
+    double slope_ = 0.0;
 };
 
 /// The value at @p x of the parabola through three points.
@@ -261,17 +289,22 @@ void RestitutionMap::tabulate_damping() {
                                                        .reshaped(root.degree - weak, along.degree + 1)
                                                        .matrix();
     // From fast to slow impacts. Towards e = 0 the numbers rise to that of capture, about with a power of the
-    // root that varies slowly: the power of the next roots continues, and what that misses is about what it
-    // missed at the faster impact.
-    std::vector<double> misses(static_cast<std::size_t>(weak), 0.0);
+    // root that varies slowly: the power of the next roots continues, and what that misses continues what it
+    // missed at the faster impacts.
+    std::vector<RowMisses> rows(static_cast<std::size_t>(weak));
+    double slope_at_capture = 0.0;
     for (int j = along.degree; j >= 0; --j) {
         const double x = along.node(j);
         const double rise = j == along.degree ? 0.0 : numbers(0, j + 1) - numbers(weak, j + 1);
-        numbers(0, j) = solved_capturing_number(*this, x, {numbers(weak, j) + rise, 0.1, 0.0});
+        const FoundNumber capturing =
+            solved_capturing_number(*this, x, {numbers(weak, j) + rise, 0.1, slope_at_capture});
+        numbers(0, j) = capturing.value;
+        slope_at_capture = capturing.slope;
         const auto log_root = [&](int row) { return std::log(root.node(row)); };
         const auto log_fall = [&](int row) { return std::log(numbers(0, j) - numbers(row, j)); };
         for (int i = weak - 1; i > 0; --i) {
-            double& miss = misses[static_cast<std::size_t>(i)];
+            RowMisses& row = rows[static_cast<std::size_t>(i)];
+            const double miss = row.at(x);
             const double continued =
                 parabola(log_root(i), {log_root(i + 1), log_root(i + 2), log_root(i + 3)},
                          {log_fall(i + 1), log_fall(i + 2), log_fall(i + 3)});
@@ -281,9 +314,11 @@ void RestitutionMap::tabulate_damping() {
             const double e = cube(root.node(i)) * greatest_restitution(x);
             if (e < least_solved) continue;
             const double power = (continued + miss - log_fall(i + 1)) / (log_root(i) - log_root(i + 1)) / 3.0;
-            numbers(i, j) =
-                solved_damping_number(*this, e, x, power, {numbers(i, j), 0.3 * guess, -1.0 / guess});
-            miss = log_fall(i) - continued;
+            const FoundNumber found = solved_damping_number(
+                *this, e, x, power, {numbers(i, j), 0.3 * guess, row.steepness / guess});
+            numbers(i, j) = found.value;
+            row.steepness = found.slope * guess;
+            row.add(x, log_fall(i) - continued);
         }
     }
     damping_ = ChebyshevSurface(root, along, numbers);

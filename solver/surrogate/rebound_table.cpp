@@ -84,7 +84,7 @@ ReboundTable::ReboundTable(Impact impact, const VelocityRange& velocities, const
     const bool elastic = !can_yield(impact.law, impact.contact);
     // A search for v_c takes long where there is none; all these impacts are captured if the fastest one is.
     std::optional<double> fastest;
-    if (elastic) fastest = restitution_of(impact);
+    if (elastic) fastest = restitutions_at(impact, {impact.velocity})[0];
     log_critical_ = fastest == 0.0 ? std::numeric_limits<double>::infinity() : log_critical_velocity(impact);
     const double upper = std::log(velocities.upper);
     if (log_critical_ >= upper) return;
