@@ -34,12 +34,33 @@ double stable_poisson_ratio(double value) {
     return std::clamp(value, -0.99, 0.5);
 }
 
-/// The properties of a particle at the next values.
-ParticleProperties properties_at(const ParticleInputs& inputs, std::span<const double>& values) {
-    const std::span<const double> own = values.first(inputs.list().size());
-    values = values.subspan(own.size());
-    return inputs.drawn(own);
-}
+/// Properties of a particle at the inputs that were drawn last. Each row of a propagation takes those of its
+/// first points many times. Not thread-safe: each propagation has its own.
+class DrawnParticles {
+  public:
+    /// The properties at the next values.
+    [[nodiscard]] const ParticleProperties& at(const ParticleInputs& inputs,
+                                               std::span<const double>& values) {
+        const std::span<const double> own = values.first(inputs.list().size());
+        values = values.subspan(own.size());
+        auto entry = std::ranges::find_if(
+            last_, [&](const Entry& each) { return each.filled && std::ranges::equal(each.inputs, own); });
+        if (entry == last_.end()) {
+            entry = last_.end() - 1;
+            *entry = {{own.begin(), own.end()}, inputs.drawn(own), true};
+        }
+        std::rotate(last_.begin(), entry, entry + 1);  // the oldest one is the last
+        return last_.front().properties;
+    }
+
+  private:
+    struct Entry {
+        std::vector<double> inputs{};
+        ParticleProperties properties{};
+        bool filled = false;
+    };
+    std::array<Entry, 3> last_{};
+};
 
 /// The contact modulus of a particle whose Poisson ratio, unless mixed, and wall have the next values.
 double contact_modulus_at(const RandomParticle& particle, const PorousModuli& moduli,
@@ -89,6 +110,9 @@ class CurveSampler {
     double above_ = 0.0;
 };
 
+/// Distance in x = ln(v/V_a) from a place on the fitted curve within which most draws are.
+constexpr double usual_distance = 1.0;
+
 /// Inverts a measured curve v_r(v_in) again for another contact.
 class Rereading {
   public:
@@ -99,11 +123,16 @@ class Rereading {
         const ChebyshevAxis axis{lower, greatest_, 3 * (order_ + 1)};
         Eigen::MatrixXd powers(axis.degree + 1, order_ + 1);
         for (int i = 0; i <= axis.degree; ++i) {
-            sections_.emplace_back(model.shared_map(), axis.node(i));
+            sections_.emplace_back(model.shared_map(), axis.node(i), VelocityRange{0.0, 0.0});
             powers.row(i) = DampingPolynomial::powers(axis.node(i), order_).transpose();
         }
         to_coefficients_ = powers.completeOrthogonalDecomposition().pseudoInverse();
         fitted_ = velocities(fit.damping.coefficients);
+        for (std::size_t i = 0; i < fitted_.size(); ++i) {
+            const double x = model.x_of(fitted_[i]);
+            sections_[i] = RestitutionSection(model.shared_map(), sections_[i].restitution(),
+                                              {x - usual_distance, x + usual_distance});
+        }
     }
 
     /// Velocities of the places on the curve of some damping; empty where there is none.
@@ -127,7 +156,7 @@ class Rereading {
     }
     /// eta_c that another contact reads from these places.
     [[nodiscard]] double critical_damping(const ContactModel& other,
-                                          const std::vector<double>& velocities) const {
+                                          const std::vector<SharedVelocity>& velocities) const {
         Eigen::VectorXd damping(static_cast<Eigen::Index>(velocities.size()));
         for (std::size_t i = 0; i < velocities.size(); ++i)
             damping[static_cast<Eigen::Index>(i)] = other.damping_coefficient(velocities[i], sections_[i]);
@@ -172,7 +201,7 @@ class DampingSampler {
 struct DrawnCurve {
     std::vector<double> key;
     Eigen::VectorXd coefficients;
-    std::vector<double> velocities;
+    std::vector<SharedVelocity> velocities;
 };
 
 void require_same(const ContactPair& a, const ContactPair& b) {
@@ -222,7 +251,8 @@ RandomContact random_contact(const SphereInContact& sphere) {
         add(sphere.partner->mass);
     }
     for (const auto& [parameter, input] : sphere.parameters) add(input);
-    result.contact = [sphere = SphereInContact(sphere)](std::span<const double> values) {
+    result.contact = [sphere = SphereInContact(sphere),
+                      particles = DrawnParticles()](std::span<const double> values) mutable {
         const double radius = 0.5 * next(values);
         double density = sphere.density ? next(values) : 0.0;
         ContactPair pair{.mass = 0.0,
@@ -233,7 +263,7 @@ RandomContact random_contact(const SphereInContact& sphere) {
                          .parameters = sphere.other_parameters};
         const double roughness = sphere.roughness ? next(values) : 0.0;
         if (sphere.particle) {
-            const ParticleProperties properties = properties_at(sphere.particle->inputs, values);
+            const ParticleProperties properties = particles.at(sphere.particle->inputs, values);
             if (!sphere.density) density = properties.density;
             pair.contact_modulus = contact_modulus_at(*sphere.particle, properties.moduli, values);
         } else {
@@ -260,6 +290,7 @@ Propagation propagate_critical_velocity(const DampingCurveFit& fit, const Contac
                                         const RandomContact& contact, DampingUnderChange change,
                                         const PropagationOptions& options) {
     require_same(contact.nominal(), model.contact());
+    const auto contact_of = contact.contact;  // with draws of its own
     const CurveSampler sampler(fit);
     const Rereading rereading(fit, model);
     std::vector<RandomInput> inputs;
@@ -279,12 +310,15 @@ Propagation propagate_critical_velocity(const DampingCurveFit& fit, const Contac
         oldest = 1 - oldest;
         entry.key.assign(normal.begin(), normal.end());
         entry.coefficients = sampler.coefficients(normal);
-        if (change == DampingUnderChange::reread) entry.velocities = rereading.velocities(entry.coefficients);
+        entry.velocities.clear();
+        if (change == DampingUnderChange::reread)
+            for (const double velocity : rereading.velocities(entry.coefficients))
+                entry.velocities.push_back(SharedVelocity::of(velocity));
         return entry;
     };
     const auto critical = [&](std::span<const double> values) -> std::optional<double> {
         const DrawnCurve& entry = curve_of(values.first(count));
-        const ContactModel other(model.shared_map(), contact.contact(values.subspan(count)));
+        const ContactModel other(model.shared_map(), contact_of(values.subspan(count)));
         if (change == DampingUnderChange::held)
             return other.critical_velocity_anywhere(entry.coefficients[0]);
         if (entry.velocities.empty()) return std::nullopt;
@@ -300,6 +334,7 @@ Propagation propagate_critical_velocity(Law law, Detachment detachment, const In
     if (!nominal.value)
         throw InputError("there is no finite critical velocity at the values of the inputs: " +
                          std::string(name_of(nominal.verdict)));
+    const auto contact_of = contact.contact;  // with draws of its own
     const DampingSampler sampler(critical_damping);
     std::vector<RandomInput> inputs{sampler.input()};
     inputs.insert(inputs.end(), contact.inputs.begin(), contact.inputs.end());
@@ -307,7 +342,7 @@ Propagation propagate_critical_velocity(Law law, Detachment detachment, const In
         return {law,
                 detachment,
                 {DampingLaw::constant, sampler.damping(values[0])},
-                contact.contact(values.subspan(1))};
+                contact_of(values.subspan(1))};
     };
     const auto critical = [&](std::span<const double> values) {
         return critical_velocity_of_many(problem_at(values)).value;

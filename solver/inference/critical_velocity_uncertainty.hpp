@@ -25,7 +25,8 @@ namespace ashimpact {
 /// A contact whose properties follow from uncertain inputs.
 struct RandomContact {
     std::vector<RandomInput> inputs;
-    std::function<ContactPair(std::span<const double> values)> contact;  ///< for values of the inputs
+    std::function<ContactPair(std::span<const double> values)> contact;  ///< for values of the inputs. A copy
+                                                                         ///< for each thread
 
     /// The contact at the values of the inputs.
     [[nodiscard]] ContactPair nominal() const;

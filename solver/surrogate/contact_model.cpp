@@ -394,6 +394,7 @@ ContactModel::ContactModel(std::shared_ptr<const RestitutionMap> map, const Cont
     require_memoryless(map_->law(), contact);
     velocity_unit_ = map_->adhesive() ? velocity_of_adhesion(map_->law(), contact) : 1.0;
     if (!(velocity_unit_ > 0.0)) throw InputError("work_of_adhesion is 0 J/m2", "> 0 for an adhesive law");
+    log_velocity_unit_ = std::log(velocity_unit_);
     damping_unit_ = std::pow(contact.mass, 0.6) * std::pow(hertz_stiffness(contact), 0.4);
 }
 
@@ -415,10 +416,6 @@ DampingAt ContactModel::damping(double velocity, double restitution) const {
 
 double ContactModel::damping_coefficient(double velocity, double restitution) const {
     return damping_unit_ * std::pow(velocity, 0.2) * map_->number(restitution, x_of(velocity));
-}
-
-double ContactModel::damping_coefficient(double velocity, const RestitutionSection& section) const {
-    return damping_unit_ * std::pow(velocity, 0.2) * section.number(x_of(velocity));
 }
 
 std::optional<VelocityAt> ContactModel::velocity(double restitution, double damping,
@@ -444,7 +441,7 @@ std::optional<VelocityAt> ContactModel::found_velocity(double restitution, doubl
     if (restitution > 0.0 && restitution < 1.0)
         lower = std::max(lower, map_->lowest() - 0.5 * std::log1p(-restitution * restitution));
     if (lower > upper) return std::nullopt;  // std::clamp requires lower <= upper
-    const double wanted = std::log(damping / damping_unit_) - 0.2 * std::log(velocity_unit_);
+    const double wanted = std::log(damping / damping_unit_) - 0.2 * log_velocity_unit_;
     double x = std::isfinite(lower) ? 0.5 * (lower + upper) : 0.0;
     if (guess) x = std::clamp(x_of(*guess), lower, upper);
     for (int i = 0; i < most_iterations; ++i) {

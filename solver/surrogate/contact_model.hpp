@@ -25,6 +25,16 @@ struct VelocityAt {
     double by_damping;  ///< dv/d eta [m/kg], positive
 };
 
+/// A velocity with what look-ups of many contacts at it have in common.
+struct SharedVelocity {
+    double log;         ///< ln v [ln m/s]
+    double fifth_root;  ///< v^(1/5)
+
+    [[nodiscard]] static SharedVelocity of(double velocity) {
+        return {std::log(velocity), std::pow(velocity, 0.2)};
+    }
+};
+
 /// Velocity, restitution and damping of one contact under one law with constant damping: each as a function
 /// of the other two. A look-up in a map takes microseconds; map().accuracy() states its error. Meant for fits
 /// and Monte Carlo; results to be published come from solve_impact(), damping_from_restitution() and
@@ -46,7 +56,10 @@ class ContactModel {
     /// damping().value alone, in less than half the time [kg/s].
     [[nodiscard]] double damping_coefficient(double velocity, double restitution) const;
     /// The same, from a section of this map.
-    [[nodiscard]] double damping_coefficient(double velocity, const RestitutionSection& section) const;
+    [[nodiscard]] double damping_coefficient(const SharedVelocity& velocity,
+                                             const RestitutionSection& section) const {
+        return damping_unit_ * velocity.fifth_root * section.number(velocity.log - log_velocity_unit_);
+    }
     /// Restitution without damping, the greatest that can be reached [1].
     [[nodiscard]] double greatest_restitution(double velocity) const;
     /// The velocity at which an impact with this damping has this restitution; none if outside range().
@@ -71,8 +84,10 @@ class ContactModel {
     /// Contact time of a rebound [s].
     [[nodiscard]] double contact_time(double velocity, double restitution) const;
 
-  private:
+    /// ln(v/V_a), the coordinate of the map; ln v for Hertz.
     [[nodiscard]] double x_of(double velocity) const { return std::log(velocity / velocity_unit_); }
+
+  private:
     /// @param number_at damping number of the restitution at x, a NumberAlongX
     template <class NumberAt>
     [[nodiscard]] std::optional<VelocityAt> found_velocity(double restitution, double damping,
@@ -82,7 +97,8 @@ class ContactModel {
     std::shared_ptr<const RestitutionMap> map_;
     ContactPair contact_;
     double velocity_unit_;  ///< adhesion velocity; 1 for Hertz [m/s]
-    double damping_unit_;   ///< m^(3/5) k^(2/5), unit of damping at 1 m/s [kg/s (s/m)^(1/5)]
+    double log_velocity_unit_;
+    double damping_unit_;  ///< m^(3/5) k^(2/5), unit of damping at 1 m/s [kg/s (s/m)^(1/5)]
 };
 
 /// A map of @p law, of Hertz if @p contact has no adhesion, for @p velocities [m/s]. @throws InputError

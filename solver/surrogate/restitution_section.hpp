@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -10,17 +9,17 @@
 
 namespace ashimpact {
 
-/// The damping numbers beta(e, x) of a RestitutionMap for one restitution e, as a function of x. Polynomials
-/// of ln(x - lowest), or of x where no impact is captured without damping, on pieces of equal width
-/// reproduce the map within 1e-13; a look-up takes a tenth of the time. Made from some hundred look-ups in
-/// the map, so it pays for thousands of impacts of one restitution.
+/// The damping numbers beta(e, x) of a RestitutionMap for one restitution e, as a function of x. Within a
+/// range polynomials on pieces of equal width reproduce the map within 1e-13; a look-up takes a tenth of the
+/// time. Made from some dozens of look-ups in the map, so it pays for hundreds of impacts of one restitution.
 class RestitutionSection {
   public:
-    /// @param restitution 0 < e < 1 [1]
-    RestitutionSection(std::shared_ptr<const RestitutionMap> map, double restitution);
+    /// @param restitution 0 < e < 1 [1] @param range of x; where no impact has the restitution it is cut off;
+    /// empty: look-ups are those of the map
+    RestitutionSection(std::shared_ptr<const RestitutionMap> map, double restitution, VelocityRange range);
 
     [[nodiscard]] double restitution() const { return restitution_; }
-    /// As number_along_x() and number() of the map; outside of the pieces they are those of the map [1].
+    /// As number_along_x() and number() of the map; outside of the range they are those of the map [1].
     [[nodiscard]] NumberAlongX number_along_x(double x) const;
     [[nodiscard]] double number(double x) const;
 
@@ -34,18 +33,13 @@ class RestitutionSection {
     };
     /// @return whether the polynomials reproduce the map
     [[nodiscard]] bool divide(int pieces);
-    [[nodiscard]] Place place_of(double x) const;  ///< without powers outside of the pieces
-    [[nodiscard]] bool has_lowest() const { return std::isfinite(map_->lowest()); }
-    [[nodiscard]] double position_of(double x) const {
-        return has_lowest() ? std::log(x - map_->lowest()) : x;
-    }
+    [[nodiscard]] Place place_of(double x) const;  ///< without powers outside of the range
 
     std::shared_ptr<const RestitutionMap> map_;
     double restitution_;
-    VelocityRange range_{0.0, 0.0};  ///< of x; empty if the map is used throughout
-    double first_ = 0.0;             ///< position_of() its lower end
-    double width_ = 1.0;             ///< of a piece, in position
-    std::vector<Powers> pieces_{};   ///< coefficients of powers of t
+    VelocityRange range_;           ///< of x
+    double width_ = 1.0;            ///< of a piece
+    std::vector<Powers> pieces_{};  ///< coefficients of powers of t
 };
 
 }  // namespace ashimpact
