@@ -13,6 +13,7 @@
 #include "solver/batch/lanes/number_task.hpp"
 #include "solver/batch/lanes/steps-inl.hpp"
 #include "solver/batch/lanes/zone_events-inl.hpp"
+#include "solver/batch/lanes/zone_steps-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
@@ -97,7 +98,7 @@ class LaneOrbit {
         step_ = next.step;
         speed_ = abs(next.velocity);
         stiffness_ = 0.0;
-        pilot_ = Pilot(next.usual);
+        pilot_ = PilotType(next.usual);
         pass_ = late;
         to_turn_ = returned_ = true;
         found_.forget();
@@ -122,7 +123,7 @@ class LaneOrbit {
         const Lanes v = equation_.velocity(state_);
         const Rates r = rates_of(equation_, q, v);
         if constexpr (std::is_same_v<F, ZoneForm>)
-            if (pass == 0) pilot_ = Pilot(first_step(equation_, q, v, r), true);
+            if (!to_turn_) pilot_.observe(equation_, q, v, approaching_);
         const Lanes usual = pilot_.step();
         if (!to_turn_) {
             if (goal_ != Goal::end && any(approaching_))
@@ -209,6 +210,8 @@ class LaneOrbit {
     }
 
   private:
+    using PilotType = typename PilotOf<F>::Type;
+
     /// Lanes that turn in this step, perhaps beyond yield. @param v at its end
     [[nodiscard]] HWY_INLINE Mask may_have_yielded(Lanes v) const {
         constexpr double margin = 1.5;  // over the rise at a constant acceleration
@@ -220,7 +223,7 @@ class LaneOrbit {
 
     Equation<F> equation_;
     Places places_;
-    Pilot pilot_;
+    PilotType pilot_;
     Lanes error_scale_;  ///< error_weight (3 for Tsuji, whose estimates can be too low) over v^2 in the well
     LaneState state_;
     LaneFindings found_;

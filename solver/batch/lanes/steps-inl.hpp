@@ -45,18 +45,17 @@ template <class F>
     return Lanes(part) / sqrt(multiply_add(drag, drag, value_of<F::stiffness_slope>(a, q)));
 }
 
-/// Chooses steps. During the approach they stay constant unless the error is far from the tolerance, or the
-/// pilot is eager. During the rebound the ideal step grows by a factor that changes little from step to step,
-/// so it is extrapolated (predictive controller, Gustafsson 1994). Hardly any step has to be repeated.
+/// Chooses steps. During the approach they stay constant unless the error is far from the tolerance. During
+/// the rebound the ideal step grows by a factor that changes little from step to step, so it is extrapolated
+/// (predictive controller, Gustafsson 1994). Hardly any step has to be repeated.
 class Pilot {
   public:
     static constexpr double tolerance = 0.8e-12;  ///< of the estimate, which is far above the error
     static constexpr double acceptable = 2.5;     ///< tolerances up to which a step is kept
+    static constexpr double longest_reach = 1.1;
 
     Pilot() = default;
-    /// @param eager whether an approach may change its steps from the first one on, up and down
-    HWY_INLINE explicit Pilot(Lanes first, bool eager = false)
-        : log_step_(rough_log2(first)), eager_(eager) {}
+    HWY_INLINE explicit Pilot(Lanes first) : log_step_(rough_log2(first)) {}
 
     [[nodiscard]] HWY_INLINE Lanes step() const { return rough_exp2(log_step_); }
     /// Longest step to an event, as a multiple of step(); 1 after a step that failed.
@@ -77,8 +76,7 @@ class Pilot {
         const Mask left = leaving_ > Lanes(0.0);
         const Lanes outward =
             min(ideal + select(left, trend, first_trend), log_taken + select(left, Lanes(0.45), Lanes(0.25)));
-        const Lanes change = eager_ ? min(max(gain - Lanes(0.25), -0.3), 0.4)
-                                    : min(max(gain - Lanes(0.35), 0.0), 0.3) * touched_;
+        const Lanes change = min(max(gain - Lanes(0.35), 0.0), 0.3) * touched_;
         const Lanes steady = log_taken + change;
         const Lanes next = select(good, select(inward, steady, outward), ideal - Lanes(0.1));
         // An accurate step that was shortened for an event does not determine the next one.
@@ -93,13 +91,11 @@ class Pilot {
 
   private:
     static constexpr double first_trend = 0.1;
-    static constexpr double longest_reach = 1.1;
     Lanes log_step_;
     Lanes last_ideal_{0.0};
     Lanes leaving_{0.0};  ///< 1 if the last ideal step was one of the rebound
     Lanes touched_{0.0};  ///< 0 during the first step, in which too little happens to judge the step
     Lanes reach_{longest_reach};
-    bool eager_ = false;
 };
 
 /// What is to be found of an impact. Both are found by the same steps alone and together, so that asking for

@@ -154,19 +154,9 @@ struct LaneGap {
     return r;
 }
 
-/// The first step is chosen where the impact begins, see first_step().
+/// Steps are chosen by ZonePilot.
 [[nodiscard]] HWY_INLINE Lanes inward_step(const Equation<ZoneForm>& /*equation*/, const Places& /*places*/) {
     return 1.0;
-}
-
-/// First step of an impact, from how fast place, speed and force change where it begins. The factors are a
-/// fit to the steps of random impacts, one in ten of which is repeated.
-[[nodiscard]] HWY_INLINE Lanes first_step(const Equation<ZoneForm>& e, Lanes q, Lanes v, const Rates& r) {
-    const Lanes way = v * min(Lanes(1.0) / q, e.stretch()) * Lanes(1.48);  // surfaces join at q = 0
-    const Lanes drag = e.damping_at(q) * e.slope_of(q) * Lanes(1.98);
-    const Lanes gain = r.acceleration / v * Lanes(0.27);
-    const Lanes squares = multiply_add(way, way, multiply_add(drag, drag, gain * gain));
-    return Lanes(1.05) / sqrt(multiply_add(abs(r.jerk / v), 5.15, squares));
 }
 
 /// As LaneSeries of other laws: the polynomials of the piece are shifted to the state.
