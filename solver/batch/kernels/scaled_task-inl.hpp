@@ -7,9 +7,9 @@
 #define ASHIMPACT_SOLVER_BATCH_KERNELS_SCALED_TASK_INL_HPP
 #endif
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -65,13 +65,21 @@ class ZoneCurves {
     [[nodiscard]] List fill(const List& impacts, DampingLaw damping_law, Detachment detachment) {
         List admitted;
         const auto places = impacts.places();
+        std::array<const batch::ZoneBand*, batch::ZoneSpans::count> bands{};
+        const auto band_of = [&](double lambda) -> const batch::ZoneBand& {
+            const batch::ZoneBand*& band = bands[batch::ZoneSpans::index(lambda)];
+            if (band == nullptr) band = &batch::ZoneBand::of(lambda, damping_law);
+            return *band;
+        };
+        all_.clear();
+        all_.reserve(places.size());
         for (std::size_t k = 0; k < places.size(); ++k) {
             const std::size_t i = places[k];
             const auto same = [&](std::size_t other) { return lambda_[places[other]] == lambda_[i]; };
             if (k > 0 && same(k - 1)) {
                 curve_[i] = curve_[places[k - 1]];
             } else {
-                batch::ZoneCurve& curve = all_.emplace_back(lambda_[i], damping_law, detachment);
+                batch::ZoneCurve& curve = all_.emplace_back(lambda_[i], band_of(lambda_[i]), detachment);
                 curve_[i] = curve.admissible() ? &curve : nullptr;
                 if (k + many < places.size() && same(k + many)) curve.keep_pieces();
             }
@@ -86,7 +94,7 @@ class ZoneCurves {
     static constexpr std::size_t many = 8;  ///< impacts of one curve for which it keeps its pieces
 
     std::vector<double> lambda_;
-    std::deque<batch::ZoneCurve> all_;
+    std::vector<batch::ZoneCurve> all_;
     std::vector<const batch::ZoneCurve*> curve_;
 };
 

@@ -20,7 +20,12 @@ HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
 /// The coefficients of one function, a lane each, by powers of t.
-using ZonePolynomial = const Lanes*;
+struct ZonePolynomial {
+    const Lanes* first;
+    [[nodiscard]] HWY_INLINE Lanes operator[](std::size_t term) const {
+        return first[term * batch::ZoneBand::functions];
+    }
+};
 
 /// Value at t.
 [[nodiscard]] HWY_INLINE Lanes value_at(ZonePolynomial c, Lanes t) {
@@ -230,7 +235,7 @@ struct Equation<ZoneForm> {
         return stretch_;
     }
     [[nodiscard]] HWY_INLINE ZonePolynomial function(batch::ZoneBand::Function which) const {
-        return coefficients_.data() + which * batch::ZoneBand::terms;
+        return {coefficients_.data() + which};
     }
     /// A number of each lane's curve.
     template <class Number>

@@ -209,7 +209,7 @@ class LaneSeries<ZoneForm, order> {
     [[nodiscard]] HWY_INLINE static Coefficients shifted(ZonePolynomial powers, Lanes t, Lanes unit,
                                                          Lanes stretch) {
         std::array<Lanes, batch::ZoneBand::terms> c;
-        std::copy_n(powers, c.size(), c.begin());
+        for (std::size_t k = 0; k < c.size(); ++k) c[k] = powers[k];
         Coefficients result;
         Lanes factor = unit;
         for (std::size_t n = 0; n <= static_cast<std::size_t>(order); ++n) {

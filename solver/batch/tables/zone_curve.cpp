@@ -164,7 +164,7 @@ ZoneBand::ZoneBand(double lower, double upper)
         const CohesiveZone zone(axis.node(j));
         for (std::size_t k = 0; k < pieces_.size(); ++k)
             nodes.block(j, static_cast<Eigen::Index>(k * padded), 1, terms * functions) =
-                functions_of(zone, pieces_[k]).reshaped().transpose();
+                functions_of(zone, pieces_[k]).transpose().reshaped().transpose();
         const auto radius = [&](Number number, const CohesiveState& state) {
             values(j, number) = static_cast<double>(state.contact_radius());
         };
@@ -219,7 +219,7 @@ ZoneBand::ZoneBand(const ZoneBand& statics, DampingLaw damping_law) : ZoneBand(s
             for (std::size_t i = 0; i < terms; ++i) {
                 double sum = 0.0;
                 for (std::size_t order = orders; order-- > 0;)
-                    sum = sum * axis.node(j) + piece.by_order[order][slope * terms + i];
+                    sum = sum * axis.node(j) + piece.by_order[order][index(slope, i)];
                 slopes[static_cast<Eigen::Index>(i)] = sum;
             }
             Eigen::VectorXd powers = impulse_of(slopes, piece, damping_law);
@@ -239,7 +239,7 @@ ZoneBand::ZoneBand(const ZoneBand& statics, DampingLaw damping_law) : ZoneBand(s
     for (int j = 0; j < order_count; ++j)
         for (std::size_t k = 0; k < pieces_.size(); ++k)
             for (std::size_t i = 0; i < terms; ++i)
-                pieces_[k].by_order[static_cast<std::size_t>(j)][impulse * terms + i] =
+                pieces_[k].by_order[static_cast<std::size_t>(j)][index(impulse, i)] =
                     nodes(j, static_cast<Eigen::Index>(k * terms + i));
 }
 
@@ -269,10 +269,10 @@ double ZoneBand::value(Number number, double lambda) const {
 }
 
 ZoneCurve::ZoneCurve(double lambda, DampingLaw damping_law, Detachment detachment)
-    : lambda_(lambda),
-      band_(&ZoneBand::of(lambda, damping_law)),
-      gap_fold_(gap_fold_of(lambda)),
-      join_radius_(join_radius_of(lambda)) {
+    : ZoneCurve(lambda, ZoneBand::of(lambda, damping_law), detachment) {}
+
+ZoneCurve::ZoneCurve(double lambda, const ZoneBand& band, Detachment detachment)
+    : lambda_(lambda), band_(&band), gap_fold_(gap_fold_of(lambda)), join_radius_(join_radius_of(lambda)) {
     using enum ZoneBand::Number;
     place_ = band_->place(lambda);
     const auto value = [&](ZoneBand::Number number) { return band_->value(number, lambda); };

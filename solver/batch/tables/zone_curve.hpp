@@ -43,8 +43,7 @@ class ZoneBand {
     struct Piece {
         double lower;
         double upper;
-        std::array<std::array<double, padded>, orders>
-            by_order;  ///< at [power of x][function * terms + power of t]
+        std::array<std::array<double, padded>, orders> by_order;  ///< at [power of x][index()]
     };
     /// Places of the touching branch and numbers of them, each a polynomial in x.
     enum Number : std::size_t {
@@ -66,6 +65,12 @@ class ZoneBand {
         numbers,
     };
     using Orders = std::array<double, orders>;
+
+    /// Place of a coefficient among those of a piece: of all functions by terms, so that terms which need few
+    /// powers of x are the last.
+    [[nodiscard]] static constexpr std::size_t index(Function function, std::size_t term) {
+        return term * functions + function;
+    }
 
     /// The band that contains a transition parameter, made when it is first needed. Thread-safe.
     /// @param lambda within the range that the law computes
@@ -113,6 +118,8 @@ class ZoneCurve {
     ZoneCurve() = default;
     /// @param lambda within the range that the law computes
     ZoneCurve(double lambda, DampingLaw damping_law, Detachment detachment);
+    /// @param band that contains lambda
+    ZoneCurve(double lambda, const ZoneBand& band, Detachment detachment);
 
     [[nodiscard]] double lambda() const { return lambda_; }
     [[nodiscard]] double place() const { return place_; }  ///< x in the band
