@@ -119,7 +119,6 @@ class LaneOrbit {
         if (pass >= most_passes) active_ = none();
         if (!any(active_)) return;
         const Lanes q = state_.position;
-        equation_.prepare(q, active_, approaching_);
         const Lanes v = equation_.velocity(state_);
         const Rates r = rates_of(equation_, q, v);
         if constexpr (std::is_same_v<F, ZoneForm>)
@@ -137,6 +136,11 @@ class LaneOrbit {
             Lanes leaves = NextEvent::out_of_sight;
             if constexpr (F::yields) leaves = next.time_to_yield(q, v, r);
             event = select(approaching_, leaves, event);
+        }
+        if constexpr (std::is_same_v<F, ZoneForm>) {
+            const Lanes ahead = min(event, usual * Lanes(1.1));
+            const Mask leaving = equation_.longest_step(q, v, r.acceleration, ahead) < ahead;
+            equation_.prepare(q, both(active_, leaving), v > Lanes(0.0));
         }
         const Lanes reach = next.reach(q, v, usual);
         const Mask near = both(active_, abs(event) <= (to_turn_ ? reach * Lanes(turn_reach) : reach));
