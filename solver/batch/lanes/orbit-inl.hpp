@@ -140,7 +140,7 @@ class LaneOrbit {
         if constexpr (std::is_same_v<F, ZoneForm>) {
             const Lanes ahead = min(event, usual * Lanes(1.1));
             const Mask leaving = equation_.longest_step(q, v, r.acceleration, ahead) < ahead;
-            equation_.prepare(q, both(active_, leaving), v > Lanes(0.0));
+            equation_.prepare(q, both(active_, leaving), v > Lanes(0.0), pilot_.turn());
         }
         const Lanes reach = next.reach(q, v, usual);
         const Mask near = both(active_, abs(event) <= (to_turn_ ? reach * Lanes(turn_reach) : reach));

@@ -165,15 +165,19 @@ struct Equation<ZoneForm> {
         return tolerance * law->error_weight;
     }
 
-    /// Takes the piece with most of its length ahead.
-    HWY_INLINE void prepare(Lanes q, Mask lanes, Mask inward) {
+    /// Takes the piece with most of its length ahead; inwards with no more than a @p turn needs, so that the
+    /// way back is on it as well.
+    HWY_INLINE void prepare(Lanes q, Mask lanes, Mask inward, Lanes turn = 1e300) {
         HWY_ALIGN double position[lane_count];
+        HWY_ALIGN double wanted[lane_count];
+        max(turn * Lanes(1.05), q * Lanes(1.1)).store(wanted);
         HWY_ALIGN double ahead[lane_count];
         q.store(position);
         select(lanes, select(inward, Lanes(1.0), Lanes(-1.0)), Lanes(0.0)).store(ahead);
         bool changed = false;
         for (std::size_t lane = 0; lane < lane_count; ++lane)
-            if (ahead[lane] != 0.0) changed = take_piece(lane, position[lane], ahead[lane] > 0.0) || changed;
+            if (ahead[lane] != 0.0)
+                changed = take_piece(lane, position[lane], ahead[lane] > 0.0, wanted[lane]) || changed;
         if (!changed) return;
         const double* rows[lane_count];
         for (std::size_t lane = 0; lane < lane_count; ++lane) {
@@ -247,12 +251,12 @@ struct Equation<ZoneForm> {
 
   private:
     /// @return whether the piece is another than before
-    HWY_INLINE bool take_piece(std::size_t lane, double q, bool inward) {
+    HWY_INLINE bool take_piece(std::size_t lane, double q, bool inward, double wanted) {
         const auto& pieces = curve[lane]->band().pieces();
         std::size_t k = index_[lane] == none_yet ? 0 : index_[lane];
         if (inward) {
             while (k + 1 < pieces.size() && pieces[k + 1].lower <= q) ++k;
-            while (k > 0 && pieces[k].lower > q) --k;
+            while (k > 0 && (pieces[k].lower > q || pieces[k - 1].upper >= wanted)) --k;
         } else {
             while (k > 0 && pieces[k - 1].upper >= q) --k;
             while (k + 1 < pieces.size() && pieces[k].upper < q) ++k;

@@ -102,6 +102,8 @@ class ZonePilot {
         log_expected_ = rough_log2(turn_.time() * select(approaching, inward, outward));
     }
     [[nodiscard]] HWY_INLINE Lanes step() const { return rough_exp2(log_expected_ + log_factor_); }
+    /// Estimate of the greatest q.
+    [[nodiscard]] HWY_INLINE Lanes turn() const { return turn_.position(); }
     /// As those of Pilot.
     [[nodiscard]] HWY_INLINE Lanes reach() const { return reach_; }
     template <int order>
