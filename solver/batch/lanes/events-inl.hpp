@@ -125,8 +125,10 @@ class LaneCapture {
         const Mask caught = both(both(leaving, q > places_.end), energy_left(q, v) <= certain);
         LaneVerdict verdict{either(caught, both(leaving, places_.too_slow)), none()};
         if (look_for_creeping) {
-            verdict.never_turn = both(both(active, approaching), creeping_up(q, v));
-            verdict.captured = either(verdict.captured, both(without(active, approaching), creeping(q, v)));
+            const Mask inward = both(active, approaching);
+            const Mask outward = without(active, approaching);
+            if (any(inward)) verdict.never_turn = both(inward, creeping_up(q, v));
+            if (any(outward)) verdict.captured = either(verdict.captured, both(outward, creeping(q, v)));
             verdict.captured = either(verdict.captured, verdict.never_turn);
         }
         return verdict;
@@ -348,7 +350,7 @@ struct LaneArrival {
 };
 
 inline constexpr int landing_order = 10;  ///< of the Taylor series about a state next to an event
-inline constexpr int turn_order = 7;      ///< of that at a turn, which the state is nearer to
+inline constexpr int turn_order = 7;  ///< of that at a turn, which the state is nearer to
 inline constexpr int newton_steps = 4;
 
 /// Greatest overlap and its time, from a state next to the turn. A lane that never @p turned gets the

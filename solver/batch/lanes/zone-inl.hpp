@@ -168,6 +168,7 @@ struct Equation<ZoneForm> {
     /// Takes the piece with most of its length ahead; inwards with no more than a @p turn needs, so that the
     /// way back is on it as well.
     HWY_INLINE void prepare(Lanes q, Mask lanes, Mask inward, Lanes turn = 1e300) {
+        if (!any(lanes)) return;
         HWY_ALIGN double position[lane_count];
         HWY_ALIGN double wanted[lane_count];
         max(turn * Lanes(1.05), q * Lanes(1.1)).store(wanted);

@@ -204,7 +204,7 @@ ZoneBand::ZoneBand(double lower, double upper)
                 pieces_[k].by_order[static_cast<std::size_t>(j)][i] =
                     nodes(j, static_cast<Eigen::Index>(k * padded + i));
         for (std::size_t n = 0; n < numbers; ++n)
-            numbers_[n][static_cast<std::size_t>(j)] = values(j, static_cast<Eigen::Index>(n));
+            numbers_[static_cast<std::size_t>(j)][n] = values(j, static_cast<Eigen::Index>(n));
     }
 }
 
@@ -259,13 +259,16 @@ double ZoneBand::place(double lambda) const {
     return (lambda - middle_) * stretch_;
 }
 
-double ZoneBand::value(Number number, double lambda) const {
-    const bool by_root = number == touch_radius || number == touch_potential;
-    const double x = by_root ? (std::sqrt(lambda - least_touching()) - root_middle_) * root_stretch_
-                             : (lambda - middle_) * stretch_;
-    double sum = 0.0;
-    for (std::size_t j = orders; j-- > 0;) sum = sum * x + numbers_[number][j];
-    return sum;
+std::array<double, ZoneBand::numbers> ZoneBand::values(double lambda) const {
+    std::array<double, numbers> x;
+    x.fill(place(lambda));
+    if (root_stretch_ > 0.0)
+        x[touch_radius] = x[touch_potential] =
+            (std::sqrt(lambda - least_touching()) - root_middle_) * root_stretch_;
+    std::array<double, numbers> sums = numbers_.back();
+    for (std::size_t j = orders - 1; j-- > 0;)
+        for (std::size_t n = 0; n < numbers; ++n) sums[n] = sums[n] * x[n] + numbers_[j][n];
+    return sums;
 }
 
 ZoneCurve::ZoneCurve(double lambda, DampingLaw damping_law, Detachment detachment)
@@ -275,7 +278,8 @@ ZoneCurve::ZoneCurve(double lambda, const ZoneBand& band, Detachment detachment)
     : lambda_(lambda), band_(&band), gap_fold_(gap_fold_of(lambda)), join_radius_(join_radius_of(lambda)) {
     using enum ZoneBand::Number;
     place_ = band_->place(lambda);
-    const auto value = [&](ZoneBand::Number number) { return band_->value(number, lambda); };
+    const std::array<double, ZoneBand::numbers> values = band_->values(lambda);
+    const auto value = [&](ZoneBand::Number number) { return values[number]; };
     const auto u_at = [&](ZoneBand::Number number) { return std::sqrt(std::fmax(value(number), 0.0)); };
     const double reach = 2.0 / (pi * lambda);
     const Place parting{0.0, gap_overlap(lambda, join_radius_), gap_potential(lambda, join_radius_)};

@@ -62,9 +62,9 @@ class ZoneBand {
         tension_potential,
         touch_radius,  ///< of first touch in touch; in the root of lambda above the least that has it
         touch_potential,
+        spare,  ///< so that registers are full
         numbers,
     };
-    using Orders = std::array<double, orders>;
 
     /// Place of a coefficient among those of a piece: of all functions by terms, so that terms which need few
     /// powers of x are the last.
@@ -83,7 +83,8 @@ class ZoneBand {
 
     [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
     [[nodiscard]] double place(double lambda) const;
-    [[nodiscard]] double value(Number number, double lambda) const;
+    /// All numbers at a transition parameter.
+    [[nodiscard]] std::array<double, numbers> values(double lambda) const;
 
   private:
     double middle_;
@@ -91,7 +92,7 @@ class ZoneBand {
     double root_middle_ = 0.0;
     double root_stretch_ = 0.0;
     std::vector<Piece> pieces_;
-    std::array<Orders, numbers> numbers_{};
+    std::array<std::array<double, numbers>, orders> numbers_{};  ///< by power of x
 };
 
 /// The static law of one transition parameter, for kernels.
