@@ -103,6 +103,17 @@ template <class F>
 /// v^2 in the well from which on rounding in the well is seen in the energy of a rebound.
 inline constexpr double deepest_well = 1e5;
 
+/// Lanes that may creep up to equilibrium, and back from beyond it.
+struct MayCreep {
+    Mask up;
+    Mask back;
+};
+template <class F>
+[[nodiscard]] HWY_INLINE MayCreep may_creep(const Equation<F>& /*equation*/, const Places& /*places*/,
+                                            Lanes /*q*/, Lanes /*v*/) {
+    return {every(), every()};
+}
+
 /// Lanes that are certainly captured, and those that never turn.
 struct LaneVerdict {
     Mask captured;
@@ -125,8 +136,9 @@ class LaneCapture {
         const Mask caught = both(both(leaving, q > places_.end), energy_left(q, v) <= certain);
         LaneVerdict verdict{either(caught, both(leaving, places_.too_slow)), none()};
         if (look_for_creeping) {
-            const Mask inward = both(active, approaching);
-            const Mask outward = without(active, approaching);
+            const auto [up, back] = may_creep(equation_, places_, q, v);
+            const Mask inward = both(both(active, approaching), up);
+            const Mask outward = both(without(active, approaching), back);
             if (any(inward)) verdict.never_turn = both(inward, creeping_up(q, v));
             if (any(outward)) verdict.captured = either(verdict.captured, both(outward, creeping(q, v)));
             verdict.captured = either(verdict.captured, verdict.never_turn);
@@ -350,7 +362,7 @@ struct LaneArrival {
 };
 
 inline constexpr int landing_order = 10;  ///< of the Taylor series about a state next to an event
-inline constexpr int turn_order = 7;  ///< of that at a turn, which the state is nearer to
+inline constexpr int turn_order = 7;      ///< of that at a turn, which the state is nearer to
 inline constexpr int newton_steps = 4;
 
 /// Greatest overlap and its time, from a state next to the turn. A lane that never @p turned gets the

@@ -19,11 +19,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
-/// The coefficients of one function, a lane each, by powers of t.
+/// The coefficients of one function, a lane each, by powers of t; not of the overlap.
 struct ZonePolynomial {
     const Lanes* first;
     [[nodiscard]] HWY_INLINE Lanes operator[](std::size_t term) const {
-        return first[term * batch::ZoneBand::functions];
+        return first[batch::ZoneBand::index(batch::ZoneBand::slope, term)];
     }
 };
 
@@ -185,7 +185,7 @@ struct Equation<ZoneForm> {
             const double* const kept = curve[lane]->kept(index_[lane]);
             rows[lane] = kept != nullptr ? kept : own_[lane];
         }
-        for (std::size_t i = 0; i < batch::ZoneBand::padded; i += lane_count)
+        for (std::size_t i = 0; i < batch::ZoneBand::of_steps; i += lane_count)
             transpose(rows, i, coefficients_.data() + i);
     }
     [[nodiscard]] HWY_INLINE Lanes longest_step(Lanes q, Lanes v, Lanes acceleration, Lanes step) const {
@@ -220,8 +220,23 @@ struct Equation<ZoneForm> {
     [[nodiscard]] HWY_INLINE Lanes potential(Lanes q) const {
         return energy_unit * value_at(function(batch::ZoneBand::potential), place_of(q));
     }
-    [[nodiscard]] HWY_INLINE Lanes overlap(Lanes q) const {
-        return overlap_unit * value_at(function(batch::ZoneBand::overlap), place_of(q));
+    [[nodiscard]] HWY_NOINLINE Lanes overlap(Lanes q) const {
+        constexpr std::size_t first = batch::ZoneBand::of_steps;
+        constexpr std::size_t count = batch::ZoneBand::padded - first;
+        HWY_ALIGN double values[lane_count][count];
+        const double* rows[lane_count];
+        for (std::size_t lane = 0; lane < lane_count; ++lane) {
+            const batch::ZoneBand::Piece& piece = curve[lane]->band().pieces()[index_[lane]];
+            for (std::size_t i = 0; i < count; i += lane_count)
+                contracted(piece, first + i, curve[lane]->place()).store(values[lane] + i);
+            rows[lane] = values[lane];
+        }
+        std::array<Lanes, count> c;
+        for (std::size_t i = 0; i < count; i += lane_count) transpose(rows, i, c.data() + i);
+        const Lanes t = place_of(q);
+        Lanes sum = c[batch::ZoneBand::terms - 1];
+        for (std::size_t k = batch::ZoneBand::terms - 1; k-- > 0;) sum = multiply_add(sum, t, c[k]);
+        return overlap_unit * sum;
     }
     [[nodiscard]] HWY_INLINE Lanes damping_at(Lanes q) const {
         return damping * damping_unit * power_of(q);
@@ -251,6 +266,15 @@ struct Equation<ZoneForm> {
     }
 
   private:
+    /// Coefficients of a piece at a place in its band, from @p first on.
+    [[nodiscard]] HWY_INLINE static Lanes contracted(const batch::ZoneBand::Piece& piece, std::size_t first,
+                                                     Lanes x) {
+        Lanes sum = Lanes::load(piece.by_order.back().data() + first);
+#pragma GCC unroll 20
+        for (std::size_t j = batch::ZoneBand::orders - 1; j-- > 0;)
+            sum = multiply_add(sum, x, Lanes::load(piece.by_order[j].data() + first));
+        return sum;
+    }
     /// @return whether the piece is another than before
     HWY_INLINE bool take_piece(std::size_t lane, double q, bool inward, double wanted) {
         const auto& pieces = curve[lane]->band().pieces();
@@ -272,21 +296,16 @@ struct Equation<ZoneForm> {
         if (curve[lane]->kept(k) != nullptr) return true;
         double* const to = curve[lane]->room(k) != nullptr ? curve[lane]->room(k) : own_[lane];
         const double x = curve[lane]->place();
-        for (std::size_t i = 0; i < batch::ZoneBand::padded; i += lane_count) {
-            Lanes sum = Lanes::load(piece.by_order.back().data() + i);
-#pragma GCC unroll 20
-            for (std::size_t j = batch::ZoneBand::orders - 1; j-- > 0;)
-                sum = multiply_add(sum, x, Lanes::load(piece.by_order[j].data() + i));
-            sum.store(to + i);
-        }
+        for (std::size_t i = 0; i < batch::ZoneBand::of_steps; i += lane_count)
+            contracted(piece, i, x).store(to + i);
         curve[lane]->keep(k);
         return true;
     }
 
     static constexpr std::size_t none_yet = std::numeric_limits<std::size_t>::max();
 
-    std::array<Lanes, batch::ZoneBand::padded> coefficients_;
-    HWY_ALIGN double own_[lane_count][batch::ZoneBand::padded];  ///< of lanes whose curve keeps none
+    std::array<Lanes, batch::ZoneBand::of_steps> coefficients_;
+    HWY_ALIGN double own_[lane_count][batch::ZoneBand::of_steps];  ///< of lanes whose curve keeps none
     Lanes middle_;
     Lanes stretch_;
     HWY_ALIGN double lower_[lane_count];

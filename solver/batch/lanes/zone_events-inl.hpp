@@ -29,6 +29,17 @@ namespace ashimpact::HWY_NAMESPACE {
     return none();
 }
 
+/// By bounds on the overlap, which costs more than the other functions.
+[[nodiscard]] HWY_INLINE MayCreep may_creep(const Equation<ZoneForm>& e, const Places& places, Lanes q,
+                                            Lanes v) {
+    const Rest rest = rest_of(e, places);
+    const Lanes square = rest.damping * rest.damping;
+    const Mask below = q < places.equilibrium;
+    const Lanes way = multiply_add(e.overlap_unit * q * q, q * q, -places.end_overlap);  // at most
+    const Mask slow = both(v >= rest.damping * way * Lanes(-0.5), Lanes(4.0) * e.force(q) < square * way);
+    return {both(below, square * rest.slope >= Lanes(3.9) * rest.force_slope), without(slow, below)};
+}
+
 /// Gauss-Legendre nodes and weights for the time across a gap, dense where a slow return ends.
 struct GapNodes {
     static constexpr std::size_t count = 32;

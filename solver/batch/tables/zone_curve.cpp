@@ -162,9 +162,13 @@ ZoneBand::ZoneBand(double lower, double upper)
     nodes.setZero();
     for (int j = 0; j < order_count; ++j) {
         const CohesiveZone zone(axis.node(j));
-        for (std::size_t k = 0; k < pieces_.size(); ++k)
-            nodes.block(j, static_cast<Eigen::Index>(k * padded), 1, terms * functions) =
-                functions_of(zone, pieces_[k]).transpose().reshaped().transpose();
+        for (std::size_t k = 0; k < pieces_.size(); ++k) {
+            const Columns columns = functions_of(zone, pieces_[k]);
+            for (const Function function : {slope, force, impulse, potential, overlap})
+                for (std::size_t i = 0; i < terms; ++i)
+                    nodes(j, static_cast<Eigen::Index>(k * padded + index(function, i))) =
+                        columns(static_cast<Eigen::Index>(i), function);
+        }
         const auto radius = [&](Number number, const CohesiveState& state) {
             values(j, number) = static_cast<double>(state.contact_radius());
         };

@@ -37,8 +37,10 @@ class ZoneBand {
     static constexpr std::size_t orders = 9;  ///< powers of x
     /// Functions of u: d(delta)/du, F, the integral of the damping's shape over the overlap, U, delta.
     enum Function : std::size_t { slope, force, impulse, potential, overlap, functions };
-    static constexpr std::size_t padded = 72;  ///< coefficients of all functions, a multiple of any register
-    static_assert(padded >= terms * functions);
+    static constexpr std::size_t padded = 72;  ///< coefficients of all functions
+    static constexpr std::size_t of_steps =
+        terms * 4;  ///< of all but the overlap; both multiples of any register
+    static_assert(overlap == 4 && padded >= terms * functions);
 
     struct Piece {
         double lower;
@@ -66,10 +68,9 @@ class ZoneBand {
         numbers,
     };
 
-    /// Place of a coefficient among those of a piece: of all functions by terms, so that terms which need few
-    /// powers of x are the last.
+    /// Place of a coefficient among those of a piece; the overlap, which hardly any step needs, is the last.
     [[nodiscard]] static constexpr std::size_t index(Function function, std::size_t term) {
-        return term * functions + function;
+        return function == overlap ? of_steps + term : term * overlap + function;
     }
 
     /// The band that contains a transition parameter, made when it is first needed. Thread-safe.
@@ -136,16 +137,16 @@ class ZoneCurve {
     /// From now on keeps the coefficients of its pieces, which pays where many lanes follow one curve. Such a
     /// curve is one thread's.
     void keep_pieces() {
-        kept_.resize(band_->pieces().size() * ZoneBand::padded);
+        kept_.resize(band_->pieces().size() * ZoneBand::of_steps);
         is_kept_.assign(band_->pieces().size(), 0);
     }
-    /// Coefficients of a piece; none if they are not kept, or not yet.
+    /// Coefficients of a piece, without the overlap; none if they are not kept, or not yet.
     [[nodiscard]] const double* kept(std::size_t piece) const {
-        return is_kept_.empty() || is_kept_[piece] == 0 ? nullptr : kept_.data() + piece * ZoneBand::padded;
+        return is_kept_.empty() || is_kept_[piece] == 0 ? nullptr : kept_.data() + piece * ZoneBand::of_steps;
     }
     /// Where they are to be kept, if they are.
     [[nodiscard]] double* room(std::size_t piece) const {
-        return is_kept_.empty() ? nullptr : kept_.data() + piece * ZoneBand::padded;
+        return is_kept_.empty() ? nullptr : kept_.data() + piece * ZoneBand::of_steps;
     }
     void keep(std::size_t piece) const {
         if (!is_kept_.empty()) is_kept_[piece] = 1;
