@@ -203,9 +203,10 @@ HWY_INLINE void follow_all(const batch::NumberColumns& numbers, std::span<const 
 
 /// Whether the lanes follow an impact: the contact does not yield by adhesion alone, nor at next to nothing.
 [[nodiscard]] inline bool yields_as_followed(double adhesion, double yield_number) {
-    constexpr double least_ratio = 0.51;  // yields at touch below 0.5
+    constexpr double least_ratio = 0.51;  // of the third root of its square; yields at touch below 0.5
     constexpr double least = 1e-6;
-    return yield_number > least && yield_number > least_ratio * std::cbrt(adhesion * adhesion);
+    const double least_cube = power<3>(least_ratio) * adhesion * adhesion;
+    return yield_number > least && power<3>(yield_number) > least_cube;
 }
 
 /// Scales the problems of a task. @return those that the kernels solve
