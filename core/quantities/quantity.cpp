@@ -236,9 +236,10 @@ void refuse_thousands_point(std::string_view text, PointDigits digits) {
 /// Whether a text ends with a unit in which plausible numbers often are thousands: E in N/mm2, velocities in
 /// mm/s.
 static bool often_holds_thousands(std::string_view text) {
-    constexpr std::array<std::string_view, 18> units{
-        "MPa",  "N/mm2",     "N/mm\u00b2", "N/mm^2", "ppm",   "mg/kg",      "mm/s",   "mm s-1", "mm s^-1",
-        "Pa s", "Pa\u00b7s", "nm",         "rpm",    "mg/m3", "mg/m\u00b3", "mg/Nm3", "C",      "K"};
+    constexpr std::array<std::string_view, 22> units{
+        "MPa",     "N/mm2", "N/mm\u00b2", "N/mm^2", "ppm",   "mg/kg",     "mm/s",       "mm s-1",
+        "mm s^-1", "Pa s",  "Pa\u00b7s",  "nm",     "rpm",   "mg/m3",     "mg/m\u00b3", "mg/Nm3",
+        "C",       "K",     "mg/s",       "cm/s",   "MJ/m3", "MJ/m\u00b3"};
     return std::ranges::any_of(units, [&](std::string_view unit) { return text.ends_with(unit); });
 }
 

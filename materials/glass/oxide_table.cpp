@@ -469,6 +469,9 @@ class OxideTable {
         mark_thousands();
         xrd::take_rows_of_uncertainties(rows_, next, label, glass_code, warnings);
         for (std::size_t r = next; r < rows_.size(); ++r) add_row(rows_[r], names, label);
+        if (label < headings_.size() && samples.size() > 1 && samples.front().sample.empty())
+            refuse_line(samples.front().cells.front().line, "the line names no sample, and others do",
+                        "a name for each sample");
         return label;
     }
 
@@ -734,7 +737,10 @@ class OxideTable {
             return;
         }
         refuse_marked(row, names, amounts, what);
-        for (std::size_t i = headings_.size(); i < row.cells.size(); ++i) refuse_nameless(row, i);
+        for (std::size_t i = names + 1; i < row.cells.size(); ++i)
+            if (i != units_ && std::ranges::find(amounts, i) == amounts.end() &&
+                std::ranges::find(errors_, std::optional(i)) == errors_.end())
+                refuse_nameless(row, i);
         for (std::size_t k = 0; k < amounts.size(); ++k) {
             const std::size_t column = amounts[k];
             if (column >= row.cells.size()) continue;

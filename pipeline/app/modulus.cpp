@@ -374,7 +374,7 @@ void run_modulus_command(const CommandOptions& options, std::ostream& out) {
     const std::optional<OxideResult> oxides = read_oxides_of(options);
     std::vector<SampleEstimate> estimates;
     const std::vector<XrdSample> samples = chosen(result, options["--sample"]);
-    if (oxides && oxides->samples.size() == 1 && samples.size() > 1)
+    if (oxides && (oxides->samples.size() == 1 || options.has("--oxides-sample")) && samples.size() > 1)
         warn_of({{glass_code, Severity::remark,
                   fmt::format("one analysis counts for {} samples", samples.size())}},
                 options["--oxides"]);

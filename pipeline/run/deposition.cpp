@@ -244,7 +244,7 @@ void note_limits(const TubeConditions& tube, const std::vector<ClassImpaction>& 
 }  // namespace
 
 bool is_outside_model(double critical_velocity) {
-    return std::isfinite(critical_velocity) && critical_velocity > fastest_in_model;
+    return critical_velocity > fastest_in_model;
 }
 
 std::string outside_model_words(double share) {

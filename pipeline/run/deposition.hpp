@@ -32,7 +32,7 @@ struct DepositingAsh {
     std::optional<double> fastest_impact{};  ///< that gives the rebounds [m/s]; none: they are solved
 };
 
-/// Whether a v_c of ClassVelocities is above fastest_in_model.
+/// Whether a v_c of ClassVelocities is above fastest_in_model, as it is where every velocity is captured.
 [[nodiscard]] bool is_outside_model(double critical_velocity);
 
 /// What a share of the mass that arrives means whose v_c is above fastest_in_model.

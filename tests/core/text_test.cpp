@@ -397,6 +397,10 @@ TEST_CASE("three decimals in a unit that often has thousands are refused") {
                    "15.400 or 15400"));
     CHECK(contains(input_error_of([&] { return quantity_of_text("1.550 mm/s", Dimension::velocity).value; }),
                    "1.550 or 1550"));
+    CHECK(contains(input_error_of([&] { return quantity_of_text("1.200 cm/s", Dimension::velocity).value; }),
+                   "1.200 or 1200"));
+    CHECK(contains(input_error_of([&] { return quantity_of_text("14.100 mg/s", Dimension::damping).value; }),
+                   "14.100 or 14100"));
     CHECK(quantity_of_text("1.550 m/s", Dimension::velocity).value == 1.55);
     CHECK(quantity_of_text("2.648 g/cm3", Dimension::density).value == doctest::Approx(2648));
     CHECK(quantity_of_text("0.950 MPa", Dimension::pressure).value == doctest::Approx(0.95e6));

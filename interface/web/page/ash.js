@@ -17,10 +17,10 @@ function weightRows() {
     });
 }
 
-// A fraction to begin with: what the typed phases leave.
+// A fraction to begin with: what typed phases leave; empty where none are typed.
 function likelyAmorphous() {
     const left = 100 - weightRows().reduce((sum, [, percent]) => sum + (Number(percent) || 0), 0);
-    return `${left > 0 && left < 100 ? readable(left) : 50} %`;
+    return left > 0 && left < 100 ? `${readable(left)} %` : '';
 }
 
 // A fraction that is not typed anew stays as the case has it. The program refuses a second row of a phase.

@@ -10,6 +10,7 @@
 #include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/present/text/result_text.hpp"
+#include "pipeline/run/comparison/temperature.hpp"
 #include "pipeline/run/deposition.hpp"
 
 namespace ashimpact {
@@ -203,10 +204,10 @@ std::string deposition_text(const DepositionResult& result, std::size_t width) {
         text += wrapped(sentence, width, 2) + "\n";
     const TubeConditions& tube = result.tube;
     text += "\n" +
-            wrapped(fmt::format("Tube of {} in gas of {} at {}, {}, {}; ash: {}{}; v_c by {}.",
+            wrapped(fmt::format("Tube of {} in gas of {} at {} ({}), {}, {}; ash: {}{}; v_c by {}.",
                                 readable(tube.diameter, "m"), readable(tube.velocity, "m/s"),
-                                readable(tube.temperature, "K"), readable(tube.viscosity, "Pa s"),
-                                readable(tube.density, "kg/m3"), tube.sizes,
+                                readable(tube.temperature, "K"), celsius(tube.temperature),
+                                readable(tube.viscosity, "Pa s"), readable(tube.density, "kg/m3"), tube.sizes,
                                 tube.load ? ", " + plain_number(1000 * *tube.load) + " g/m3" : "",
                                 result.law.name()),
                     width, 2) +

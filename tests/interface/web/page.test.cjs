@@ -358,6 +358,7 @@ async function estimatesTube(opening, where) {
     const { page } = opening;
     await press(page, '#app-tube-run');
     assert.match(await page.locator('#app-tube .problem').textContent(), /^Still missing: outer diameter of the tube;.*sizes of the ash\.$/, where);
+    assert.equal(await page.locator('#app-tube-assumption').inputValue(), '', where);
     await page.getByText('Fill in an example of a tube').click();
     const diameter = page.getByLabel('Outer diameter of the tube');
     await diameter.fill('38 kg');

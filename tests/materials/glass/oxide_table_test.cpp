@@ -398,6 +398,15 @@ TEST_CASE("numbers below no heading are refused, texts are told") {
         CHECK_THROWS_WITH_AS(static_cast<void>(only(table)), doctest::Contains("stands below no heading"),
                              InputError);
     }
+    for (const char* table : {"Oxide,wt%\nSiO2,60,3\nAl2O3,37,7\n", "Oxide;wt%;\nSiO2;60;0.5\nAl2O3;37;0.4\n",
+                              "Sample;SiO2;;Al2O3;\nFA1;60;0.5;37;0.4\n"}) {
+        CAPTURE(table);
+        CHECK_THROWS_WITH_AS(static_cast<void>(only(table)), doctest::Contains("stands below no heading"),
+                             InputError);
+    }
+    CHECK(tells(read_oxides("Oxide;wt%\nSiO2;60;see note\nAl2O3;37\n", "t.csv").warnings, "is not read"));
+    CHECK_THROWS_WITH_AS(static_cast<void>(read_oxides("Sample;SiO2;Al2O3\n;60;40\nFA1;61;39\n", "t.csv")),
+                         doctest::Contains("names no sample, and others do"), InputError);
     CHECK_THROWS_WITH_AS(static_cast<void>(only("Sample;SiO2;Al2O3\nFA1;60;37;excluded\n")),
                          doctest::Contains("calls the row invalid"), InputError);
     CHECK(tells(read_oxides("Sample;SiO2;Al2O3\nFA1;60;37;LOI 3.0 %\n", "t.csv").warnings,

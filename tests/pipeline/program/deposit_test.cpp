@@ -149,6 +149,12 @@ TEST_CASE("what stays goes from nothing to all, and without a load there are sha
     CHECK(value_of(all["result"]["total"], "stick_fraction") == 1);
     CHECK(all["result"]["assumption"] == "constant");
     CHECK(all["result"]["total"]["rebound_velocity"].is_null());
+    CHECK(value_of(all["result"]["total"], "outside_model") == 1);
+    // Damping that grows with overlap and velocity alike: captured at every velocity.
+    const Finished always = succeeded(sandbox, "deposit" + superheater + ash +
+                                                   " --law jkr --work-of-adhesion '0.4 J/m2' "
+                                                   "--damping-law hunt-crossley --damping '50 s/m'");
+    CHECK(always.err == containing("that it stays is no result"));
     // Undamped spheres without adhesion rebound as they came; with Tsuji's damping all with the same e.
     CHECK(std::abs(value_of(none["result"]["total"], "restitution") - 1) < 1e-12);
     CHECK(relative_difference(value_of(none["result"]["total"], "rebound_velocity"),
@@ -216,6 +222,7 @@ TEST_CASE("of a run v_c by size counts, and beyond the measured sizes the headli
     CHECK(finished.err == containing("and the fastest impact of the run has"));
     const Json first = sandbox.json("tube/deposit.json");
     const Json& result = first["result"];
+    CHECK(finished.out == containing(" K (900 C)"));
     CHECK(result["assumption"] == "tsuji");
     const Json& span = result["total"]["stick_fraction_span"];
     CHECK(value_of(span, "least") <= value_of(result["total"], "stick_fraction"));
