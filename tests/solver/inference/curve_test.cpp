@@ -52,6 +52,27 @@ TEST_CASE("a curve of restitution begins as a power of the distance from v_c") {
     }
 }
 
+TEST_CASE("a section of a map has the numbers and slopes of the map, within its range and beyond") {
+    for (const Law law : {Law::of<Hertz>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
+        CAPTURE(law.name());
+        const ContactModel model = ash_model(law);
+        const RestitutionMap& map = model.map();
+        const double x = model.x_of(2.0);
+        for (const double restitution : {0.02, 0.5, 0.9}) {
+            const RestitutionSection section(model.shared_map(), restitution, {x - 0.5, x + 0.5});
+            for (int i = -15; i <= 15; ++i) {
+                const double at = x + 0.05 * i;
+                if (map.greatest_restitution(at) < restitution + 1e-3 || !map.range().contains(at)) continue;
+                const NumberAlongX expected = map.number_along_x(restitution, at);
+                const NumberAlongX found = section.number_along_x(at);
+                CHECK(relative_difference(found.value, expected.value) < 1e-12);
+                CHECK(std::abs(found.by_x - expected.by_x) < 1e-10);
+                CHECK(section.number(at) == doctest::Approx(expected.value).epsilon(1e-12));
+            }
+        }
+    }
+}
+
 TEST_CASE("what can be recorded of an impact has probability one in all") {
     OnsetCurve::Vector coefficients = OnsetCurve::Vector::Zero();
     coefficients.head<2>() << -0.5, 1.0;
