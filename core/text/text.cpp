@@ -301,9 +301,12 @@ std::optional<double> whole_decimal(std::string_view text) {
 std::string shortest(double value) {
     std::string fixed = fmt::format("{}", value);  // in exponential notation below 1e-4 and from 1e16
     if (!std::isfinite(value)) return fixed;
-    std::string exponential = fmt::format("{:.{}e}", value, significant_digits(fixed) - 1);
-    if (fixed.find('e') != std::string::npos) {
-        if (std::abs(value) < 1 || std::abs(value) > 1e25) return exponential;
+    // Rounded anew to so many digits, a power of two can become its lower neighbour.
+    std::string exponential = fixed;
+    if (fixed.find('e') == std::string::npos) {
+        exponential = fmt::format("{:.{}e}", value, significant_digits(fixed) - 1);
+    } else {
+        if (std::abs(value) < 1 || std::abs(value) > 1e25) return fixed;
         fixed = fmt::format("{:.0f}", value);
     }
     return fixed.size() <= exponential.size() ? fixed : exponential;

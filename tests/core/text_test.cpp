@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/text/text.hpp"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -375,6 +376,14 @@ TEST_CASE("a string may carry its standard uncertainty, with one unit for both, 
     CHECK(contains(json_message(R"("60 +- -3 um")", Dimension::length), "is below zero"));
     CHECK_FALSE(json_message(R"("60 um +- 3 kg")", Dimension::length).empty());
     CHECK_FALSE(json_message(R"("+- 3 um")", Dimension::length).empty());
+}
+
+TEST_CASE("the shortest text of a number is that number, of powers of two as well") {
+    for (int power = -1074; power <= 1023; ++power) {
+        const double value = std::ldexp(1.0, power);
+        for (const double each : {value, std::nextafter(value, 0.0), std::nextafter(value, 2 * value)})
+            CHECK(std::stod(shortest(each)) == each);
+    }
 }
 
 TEST_CASE("a raised digit in a number is refused, in a unit it counts") {

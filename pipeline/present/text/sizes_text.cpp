@@ -237,8 +237,8 @@ std::string sizes_text(const ComparisonResult& result, std::size_t width) {
         "\n\n" + table.text(0, width);
     if (result.sizes->constants == ConstantsFrom::capture)
         text += wrapped(
-                    "No damping law explains all impacts with one constant; each has the one that gives the "
-                    "v_c of the samples, within a factor of 2.",
+                    "No damping law with one constant both explains all impacts and gives the v_c of the "
+                    "samples within a factor of 2; each has the constant that gives that v_c.",
                     width) +
                 "\n";
     if (result.sizes->power)
