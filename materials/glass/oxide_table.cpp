@@ -738,7 +738,7 @@ class OxideTable {
         }
         refuse_marked(row, names, amounts, what);
         for (std::size_t i = names + 1; i < row.cells.size(); ++i)
-            if (i != units_ && std::ranges::find(amounts, i) == amounts.end() &&
+            if ((i != units_ || i >= headings_.size()) && std::ranges::find(amounts, i) == amounts.end() &&
                 std::ranges::find(errors_, std::optional(i)) == errors_.end())
                 refuse_nameless(row, i);
         for (std::size_t k = 0; k < amounts.size(); ++k) {

@@ -149,7 +149,7 @@ TEST_CASE("what stays goes from nothing to all, and without a load there are sha
     CHECK(value_of(all["result"]["total"], "stick_fraction") == 1);
     CHECK(all["result"]["assumption"] == "constant");
     CHECK(all["result"]["total"]["rebound_velocity"].is_null());
-    CHECK(value_of(all["result"]["total"], "outside_model") == 1);
+    CHECK(value_of(all["result"]["total"], "outside_model_fraction") == 1);
     // Damping that grows with overlap and velocity alike: captured at every velocity.
     const Finished always = succeeded(sandbox, "deposit" + superheater + ash +
                                                    " --law jkr --work-of-adhesion '0.4 J/m2' "

@@ -113,9 +113,10 @@ constexpr std::size_t few = 24;  ///< values that are shown one by one
 
 using Values = std::vector<std::vector<double>>;
 
-Values variable_values(const SweepSpec& spec) {
+/// @param most points that are drawn
+Values variable_values(const SweepSpec& spec, std::uint64_t most = capture_impacts) {
     Sampling sampling = spec.sampling;
-    if (sampling.method != SamplingMethod::grid) sampling.points = std::min(sampling.points, capture_impacts);
+    if (sampling.method != SamplingMethod::grid) sampling.points = std::min(sampling.points, most);
     const Design design(distributions_of(spec), sampling);
     const auto points = static_cast<std::size_t>(std::min(design.points(), 8 * capture_impacts));
     Values values(design.variables(), std::vector<double>(points));
@@ -133,9 +134,8 @@ std::vector<double> captured(const ImpactModel& model, const ImpactColumns& impa
     return flags;
 }
 
-/// At most as many points as take no time to solve, scattered so that they follow no side of a grid.
-Values some_of(const Values& values) {
-    constexpr std::size_t most = 1024;
+/// At most so many points, scattered so that they follow no side of a grid.
+Values some_of(const Values& values, std::size_t most) {
     constexpr double golden = 0.6180339887498949;
     const std::size_t all = values.front().size();
     if (all <= most) return values;
@@ -293,7 +293,11 @@ std::vector<std::string> warnings_of_sizes(const SweepSpec& spec) {
 std::vector<double> captures_outside_model(const SweepSpec& spec) {
     std::vector<double> shares(spec.laws.size(), 0.0);
     if (spec.variables.empty()) return shares;
-    const Values values = some_of(variable_values(spec));
+    // Often few of the impacts are captures; those of other laws take long to solve.
+    const bool quick = std::ranges::all_of(
+        spec.laws, [&](const LawChoice& choice) { return has_tables(choice.law, spec.damping_law); });
+    const std::uint64_t most = quick ? 8 * capture_impacts : 1024;
+    const Values values = some_of(variable_values(spec, most), most);
     const std::size_t count = values.front().size();
     const ImpactColumns impacts(spec, values, count);
     ImpactColumns fast(spec, values, count);  // without yielding a slower impact is captured as well

@@ -64,8 +64,8 @@ struct ImpactModel {
 /// stating so, and a Tabor parameter that stays while what it depends on varies.
 [[nodiscard]] std::vector<std::string> warnings_of_sizes(const SweepSpec& spec);
 
-/// By law, the share of captures whose critical velocity is above fastest_in_model, from at most 1024
-/// impacts.
+/// By law, the share of captures whose critical velocity is above fastest_in_model, from at most 65,536
+/// impacts; 1024 where the scalar solver takes them.
 [[nodiscard]] std::vector<double> captures_outside_model(const SweepSpec& spec);
 
 /// The doubts about such captures. @param shares of captures_outside_model()
