@@ -2,6 +2,7 @@
 #include "core/text/text.hpp"
 
 #include <cmath>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -382,7 +383,7 @@ TEST_CASE("the shortest text of a number is that number, of powers of two as wel
     for (int power = -1074; power <= 1023; ++power) {
         const double value = std::ldexp(1.0, power);
         for (const double each : {value, std::nextafter(value, 0.0), std::nextafter(value, 2 * value)})
-            CHECK(std::stod(shortest(each)) == each);
+            CHECK(std::strtod(shortest(each).c_str(), nullptr) == each);
     }
 }
 
