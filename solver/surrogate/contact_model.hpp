@@ -96,9 +96,9 @@ class ContactModel {
 
     std::shared_ptr<const RestitutionMap> map_;
     ContactPair contact_;
-    double velocity_unit_;  ///< adhesion velocity; 1 for Hertz [m/s]
-    double log_velocity_unit_;
-    double damping_unit_;  ///< m^(3/5) k^(2/5), unit of damping at 1 m/s [kg/s (s/m)^(1/5)]
+    double velocity_unit_;      ///< adhesion velocity; 1 for Hertz [m/s]
+    double log_velocity_unit_;  ///< its logarithm
+    double damping_unit_;       ///< m^(3/5) k^(2/5), unit of damping at 1 m/s [kg/s (s/m)^(1/5)]
 };
 
 /// A map of @p law, of Hertz if @p contact has no adhesion, for @p velocities [m/s]. @throws InputError

@@ -18,10 +18,13 @@ function make(name, attributes = {}, ...children) {
     return element;
 }
 
-// options: [value, text] each.
-function makeSelect(attributes, options, chosen) {
-    return make('select', attributes, ...options.map(([value, text]) => make('option', { value, selected: value === chosen }, text)));
+// options: [value, text] each. Options that were those of another select would not keep which one is chosen.
+function fillSelect(select, options, chosen) {
+    select.replaceChildren(...options.map(([value, text]) => make('option', { value, selected: value === chosen }, text)));
+    return select;
 }
+
+const makeSelect = (attributes, options, chosen) => fillSelect(make('select', attributes), options, chosen);
 
 // A checkbox with its label; calls changed(checked) on a change.
 function makeBox(label, checked, changed) {

@@ -88,9 +88,7 @@ function offerTube(artifacts) {
     for (const name of ['told', 'problem']) tube.nodes[name].textContent = '';
     const rows = artifacts && resultOf(artifacts, 'comparison.json')?.by_size;
     const named = [...new Set((rows ?? []).map((row) => row.assumption))].filter((name) => !['measured', 'adhesion-alone'].includes(name));
-    const choices = [['', 'by the first that the impacts admit'], ...named.map((name) => [name, `by ${name.replaceAll('-', ' ')}`])];
-    tube.nodes.assumption.replaceChildren(...choices.map(([value, text]) => make('option', { value }, text)));
-    tube.nodes.assumption.value = '';
+    fillSelect(tube.nodes.assumption, [['', 'by the first that the impacts admit'], ...named.map((name) => [name, `by ${name.replaceAll('-', ' ')}`])], '');
 }
 
 function missingOfTube(options) {

@@ -208,7 +208,7 @@ async function offerWhatIf(artifacts, chosen) {
     whatIf.points = law ? measuredPoints(artifacts, law) : [];
     byId('app-what-if').hidden = !whatIf.contact;
     if (!whatIf.contact) return;
-    whatIf.nodes.law.replaceChildren(...makeSelect({}, names.map((name) => [name, lawName(name)]), law).children);
+    fillSelect(whatIf.nodes.law, names.map((name) => [name, lawName(name)]), law);
     whatIf.nodes.parts.forEach((part) => part.tell());
     drawWhatIf();
 }

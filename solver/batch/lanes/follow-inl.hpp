@@ -238,7 +238,7 @@ HWY_NOINLINE void follow(Block& block, Detachment detachment, Goal goal, Supply 
         Places places = places_of(equation, detachment);
         if constexpr (F::yields)
             places.yield = yield_place<F>(equation, Lanes::load(block.yield_number + first));
-        new (&orbits[group]) Orbit(equation, places, goal);
+        new (&orbits[group]) Orbit(equation, places, goal);  // in its place: it takes kilobytes
         const std::uint64_t others = ~(bits_of(every()) << first);
         block.rebound &= others;
         block.capture &= others;

@@ -138,7 +138,7 @@ class LaneOrbit {
             event = select(approaching_, leaves, event);
         }
         if constexpr (std::is_same_v<F, ZoneForm>) {
-            const Lanes ahead = min(event, usual * Lanes(1.1));
+            const Lanes ahead = min(event, usual * Lanes(Pilot::longest_reach));
             const Mask leaving = equation_.longest_step(q, v, r.acceleration, ahead) < ahead;
             equation_.prepare(q, both(active_, leaving), v > Lanes(0.0), pilot_.turn());
         }

@@ -37,10 +37,11 @@ class ZoneBand {
     static constexpr std::size_t orders = 9;  ///< powers of x
     /// Functions of u: d(delta)/du, F, the integral of the damping's shape over the overlap, U, delta.
     enum Function : std::size_t { slope, force, impulse, potential, overlap, functions };
-    static constexpr std::size_t padded = 72;  ///< coefficients of all functions
-    static constexpr std::size_t of_steps =
-        terms * 4;  ///< of all but the overlap; both multiples of any register
-    static_assert(overlap == 4 && padded >= terms * functions);
+    static constexpr std::size_t padded = 72;                        ///< coefficients of all functions
+    static constexpr std::size_t step_functions = overlap;           ///< those that every step needs
+    static constexpr std::size_t of_steps = terms * step_functions;  ///< their coefficients
+    static_assert(padded % 8 == 0 && of_steps % 8 == 0, "multiples of any register");
+    static_assert(padded >= terms * functions);
 
     struct Piece {
         double lower;
@@ -70,7 +71,7 @@ class ZoneBand {
 
     /// Place of a coefficient among those of a piece; the overlap, which hardly any step needs, is the last.
     [[nodiscard]] static constexpr std::size_t index(Function function, std::size_t term) {
-        return function == overlap ? of_steps + term : term * overlap + function;
+        return function == overlap ? of_steps + term : term * step_functions + function;
     }
 
     /// The band that contains a transition parameter, made when it is first needed. Thread-safe.

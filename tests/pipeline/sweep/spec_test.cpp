@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/app/sweep/spec/spec.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <numbers>
 #include <set>
@@ -359,6 +360,22 @@ TEST_CASE("captures with a v_c outside of the model are counted by law, of one s
               "and shares that count them, are no result"});
     json["variables"]["radius"] = {{"values", {"44 um", "45 um"}}};
     CHECK(shares() == std::vector<double>{0, 0});
+}
+
+TEST_CASE("where captures are rare their share outside of the model is the same for any seed") {
+    Json json = full_spec(65536);
+    json["impact"].update({{"damping_law", "contact-radius"}, {"damping", "2500 Pa s"}});
+    json["variables"]["radius"].update({{"median", "22 um"}, {"minimum", "5 um"}});
+    json["sampling"]["method"] = "random";
+    std::vector<double> shares;
+    for (const int seed : {1, 2, 3}) {
+        json["sampling"]["seed"] = seed;
+        shares.push_back(captures_outside_model(read_sweep_spec(json.dump()).spec).front());
+    }
+    const auto [least, greatest] = std::ranges::minmax(shares);
+    CHECK(least > 0.1);
+    CHECK(greatest < 0.9);
+    CHECK(greatest - least < 0.1);
 }
 
 TEST_CASE("damping as a power of the radius is that of each impact") {

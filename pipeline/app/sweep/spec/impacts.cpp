@@ -108,6 +108,7 @@ void refuse_first(const ImpactModel& model, const ImpactColumns& impacts) {
 using report::CaptureShare;
 
 constexpr std::uint64_t capture_impacts = 8192;
+constexpr std::uint64_t most_impacts = 8 * capture_impacts;
 constexpr std::size_t slices = 16;
 constexpr std::size_t few = 24;  ///< values that are shown one by one
 
@@ -118,7 +119,7 @@ Values variable_values(const SweepSpec& spec, std::uint64_t most = capture_impac
     Sampling sampling = spec.sampling;
     if (sampling.method != SamplingMethod::grid) sampling.points = std::min(sampling.points, most);
     const Design design(distributions_of(spec), sampling);
-    const auto points = static_cast<std::size_t>(std::min(design.points(), 8 * capture_impacts));
+    const auto points = static_cast<std::size_t>(std::min(design.points(), most_impacts));
     Values values(design.variables(), std::vector<double>(points));
     for (std::size_t i = 0; i < values.size(); ++i) design.fill(0, i, 0, values[i]);
     return values;
@@ -296,7 +297,7 @@ std::vector<double> captures_outside_model(const SweepSpec& spec) {
     // Often few of the impacts are captures; those of other laws take long to solve.
     const bool quick = std::ranges::all_of(
         spec.laws, [&](const LawChoice& choice) { return has_tables(choice.law, spec.damping_law); });
-    const std::uint64_t most = quick ? 8 * capture_impacts : 1024;
+    const std::uint64_t most = quick ? most_impacts : capture_impacts / 8;
     const Values values = some_of(variable_values(spec, most), most);
     const std::size_t count = values.front().size();
     const ImpactColumns impacts(spec, values, count);
