@@ -177,12 +177,25 @@ bool is_formula(std::string_view name) {
     return name.size() < 40 && std::regex_match(std::string(name), symbols);
 }
 
-/// Whether a text names another form of a phase than that of the catalogue, or its melt, or is a
-/// spreadsheet's mark of a name that does not count.
-bool names_other_form(std::string_view text) {
-    constexpr std::array<std::string_view, 8> forms{"high", "hoch",  "beta",     "gamma",
-                                                    "hp",   "fused", "vitreous", "struckout"};
-    return std::ranges::find(forms, phase_key(text)) != forms.end();
+/// Whether a part of a name says that this is another form of the phase, its melt or what became of it, or
+/// is a spreadsheet's mark of a name that does not count. Hydrated lime is no lime, calcined gypsum no
+/// gypsum.
+bool names_other_form(std::string_view part, const Phase& phase) {
+    static const WordLists forms("other forms");
+    const auto has = [&](const char* group) { return phase.formula.find(group) != std::string::npos; };
+    const bool has_water = has("OH") || has("H2O");
+    const bool has_carbonate = has("CO3");
+    const auto changes = [&](std::string_view list) {
+        if (list == "hydrated") return !has_water;
+        if (list == "carbonated") return !has_carbonate;
+        if (list == "heated") return has_water || has_carbonate || phase.formula.empty();
+        return true;
+    };
+    if (const auto list = forms.list_of(part)) return changes(*list);
+    return std::ranges::any_of(words_in(part), [&](const std::string& word) {
+        const auto list = forms.list_of(word);
+        return list && *list != "polymorph" && changes(*list);
+    });
 }
 
 bool differ_in_formula(const Phase& phase, const Phase& other) {
@@ -306,12 +319,11 @@ std::optional<ResolvedPhase> PhaseCatalogue::by_parts(std::string_view name) con
     static const WordLists rows("XRD rows", "+");
     bool by_formula = false;
     bool crystalline = false;
-    std::size_t unknown = 0;
+    std::vector<std::string_view> unknown;
     for (const std::string_view part : parts_of(name)) {
-        if (names_other_form(part)) return std::nullopt;
         auto phase = known(name, part);
         if (!phase) {
-            unknown += without_additions(phase_key(part)).empty() ? 0 : 1;
+            if (!without_additions(phase_key(part)).empty()) unknown.push_back(part);
             crystalline = crystalline || rows.list_of(part) == "crystalline_total";
             continue;
         }
@@ -325,7 +337,13 @@ std::optional<ResolvedPhase> PhaseCatalogue::by_parts(std::string_view name) con
         found = std::move(phase);
         by_formula = formula;
     }
-    if (unknown == 0 || !found) return found;
+    if (unknown.empty() || !found) return found;
+    for (const std::string_view part : unknown) {
+        if (names_other_form(part, found->phase)) return std::nullopt;
+        if (const LackingPhase* other = lacking(part))
+            throw InputError(in_quotes(name) + " may be " + found->phase.name + " or " + other->name,
+                             "one of the two");
+    }
     if (found->phase.amorphous && crystalline)
         throw InputError(in_quotes(name) + " may be " + found->phase.name + " or a crystalline phase",
                          "one of the two");
@@ -378,21 +396,16 @@ void PhaseCatalogue::refuse_shared_formula(std::string_view name) const {
                          "one of them by its name");
 }
 
-void PhaseCatalogue::refuse_lacking(std::string_view name) const {
+const LackingPhase* PhaseCatalogue::lacking(std::string_view name) const {
     const std::string key = phase_key(name);
+    const std::string stem = without_additions(key);
+    const auto is_named = [&](const std::string& each) {
+        return phase_key(each) == key || phase_key(each) == stem;
+    };
     for (const PhaseSet& set : sets_)
-        for (const LackingPhase& phase : set.lacking) {
-            std::vector<std::string> names{phase.name};
-            names.insert(names.end(), phase.synonyms.begin(), phase.synonyms.end());
-            const bool found = std::ranges::any_of(names, [&](const std::string& each) {
-                return phase_key(each) == key || phase_key(each) == without_additions(key);
-            });
-            if (found)
-                throw InputError("no phase is called " + in_quotes(name) +
-                                     " with all its properties: " + phase.missing + " is missing" +
-                                     (phase.formula.empty() ? "" : " (" + phase.formula + ")"),
-                                 known_phases);
-        }
+        for (const LackingPhase& phase : set.lacking)
+            if (is_named(phase.name) || std::ranges::any_of(phase.synonyms, is_named)) return &phase;
+    return nullptr;
 }
 
 ResolvedPhase PhaseCatalogue::resolve(std::string_view name) const {
@@ -420,7 +433,11 @@ ResolvedPhase PhaseCatalogue::resolve(std::string_view name) const {
     if (!members.empty())
         throw InputError(in_quotes(name) + " is a mineral group", "one of its phases: " + joined(members));
     if (auto phase = by_stem(name)) return *phase;
-    refuse_lacking(name);
+    if (const LackingPhase* phase = lacking(name))
+        throw InputError("no phase is called " + in_quotes(name) +
+                             " with all its properties: " + phase->missing + " is missing" +
+                             (phase->formula.empty() ? "" : " (" + phase->formula + ")"),
+                         known_phases);
     const auto candidates = nearest_names(name);
     throw InputError("no phase is called " + in_quotes(name),
                      candidates.empty() ? known_phases : "nearest: " + joined(candidates));

@@ -123,8 +123,8 @@ class PhaseCatalogue {
     [[nodiscard]] std::optional<ResolvedPhase> by_stem(std::string_view name) const;
     /// Refuses a formula that several phases of a set have: "SiO2". @throws InputError with their names
     void refuse_shared_formula(std::string_view name) const;
-    /// Refuses a phase that a set cannot have. @throws InputError
-    void refuse_lacking(std::string_view name) const;
+    /// The phase of a name that a set cannot have, if it is one.
+    [[nodiscard]] const LackingPhase* lacking(std::string_view name) const;
     [[nodiscard]] std::vector<std::string> nearest_names(std::string_view name) const;
 
     /// Position of a phase: its set, and its place in that.

@@ -112,16 +112,27 @@ TEST_CASE("names are found whatever their case, punctuation, spelling and data-b
     for (const auto& [name, phases] : {std::pair{"Freikalk, CaCO3", "lime or calcite"},
                                        {"Lime (Ca(OH)2)", "lime or portlandite"},
                                        {"Fe2O3 - Magnetite", "hematite or magnetite"},
+                                       {"Magnetite (maghemite)", "magnetite or maghemite"},
+                                       {"Rutile, Anatas", "rutile or anatase"},
                                        {"Albite (KAlSi3O8)", "albite or "}})
         CHECK_MESSAGE(contains(input_error_of([&] { return catalogue.resolve(name); }),
                                std::string("may be ") + phases),
                       name);
     CHECK(catalogue.resolve("Microcline, KAlSi3O8").phase.name == "microcline");
-    for (const char* name : {"SiO2 (tridymite)", "Tridymite - SiO2", "Quartz (high)", "Quartz, beta",
-                             "Tridymite, syn", "Quarz (struck out)"}) {
+    for (const char* name :
+         {"SiO2 (tridymite)", "Tridymite - SiO2", "Quartz (high)", "Quartz, beta", "Tridymite, syn",
+          "Quarz (struck out)", "Lime (hydrated)", "Lime, partly slaked", "Lime, carbonated",
+          "Hematite, hydrated", "Anhydrite (hemihydrate)", "Gypsum, calcined", "Calcite (burnt)",
+          "Calcit (gebrannt)", "Brucite, dehydrated", "Periclase, hydrated", "Diopside (molten)"}) {
         CAPTURE(name);
         CHECK(contains(input_error_of([&] { return catalogue.resolve(name); }), "no phase is called"));
     }
+    for (const auto& [name, phase] : {std::pair{"Slaked lime (Ca(OH)2)", "portlandite"},
+                                      {"Lime, burnt", "lime"},
+                                      {"Corundum (calcined)", "corundum"},
+                                      {"Gypsum, hydrated", "gypsum"},
+                                      {"Quartz, high purity", "quartz"}})
+        CHECK_MESSAGE(catalogue.resolve(name).phase.name == phase, name);
 }
 
 TEST_CASE("members of solid solutions and other forms of feldspars are found by their stem") {

@@ -210,7 +210,7 @@ class LawResult {
         : plan_(plan), sums_(sums), counts_(counts), failed_(failed) {}
 
     /// @param outside share of the captures whose v_c is outside the model
-    [[nodiscard]] Json json(const LawChoice& choice, double outside) const {
+    [[nodiscard]] Json json(const LawChoice& choice, const OutsideShare& outside) const {
         Json law{{"law", choice.law.name()},
                  {"detachment", name_of(choice.detachment)},
                  {"method", name_of(plan_.wanted(choice.law).method)},
@@ -219,8 +219,12 @@ class LawResult {
                  {"not_converged", failed_},
                  {"capture_fraction", with_error(whole(0).mean, Dimension::fraction, error_of_mean(0))},
                  {"observables", Json::array()}};
-        if (outside > 0)
-            law["captured_outside_model"] = quantity_json(outside * whole(0).mean, Dimension::fraction);
+        if (outside.fraction > 0) {
+            const double captured = whole(0).mean;
+            law["captured_outside_model"] = with_error(
+                outside.fraction * captured, Dimension::fraction,
+                outside.uncertainty > 0 ? std::optional(outside.uncertainty * captured) : std::nullopt);
+        }
         for (std::size_t i = 1; i < plan_.spec().statistics.size(); ++i)
             law["observables"].push_back(observable(i));
         if (plan_.with_sensitivity()) law["sensitivity"] = sensitivity();
@@ -388,7 +392,7 @@ void run_sweep_command(const CommandOptions& options, MpiSession& session, const
 
 Json sweep_artifact(const SweepPlan& plan, const SweepProgress& progress, const InputFile& spec) {
     const SweepSums sums = progress.sums.total();
-    const std::vector<double> outside = captures_outside_model(plan.spec());
+    const std::vector<OutsideShare> outside = captures_outside_model(plan.spec());
     Json result{{"points", plan.design().points()},
                 {"impacts", plan.impacts()},
                 {"damping_law", name_of(plan.spec().damping_law)},

@@ -348,15 +348,20 @@ TEST_CASE("tails and masses that make no sense are doubted") {
 TEST_CASE("captures with a v_c outside of the model are counted by law, of one size too") {
     Json json = full_spec(512);
     json["impact"]["damping_over_sizes"] = "same";
-    const auto shares = [&] { return captures_outside_model(read_sweep_spec(json.dump()).spec); };
+    const auto shares = [&] {
+        std::vector<double> fractions;
+        for (const OutsideShare& share : captures_outside_model(read_sweep_spec(json.dump()).spec))
+            fractions.push_back(share.fraction);
+        return fractions;
+    };
     json["variables"]["radius"] = {{"values", {"5 um", "44 um"}}};
     for (const double share : shares()) CHECK((share > 0 && share <= 1));
     json["variables"]["radius"] = {{"values", {"5 um", "5.1 um"}}};
     CHECK(shares() == std::vector<double>{1, 1});
     const SweepSpec spec = read_sweep_spec(json.dump()).spec;
-    CHECK(warnings_of_captures(spec, {0.25, 0}) ==
+    CHECK(warnings_of_captures(spec, {{.fraction = 0.25, .uncertainty = 0.021}, {}}) ==
           std::vector<std::string>{
-              "dmt: of 25 % of the captures v_c is above 500 m/s, outside the model; they, "
+              "dmt: of 25 % (± 2.1 %) of the captures v_c is above 500 m/s, outside the model; they, "
               "and shares that count them, are no result"});
     json["variables"]["radius"] = {{"values", {"44 um", "45 um"}}};
     CHECK(shares() == std::vector<double>{0, 0});
@@ -367,15 +372,33 @@ TEST_CASE("where captures are rare their share outside of the model is the same 
     json["impact"].update({{"damping_law", "contact-radius"}, {"damping", "2500 Pa s"}});
     json["variables"]["radius"].update({{"median", "22 um"}, {"minimum", "5 um"}});
     json["sampling"]["method"] = "random";
-    std::vector<double> shares;
+    std::vector<OutsideShare> shares;
     for (const int seed : {1, 2, 3}) {
         json["sampling"]["seed"] = seed;
         shares.push_back(captures_outside_model(read_sweep_spec(json.dump()).spec).front());
     }
-    const auto [least, greatest] = std::ranges::minmax(shares);
-    CHECK(least > 0.1);
-    CHECK(greatest < 0.9);
-    CHECK(greatest - least < 0.1);
+    for (const auto& [fraction, uncertainty] : shares) {
+        CHECK((0.1 < fraction && fraction < 0.9));
+        CHECK((0.005 < uncertainty && uncertainty < 0.05));
+        CHECK(std::abs(fraction - shares.front().fraction) < 4 * uncertainty);
+    }
+}
+
+TEST_CASE("of a grid larger than what is drawn of it points from all of it are counted") {
+    Json json = least_spec();
+    Json dampings = Json::array();  // the last half stops whatever arrives
+    for (int i = 0; i < 100; ++i) dampings.push_back(i < 50 ? 1e-4 * i : 10 + i);
+    json["impact"].erase("damping");
+    json["variables"] = {{"damping", {{"values", dampings}}},
+                         {"velocity", {{"grid", "linear"}, {"from", 1}, {"to", 2}, {"points", 2000}}}};
+    const SweepSpec spec = read_sweep_spec(json.dump()).spec;
+    const OutsideShare share = captures_outside_model(spec).front();
+    CHECK(share.fraction == 1);
+    CHECK(share.uncertainty > 0);
+    const auto fractions = capture_fractions(spec);
+    CHECK(fractions.impacts == 65536);
+    for (const report::CaptureShare& part : fractions.variables.front().curves.front().shares)
+        CHECK(part.fraction == (part.value < 1 ? 0 : 1));
 }
 
 TEST_CASE("damping as a power of the radius is that of each impact") {

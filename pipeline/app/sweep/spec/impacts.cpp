@@ -114,14 +114,26 @@ constexpr std::size_t few = 24;  ///< values that are shown one by one
 
 using Values = std::vector<std::vector<double>>;
 
-/// @param most points that are drawn
-Values variable_values(const SweepSpec& spec, std::uint64_t most = capture_impacts) {
+/// Values of the variables at @p most points of the sweep or fewer: the first ones of a random design, of a
+/// grid points that are scattered so that they follow none of its sides.
+Values variable_values(const SweepSpec& spec, std::uint64_t most) {
+    constexpr double golden = 0.6180339887498949;
     Sampling sampling = spec.sampling;
-    if (sampling.method != SamplingMethod::grid) sampling.points = std::min(sampling.points, most);
+    const bool is_grid = sampling.method == SamplingMethod::grid;
+    if (!is_grid) sampling.points = std::min(sampling.points, most);
     const Design design(distributions_of(spec), sampling);
-    const auto points = static_cast<std::size_t>(std::min(design.points(), most_impacts));
-    Values values(design.variables(), std::vector<double>(points));
-    for (std::size_t i = 0; i < values.size(); ++i) design.fill(0, i, 0, values[i]);
+    const std::uint64_t all = design.points();
+    Values values(design.variables(), std::vector<double>(static_cast<std::size_t>(std::min(all, most))));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (all <= most) {
+            design.fill(0, i, 0, values[i]);
+            continue;
+        }
+        for (std::size_t n = 0; n < values[i].size(); ++n) {
+            const double place = std::fmod(golden * static_cast<double>(n), 1.0) * static_cast<double>(all);
+            design.fill(0, i, static_cast<std::uint64_t>(place), {&values[i][n], 1});
+        }
+    }
     return values;
 }
 
@@ -135,18 +147,9 @@ std::vector<double> captured(const ImpactModel& model, const ImpactColumns& impa
     return flags;
 }
 
-/// At most so many points, scattered so that they follow no side of a grid.
-Values some_of(const Values& values, std::size_t most) {
-    constexpr double golden = 0.6180339887498949;
-    const std::size_t all = values.front().size();
-    if (all <= most) return values;
-    Values some(values.size());
-    for (std::size_t i = 0; i < most; ++i) {
-        const double place = std::fmod(golden * static_cast<double>(i), 1.0) * static_cast<double>(all);
-        for (std::size_t k = 0; k < values.size(); ++k)
-            some[k].push_back(values[k][static_cast<std::size_t>(place)]);
-    }
-    return some;
+/// Standard uncertainty of a fraction that was counted.
+double uncertainty_of_fraction(double fraction, double count) {
+    return std::sqrt(std::max(fraction * (1 - fraction), 0.25 / count) / count);
 }
 
 std::vector<CaptureShare> shares_of(const std::vector<double>& variable, const std::vector<double>& flags) {
@@ -166,8 +169,8 @@ std::vector<CaptureShare> shares_of(const std::vector<double>& variable, const s
         for (std::size_t i = first; i < end; ++i) captures += flags[order[i]];
         const auto count = static_cast<double>(end - first);
         const double fraction = captures / count;
-        shares.push_back({variable[order[(first + end) / 2]], fraction,
-                          std::sqrt(std::max(fraction * (1 - fraction), 0.25 / count) / count)});
+        shares.push_back(
+            {variable[order[(first + end) / 2]], fraction, uncertainty_of_fraction(fraction, count)});
         first = end;
     }
     return shares;
@@ -291,14 +294,14 @@ std::vector<std::string> warnings_of_sizes(const SweepSpec& spec) {
     return warnings;
 }
 
-std::vector<double> captures_outside_model(const SweepSpec& spec) {
-    std::vector<double> shares(spec.laws.size(), 0.0);
+std::vector<OutsideShare> captures_outside_model(const SweepSpec& spec) {
+    std::vector<OutsideShare> shares(spec.laws.size());
     if (spec.variables.empty()) return shares;
     // Often few of the impacts are captures; those of other laws take long to solve.
     const bool quick = std::ranges::all_of(
         spec.laws, [&](const LawChoice& choice) { return has_tables(choice.law, spec.damping_law); });
     const std::uint64_t most = quick ? most_impacts : capture_impacts / 8;
-    const Values values = some_of(variable_values(spec, most), most);
+    const Values values = variable_values(spec, most);
     const std::size_t count = values.front().size();
     const ImpactColumns impacts(spec, values, count);
     ImpactColumns fast(spec, values, count);  // without yielding a slower impact is captured as well
@@ -313,7 +316,10 @@ std::vector<double> captures_outside_model(const SweepSpec& spec) {
             const double all = std::accumulate(captures.begin(), captures.end(), 0.0);
             if (all == 0) continue;
             const std::vector<double> still = captured(model, fast);
-            shares[k] = std::inner_product(captures.begin(), captures.end(), still.begin(), 0.0) / all;
+            const double outside = std::inner_product(captures.begin(), captures.end(), still.begin(), 0.0);
+            shares[k].fraction = outside / all;
+            const bool is_whole = spec.sampling.method == SamplingMethod::grid && count < most;
+            if (!is_whole) shares[k].uncertainty = uncertainty_of_fraction(shares[k].fraction, all);
         } catch (const InputError&) {  // reported where the impact itself is solved
         } catch (const ConvergenceError&) {
         }
@@ -321,13 +327,17 @@ std::vector<double> captures_outside_model(const SweepSpec& spec) {
     return shares;
 }
 
-std::vector<std::string> warnings_of_captures(const SweepSpec& spec, const std::vector<double>& shares) {
+std::vector<std::string> warnings_of_captures(const SweepSpec& spec,
+                                              const std::vector<OutsideShare>& shares) {
     std::vector<std::string> warnings;
     for (std::size_t k = 0; k < spec.laws.size(); ++k)
-        if (shares[k] > 0)
+        if (shares[k].fraction > 0)
             warnings.push_back(fmt::format(
-                "{}: of {:.3g} % of the captures v_c is {}; they, and shares that count them, are no result",
-                spec.laws[k].law.name(), 100 * shares[k], outside_model_text()));
+                "{}: of {:.3g} %{} of the captures v_c is {}; they, and shares that count them, are no "
+                "result",
+                spec.laws[k].law.name(), 100 * shares[k].fraction,
+                shares[k].uncertainty > 0 ? fmt::format(" (± {:#.2g} %)", 100 * shares[k].uncertainty) : "",
+                outside_model_text()));
     return warnings;
 }
 
@@ -362,16 +372,16 @@ ResultColumns solve_in_batch(const ImpactModel& model, const ImpactColumns& impa
 }
 
 report::CaptureFractions capture_fractions(const SweepSpec& spec) {
-    report::CaptureFractions fractions{
-        .impacts =
-            std::min<std::uint64_t>(capture_impacts, std::max<std::uint64_t>(spec.sampling.points, 1))};
+    report::CaptureFractions fractions{.impacts = 1};
     for (const SweepVariable& variable : spec.variables)
         fractions.variables.push_back(
             {.name = std::string(name_of(variable.input)),
              .unit = std::string(si_unit(dimension_of(variable.input, spec.damping_law)))});
     if (spec.variables.empty()) return fractions;
-    const Values values = variable_values(spec);
-    const ImpactColumns impacts(spec, values, values.front().size());
+    const bool is_grid = spec.sampling.method == SamplingMethod::grid;
+    const Values values = variable_values(spec, is_grid ? most_impacts : capture_impacts);
+    fractions.impacts = values.front().size();
+    const ImpactColumns impacts(spec, values, fractions.impacts);
     for (const LawChoice& choice : spec.laws) {
         const std::vector<double> flags =
             captured({choice.law, choice.detachment, spec.damping_law}, impacts);

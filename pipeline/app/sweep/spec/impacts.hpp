@@ -64,13 +64,19 @@ struct ImpactModel {
 /// stating so, and a Tabor parameter that stays while what it depends on varies.
 [[nodiscard]] std::vector<std::string> warnings_of_sizes(const SweepSpec& spec);
 
+/// A share of the captures.
+struct OutsideShare {
+    double fraction = 0;     ///< [1]
+    double uncertainty = 0;  ///< standard uncertainty by the number of impacts [1]; 0 of a whole grid
+};
+
 /// By law, the share of captures whose critical velocity is above fastest_in_model, from at most 65,536
 /// impacts; 1024 where the scalar solver takes them.
-[[nodiscard]] std::vector<double> captures_outside_model(const SweepSpec& spec);
+[[nodiscard]] std::vector<OutsideShare> captures_outside_model(const SweepSpec& spec);
 
 /// The doubts about such captures. @param shares of captures_outside_model()
 [[nodiscard]] std::vector<std::string> warnings_of_captures(const SweepSpec& spec,
-                                                            const std::vector<double>& shares);
+                                                            const std::vector<OutsideShare>& shares);
 
 /// Results wanted in addition to the restitution (others stay empty), and the method to compute them.
 struct WantedResults {
