@@ -199,6 +199,14 @@ std::optional<PrintedNumber> number_in(const TableRow& row, std::size_t column, 
 constexpr const char* density_alone =
     "the density alone, or the phase with its uncertainty under \"phases\" of a case";
 
+/// A cell of a number and its unit, "2,65 g/cm3", with a decimal point whatever mark the table has.
+std::string with_decimal_point(const std::string& cell, std::size_t column, const NumberMarks& marks) {
+    const auto end = std::min(cell.find_first_not_of("0123456789.,"), cell.size());
+    if (cell.substr(0, end).find(',') == std::string::npos) return cell;
+    const auto number = marks.read(cell.substr(0, end), column);
+    return number ? shortest(number->value) + cell.substr(end) : cell;
+}
+
 std::optional<double> density_in(const TableRow& row, std::size_t column, const Table& table) {
     const std::string& cell = row.cells[column];
     const Heading& heading = table.headings[column];
@@ -208,7 +216,9 @@ std::optional<double> density_in(const TableRow& row, std::size_t column, const 
             throw InputError("column " + in_quotes(heading.written) + ": the density has no unit",
                              "density [g/cm3] as the heading, or a unit in each cell");
         const auto number = heading.unit.empty() ? std::nullopt : number_in(row, column, table);
-        const Quantity with_unit = number ? Quantity{} : quantity_of_text(cell, Dimension::density);
+        const Quantity with_unit =
+            number ? Quantity{}
+                   : quantity_of_text(with_decimal_point(cell, column, table.marks), Dimension::density);
         require_certain(number ? number->standard_uncertainty : with_unit.standard_uncertainty,
                         in_quotes(cell) + " ", density_alone);
         const double density =

@@ -1200,6 +1200,14 @@ TEST_CASE("fractions in JSON: an object, a list, any form of a number, and the a
     CHECK(relative_difference(dense.samples.at(0).analysis.phases.at(0).density.value(), 2700) < 1e-14);
 }
 
+TEST_CASE("a density with its unit has the decimal mark of its table") {
+    for (const char* rows : {"Phase;Gew.-%;Dichte\nQuarz;30,5;2,65 g/cm³\nGlas;69,5;2,5 g/cm³\n",
+                             "Phase;Gew.-%;Dichte\nQuarz;30.5;2.65 g/cm³\nGlas;69.5;2.5 g/cm³\n"}) {
+        const auto sample = read_xrd(rows, "t.csv").samples.front();
+        CHECK(relative_difference(sample.analysis.phases.front().density.value(), 2650) < 1e-14);
+    }
+}
+
 TEST_CASE("an uncertainty behind ratio and intensity is refused, as it may be of either") {
     const auto refusal = [](const std::string& rows) {
         return input_error_of([&] { return read_xrd(rows, "t.csv").samples.front().name; });
