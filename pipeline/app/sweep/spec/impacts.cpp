@@ -294,14 +294,14 @@ std::vector<std::string> warnings_of_sizes(const SweepSpec& spec) {
     return warnings;
 }
 
-std::vector<OutsideShare> captures_outside_model(const SweepSpec& spec) {
-    std::vector<OutsideShare> shares(spec.laws.size());
-    if (spec.variables.empty()) return shares;
-    // Often few of the impacts are captures; those of other laws take long to solve.
-    const bool quick = std::ranges::all_of(
-        spec.laws, [&](const LawChoice& choice) { return has_tables(choice.law, spec.damping_law); });
-    const std::uint64_t most = quick ? most_impacts : capture_impacts / 8;
-    const Values values = variable_values(spec, most);
+namespace {
+
+/// Captures among the impacts at @p values, and those of them that are captures at fastest_in_model, too.
+struct CaptureCounts {
+    double all = 0;
+    double outside = 0;
+};
+CaptureCounts count_captures(const SweepSpec& spec, const ImpactModel& model, const Values& values) {
     const std::size_t count = values.front().size();
     const ImpactColumns impacts(spec, values, count);
     ImpactColumns fast(spec, values, count);  // without yielding a slower impact is captured as well
@@ -309,17 +309,37 @@ std::vector<OutsideShare> captures_outside_model(const SweepSpec& spec) {
     for (double& velocity : velocities) velocity = std::max(velocity, fastest_in_model);
     fast.velocity = velocities;
     fast.yield_pressure = {&infinite, 1};
+    const std::vector<double> captures = captured(model, impacts);
+    const double all = std::accumulate(captures.begin(), captures.end(), 0.0);
+    if (all == 0) return {};
+    const std::vector<double> still = captured(model, fast);
+    return {all, std::inner_product(captures.begin(), captures.end(), still.begin(), 0.0)};
+}
+
+}  // namespace
+
+std::vector<OutsideShare> captures_outside_model(const SweepSpec& spec) {
+    std::vector<OutsideShare> shares(spec.laws.size());
+    if (spec.variables.empty()) return shares;
+    constexpr std::uint64_t least = capture_impacts / 8;
+    constexpr double enough = 1000;  // captures
     for (std::size_t k = 0; k < spec.laws.size(); ++k) {
         const ImpactModel model{spec.laws[k].law, spec.laws[k].detachment, spec.damping_law};
+        // Often few of the impacts are captures; those of other laws take long to solve.
+        const std::uint64_t most = has_tables(model.law, spec.damping_law) ? most_impacts : least;
         try {
-            const std::vector<double> captures = captured(model, impacts);
-            const double all = std::accumulate(captures.begin(), captures.end(), 0.0);
-            if (all == 0) continue;
-            const std::vector<double> still = captured(model, fast);
-            const double outside = std::inner_product(captures.begin(), captures.end(), still.begin(), 0.0);
-            shares[k].fraction = outside / all;
-            const bool is_whole = spec.sampling.method == SamplingMethod::grid && count < most;
-            if (!is_whole) shares[k].uncertainty = uncertainty_of_fraction(shares[k].fraction, all);
+            std::uint64_t drawn = least;
+            Values values = variable_values(spec, drawn);
+            CaptureCounts counts = count_captures(spec, model, values);
+            while (counts.all < enough && drawn < most && values.front().size() == drawn) {
+                values = variable_values(spec, drawn *= 4);
+                counts = count_captures(spec, model, values);
+            }
+            if (counts.all == 0) continue;
+            shares[k].fraction = counts.outside / counts.all;
+            const bool is_whole =
+                spec.sampling.method == SamplingMethod::grid && values.front().size() < drawn;
+            if (!is_whole) shares[k].uncertainty = uncertainty_of_fraction(shares[k].fraction, counts.all);
         } catch (const InputError&) {  // reported where the impact itself is solved
         } catch (const ConvergenceError&) {
         }

@@ -70,8 +70,8 @@ struct OutsideShare {
     double uncertainty = 0;  ///< standard uncertainty by the number of impacts [1]; 0 of a whole grid
 };
 
-/// By law, the share of captures whose critical velocity is above fastest_in_model, from at most 65,536
-/// impacts; 1024 where the scalar solver takes them.
+/// By law, the share of captures whose critical velocity is above fastest_in_model: from 1024 impacts, or so
+/// many more that there are 1000 captures among them, at most 65,536 unless the scalar solver takes them.
 [[nodiscard]] std::vector<OutsideShare> captures_outside_model(const SweepSpec& spec);
 
 /// The doubts about such captures. @param shares of captures_outside_model()
