@@ -161,6 +161,7 @@ void run_critical_velocity_command(const CommandOptions& options, std::ostream& 
     std::vector<Finding> doubts = options.doubts();
     const auto angle = read_angle(options);
     std::optional<ByScheme> scheme;
+    constexpr double usual_velocity = 1;  // [m/s]; stands for all where none is critical
     if (result.value) {
         if (const auto doubt = outside_model(*result.value)) {
             warn_of({*doubt});
@@ -173,10 +174,12 @@ void run_critical_velocity_command(const CommandOptions& options, std::ostream& 
             warn_of(regime.warnings);
             regime_at_capture = regime_text(regime);
         }
-    } else if (angle) {
-        warn_idle("--angle", "there is no critical velocity");
+    } else {
+        if (angle) warn_idle("--angle", "there is no critical velocity");
+        const Impact usual = choice.impact(problem.damping, usual_velocity);
+        warn_of(regime_of(usual, solve_impact(usual).maximum_overlap).warnings);
     }
-    if (!scheme && read_explicit_step(options, choice.impact(problem.damping, 1)))
+    if (!scheme && read_explicit_step(options, choice.impact(problem.damping, usual_velocity)))
         warn_idle("--method", result.value ? "the critical velocity is outside the model"
                                            : "there is no critical velocity");
     if (options.has("--json")) {
@@ -290,12 +293,18 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
     doubt_computed("--contact-modulus", "contact_modulus", pair.contact_modulus);
     doubt_computed("--work-of-adhesion", "work_of_adhesion", pair.work_of_adhesion);
     if (const auto doubt = outside_model(velocity)) computed.push_back(*doubt);
+    constexpr double nearly_jkr = 1;  // from here on JKR is off by less than half
     if (tabor > 0 && tabor < dmt_limit)
         computed.push_back(
             {regime_code, Severity::doubt,
              fmt::format("Tabor parameter {:.3g} < 0.1: a hard contact, for which W_s and v_s, of a JKR "
                          "contact, are far too great; maugis-dugdale holds",
                          tabor)});
+    else if (tabor > 0 && tabor < nearly_jkr)
+        computed.push_back({regime_code, Severity::remark,
+                            fmt::format("Tabor parameter {:.3g} < 1: W_s and v_s, of a JKR contact, are too "
+                                        "great; maugis-dugdale holds",
+                                        tabor)});
     TextList list;
     list.add("E*, contact modulus", readable(pair.contact_modulus, "Pa"));
     list.add("R*, effective radius", readable(pair.effective_radius, "m"));

@@ -439,9 +439,11 @@ class DampingLawFit {
 
     [[nodiscard]] static Constants moved(Constants constants, const Eigen::VectorXd& shift,
                                          const Eigen::VectorXd& reach) {
+        constexpr double rounding = 1e-12;  // what a move to zero leaves is no constant
         for (Eigen::Index k = 0; k < shift.size(); ++k) {
             double& constant = constants[static_cast<std::size_t>(k)];
-            constant = std::max(0.0, constant + shift[k] * reach[k]);
+            constant += shift[k] * reach[k];
+            if (constant < rounding * reach[k]) constant = 0;
         }
         return constants;
     }

@@ -340,9 +340,6 @@ Json impact_json(const Impact& impact, const ImpactResult& result) {
 }
 
 std::string regime_text(const Regime& regime) {
-    const auto velocity = [](const std::optional<double>& value) {
-        return value ? readable(*value, "m/s") : std::string("no yield pressure given");
-    };
     TextList list;
     list.add("damping number", fmt::format("beta = {}", readable_number(regime.damping_number)));
     list.add("Tabor parameter",
@@ -357,7 +354,9 @@ std::string regime_text(const Regime& regime) {
                           readable_number(regime.greatest_pressure / *regime.yield_pressure),
                           readable(*regime.yield_pressure, "Pa"))
             : readable(regime.greatest_pressure, "Pa"));
-    list.add("yield velocity", velocity(regime.yield_velocity));
+    list.add("yield velocity", regime.yield_velocity
+                                   ? readable(*regime.yield_velocity, "m/s") + " (Hertz, without adhesion)"
+                                   : "none: the law is elastic");
     list.add("contact radius", fmt::format("at most {}, {} of R*", readable(regime.contact_radius, "m"),
                                            readable_number(regime.relative_contact_radius)));
     return list.text(0);

@@ -365,6 +365,11 @@ std::vector<ExpectedImpact> expected_impacts(const ExportSubject& subject) {
                                .maximum_overlap = stretch * result.maximum_overlap});
             if (result.contact_time) *impacts.back().contact_time *= stretch;
         }
+    if (impacts.empty() && subject.to_velocity)
+        throw InputError(
+            fmt::format("no impact up to {} is left to compare with", readable(*subject.to_velocity, "m/s")),
+            "a velocity above the critical one; without one 0.1 m/s or more")
+            .at("--to-velocity");
     add_oblique(stiff, impacts);
     return impacts;
 }
