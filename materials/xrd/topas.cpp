@@ -179,6 +179,23 @@ class TopasReader {
         cut_off(macro);
     }
 
+    /// Refuses a keyword that a phase or pattern has already.
+    static void require_first(const Token& token, bool is_first) {
+        if (!is_first)
+            refuse_line(token.line, in_quotes(token.text) + " stands twice",
+                        "once, with the number that counts");
+    }
+    /// Refuses the amounts of weight_percent and MVW where one is not the other, rounded.
+    void require_agreement(const Token& token, const PrintedNumber& weight) {
+        constexpr double rounding = 0.5;  // [%]
+        const auto& other = phase(token).listed.amount;
+        if (other && std::abs(other->value - weight.value) > rounding)
+            refuse_line(token.line,
+                        "the phase has " + shortest(other->value) + " % before and " +
+                            shortest(weight.value) + " % here",
+                        "weight_percent and MVW that agree");
+    }
+
     void read_keyword(const Token& token) {
         const std::string& word = token.text;
         if (word.starts_with("#if")) {
@@ -199,22 +216,29 @@ class TopasReader {
         } else if (word == "phase_name") {
             if (at_ >= tokens_.size()) cut_off(token);
             ListedPhase& listed = phase(token).listed;
+            require_first(token, listed.name.empty());
             listed.name = tokens_[at_].text;
             listed.line = tokens_[at_++].line;
         } else if (word == "weight_percent") {
-            phase(token).listed.amount = number_after(token);
+            require_first(token, !phase(token).has_weight);
+            const PrintedNumber weight = number_after(token);
+            require_agreement(token, weight);
+            phase(token).listed.amount = weight;
             phase(token).has_weight = true;
         } else if (word == "spiked_phase_measured_weight_percent") {
+            require_first(token, !phase(token).spiked);
             phase(token).spiked = number_after(token);
         } else if (word == "corrected_weight_percent") {
             pattern(token.line).has_corrected = true;
         } else if (word == "weight_percent_amorphous") {
+            require_first(token, !pattern(token.line).amorphous);
             pattern(token.line).amorphous = number_after(token);
         } else if (word == "MVW") {
             const auto arguments = arguments_after(token);
             if (arguments.size() != 3)
                 refuse_line(token.line, "MVW has " + std::to_string(arguments.size()) + " arguments",
                             "MVW( cell mass, cell volume, weight per cent)");
+            require_agreement(token, arguments[2]);
             if (!phase(token).has_weight) phase(token).listed.amount = arguments[2];
         } else if (word == "Phase_Density_g_on_cm3") {
             const auto arguments = arguments_after(token);
