@@ -9,6 +9,7 @@
 
 #include "core/json/document.hpp"
 #include "core/json/view.hpp"
+#include "core/plausibility.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/tables/table_texts.hpp"
 #include "core/text/error.hpp"
@@ -58,7 +59,10 @@ std::vector<PhaseFraction> read_fractions(const View& node) {
 
 double density_of(const View& node) {
     static_cast<void>(node.certain_number(Dimension::density, "a phase of your own under \"phases\" for it"));
-    return positive_quantity(node, "density", Dimension::density).value;
+    const double density = positive_quantity(node, "density", Dimension::density).value;
+    if (node.json().is_number())  // where it stands the name of a phase is its key
+        static_cast<void>(implausible_at(node.pointer(), *plausible_range("density"), {density, density}));
+    return density;
 }
 
 /// [{"name", "weight_fraction" or "volume_fraction", "density"}, ...]; the basis is that of all of them.

@@ -1196,6 +1196,12 @@ TEST_CASE("fractions in JSON: an object, a list, any form of a number, and the a
     const XrdResult dense = read_xrd(
         R"({"samples": [{"name": "a", "volume_fractions": {"quartz": 1}, "densities": {"Quartz": "2.7 g/cm3"}}]})",
         "a");
+    CHECK(contains(input_error_of([] {
+                       return read_xrd(R"({"samples": [{"name": "a", "volume_fractions": {"quartz": 1},
+                                           "densities": {"Quartz": 2.7}}]})",
+                                       "a");
+                   }),
+                   "did you mean 2.7 g/cm3?"));
     CHECK(dense.samples.at(0).analysis.basis == FractionBasis::volume);
     CHECK(relative_difference(dense.samples.at(0).analysis.phases.at(0).density.value(), 2700) < 1e-14);
 }
