@@ -56,7 +56,10 @@ std::vector<double> velocities_of(const ExportSubject& subject, double diameter)
     else
         velocities.assign(velocities_without_capture.begin(), velocities_without_capture.end());
     if (subject.velocity) velocities.push_back(*subject.velocity);
-    if (subject.to_velocity) std::erase_if(velocities, [&](double v) { return v > *subject.to_velocity; });
+    if (subject.to_velocity) {
+        std::erase_if(velocities, [&](double v) { return v > *subject.to_velocity; });
+        if (!velocities.empty()) velocities.push_back(*subject.to_velocity);
+    }
     return sorted_once(std::move(velocities));
 }
 

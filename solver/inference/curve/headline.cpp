@@ -248,7 +248,8 @@ std::optional<Finding> onset_note(const std::vector<RecordedImpact>& impacts, st
     // A sharp onset leaves the same gap.
     if (zero && least->rebound > resolved * noise.value_or(std::max(least->incident_u, least->rebound_u)))
         return Finding{"no-slow-rebounds", Severity::doubt,
-                       "no rebound slower than " + readable_number(least->rebound, 3) +
+                       (least->count > 1 ? "no mean rebound slower than " : "no rebound slower than ") +
+                           readable_number(least->rebound, 3) +
                            " m/s is recorded: if slower ones were taken for captures, v_c is lower"};
     return std::nullopt;
 }

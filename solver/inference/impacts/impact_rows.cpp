@@ -89,14 +89,24 @@ constexpr std::array summaries{
     Summary{"variances", [](const Moments& above) { return above.variance(); }},
     Summary{"counts", [](const Moments& above) { return static_cast<double>(above.count); }}};
 
+/// The last digit of a number as written: 0.01 of 0.13.
+double last_digit(double value) {
+    const std::string digits = shortest(value);
+    const auto point = std::min(digits.find('.'), digits.size() - 1);
+    return std::pow(10.0, static_cast<double>(point + 1) - static_cast<double>(digits.size()));
+}
+
+/// Whether a number is the other one, rounded to its last digit or cut there.
+bool is_rounded_to_digits(double value, double exact) {
+    return std::abs(value - exact) <= last_digit(value);
+}
+
 /// Whether a number is the other one, rounded to its last digit; a fine one may be cut there.
 bool is_rounded(double value, double exact) {
     constexpr double coarsest = 0.2;  // of the value; a number of one digit matches too easily
     constexpr double fine = 0.02;     // of the value
     if (std::abs(value - exact) > coarsest * value) return false;
-    const std::string digits = shortest(value);
-    const auto point = std::min(digits.find('.'), digits.size() - 1);
-    const double last = std::pow(10.0, static_cast<double>(point + 1) - static_cast<double>(digits.size()));
+    const double last = last_digit(value);
     return last <= coarsest * value &&
            std::abs(value - exact) <= 1.001 * last * (last <= fine * value ? 1 : 0.5);
 }
@@ -317,6 +327,11 @@ struct Block {
             if (row.values[1] > 0.0) rebounds[k].merge(one);
         }
     }
+    static Block of(std::span<const MeasuredRow> rows) {
+        Block block;
+        for (const MeasuredRow& row : rows) block.take(row);
+        return block;
+    }
     /// What a row holds of these: "means"; nothing if it sums up none.
     [[nodiscard]] std::optional<std::string_view> summed_up_in(const MeasuredRow& row) const {
         constexpr std::size_t fewest = 3;
@@ -347,20 +362,58 @@ bool holds_medians(const MeasuredRow& row, std::span<const MeasuredRow> others) 
 void refuse_summary_at_end(std::span<const MeasuredRow> rows) {
     constexpr std::size_t fewest = 6;
     if (rows.size() < fewest) return;
-    Block below;
-    for (const MeasuredRow& row : rows.subspan(1)) below.take(row);
-    if (below.summed_up_in(rows.front()) == "means")
-        refuse_summary_row(rows.front().line, "the means", "below");
+    constexpr std::size_t most_between = 2;  // standard deviations, least and greatest values
+    for (std::size_t between = 0; between <= most_between; ++between) {
+        if (Block::of(rows.subspan(1 + between)).summed_up_in(rows.front()) == "means")
+            refuse_summary_row(rows.front().line, "the means", "below");
+        for (const std::size_t last : {rows.size() - 1, rows.size() - 2})
+            if (Block::of(rows.first(last - between)).summed_up_in(rows[last]) == "means")
+                refuse_summary_row(rows[last].line, "the means");
+    }
     if (holds_medians(rows.front(), rows.subspan(1)))
         refuse_summary_row(rows.front().line, "the medians", "below");
     if (holds_medians(rows.back(), rows.first(rows.size() - 1)))
         refuse_summary_row(rows.back().line, "the medians");
 }
 
+/// Whether a number may be a mean, written with any number of digits.
+bool may_be_mean(double value, double mean, double velocity) {
+    constexpr double shown = 0.01;  // of the velocity; a smaller mean may be written as 0
+    return value == 0 ? mean < shown * velocity : is_rounded_to_digits(value, mean);
+}
+
+/// Whether a row behind each whole group of so many holds their means.
+/// @param behind rows behind each group, the first of them with the means
+bool holds_means_of_groups(std::span<const MeasuredRow> rows, std::size_t group, std::size_t behind) {
+    const std::size_t period = group + behind;
+    std::size_t evidence = 0;  // numbers that equal means hardly by chance
+    for (std::size_t first = 0; first + period <= rows.size(); first += period) {
+        const Block block = Block::of(rows.subspan(first, group));
+        const MeasuredRow& row = rows[first + group];
+        for (std::size_t k = 0; k < row.values.size(); ++k) {
+            const Moments& moments = block.values[k];
+            if (!may_be_mean(row.values[k], moments.mean, block.values[0].mean)) return false;
+            const bool varies = moments.maximum > moments.minimum;
+            evidence += varies && is_rounded(row.values[k], moments.mean) ? 1 : 0;
+        }
+    }
+    constexpr std::size_t enough = 4;
+    return evidence >= enough;
+}
+
+void refuse_means_of_groups(std::span<const MeasuredRow> rows) {
+    constexpr std::size_t fewest = 3;
+    constexpr std::size_t most = 20;
+    for (std::size_t group = fewest; group <= most; ++group)
+        for (const std::size_t behind : {1, 2})
+            if (holds_means_of_groups(rows, group, behind)) refuse_summary_row(rows[group].line, "the means");
+}
+
 }  // namespace
 
 void refuse_summaries(std::span<const MeasuredRow> rows, std::vector<Finding>& findings) {
     refuse_summary_at_end(rows);
+    refuse_means_of_groups(rows);
     constexpr std::size_t most_rows = 60;   // in longer files some rows equal such means by chance,
     constexpr std::size_t most_group = 20;  // but not one behind each group of so many rows
     Block all;

@@ -848,6 +848,21 @@ TEST_CASE("a last row without a label that holds the means of the others is refu
     CHECK(contains(input_error_of([&] { return read_measurements(long_file(true), "t.csv"); }),
                    "line 6: the row holds the means of the rows above"));
     CHECK(read_measurements(long_file(false), "t.csv").points.size() == 80);
+    std::string captured_first =
+        "v_in;v_r\n";  // means and standard deviations behind groups of captures, too
+    captured_first += "0.765;0.0\n0.744;0.0\n0.774;0.0\n0.743;0.0\n0.7565;0.000\n0.0155;0.000\n";
+    captured_first += "0.844;0.0\n0.922;0.0\n1.008;0.0\n1.103;0.008\n0.96925;0.00200\n0.11134;0.00400\n";
+    captured_first += "1.215;0.044\n1.328;0.082\n1.46;0.117\n1.605;0.169\n1.40200;0.10300\n0.1688;0.0529\n";
+    CHECK(contains(input_error_of([&] { return read_measurements(captured_first, "t.csv"); }),
+                   "line 6: the row holds the means of the rows above"));
+    for (const char* ends : {"0.5;0\n3.1;1.7\n1.586;0.66\n", "0.5;0\n3.1;1.7\n1.586;0.66\n0.968;0.70\n"})
+        CHECK(contains(input_error_of([&] { return read_measurements(dense + ends, "t.csv"); }),
+                       "the row holds the means of the rows above"));
+    CHECK(contains(input_error_of([&] {
+                       return read_measurements("v_in;v_r\n1.586;0.66\n0.968;0.70\n" + dense.substr(9),
+                                                "t.csv");
+                   }),
+                   "line 2: the row holds the means of the rows below"));
     CHECK(read_measurements(rows + "\n" + second, "t.csv").points.size() == 8);
     CHECK(read_measurements(dense + "1.7;0.7\n", "t.csv").points.size() == 8);
     CHECK(read_measurements(rows + "2,74;1,02\n", "t.csv").points.size() == 5);
