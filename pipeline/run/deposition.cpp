@@ -73,6 +73,15 @@ VelocityRow row_at(const std::vector<VelocityRow>& rows, double diameter) {
                     .lower = on_power_law(a, b, &VelocityRow::lower, diameter),
                     .upper = on_power_law(a, b, &VelocityRow::upper, diameter),
                     .outside = on_power_law(a, b, &VelocityRow::outside, diameter)};
+    // Where capture of everything, or of nothing, begins between two rows is not known.
+    const bool between = a.diameter < diameter && diameter < b.diameter;
+    const auto is_finite = [](const VelocityRow& each) {
+        return each.value > 0 && std::isfinite(each.value);
+    };
+    if (between && is_finite(a) != is_finite(b)) {
+        row.lower = std::min(a.lower, b.lower);
+        row.upper = std::max(a.upper, b.upper);
+    }
     // Intervals of rows with and without one do not mix into an interval without the value.
     row.lower = std::min(row.lower, row.value);
     row.upper = std::max(row.upper, row.value);

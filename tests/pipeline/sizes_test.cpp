@@ -17,6 +17,7 @@
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/present/text/result_text.hpp"
 #include "pipeline/run/dampings.hpp"
+#include "pipeline/run/deposition.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/damping_inversion.hpp"
@@ -251,8 +252,8 @@ TEST_CASE("a contact of a size between samples lies between theirs; at a sample 
 
 TEST_CASE("a made-up laboratory of three sizes: the run finds its damping law and states which sizes stick") {
     const Damping truth{DampingLaw::contact_radius, 1500};
-    const Run run = read_run(test::computed_from(laboratory_case(truth)));
-    const ComparisonResult& comparison = run.comparison;
+    Run run = read_run(test::computed_from(laboratory_case(truth)));
+    const ComparisonResult comparison = run.comparison;
     REQUIRE(comparison.dampings);
     for (const ComparedDamping& damping : comparison.dampings->laws) {
         CAPTURE(name_of(damping.law));
@@ -276,6 +277,20 @@ TEST_CASE("a made-up laboratory of three sizes: the run finds its damping law an
     CHECK(text == test::containing("Which sizes stick, by dmt"));
     CHECK(text == test::containing("Which damping explains the impacts, by dmt"));
     for (const std::string& line : test::lines_of(text)) CHECK(line.size() <= 80);
+
+    // Between a size of which all is captured and one with a v_c the border is not known.
+    SizeVelocity all{
+        .diameter = 10e-6, .basis = SizeBasis::contact_radius, .verdict = SizeVerdict::always_captured};
+    SizeVelocity some{.diameter = 20e-6, .basis = SizeBasis::contact_radius, .velocity = 1.5};
+    some.interval = Bounds{1.2, 1.8};
+    run.comparison.by_size = {all, some};
+    const DepositingAsh ash =
+        ash_of_run(run, {{15e-6, 18e-6, 0.5}, {20e-6, 20e-6, 0.5}}, SizeBasis::contact_radius, 20);
+    const ClassVelocities& v = ash.assumptions.front();
+    CHECK(v.value == std::vector<double>{1.5, 1.5});
+    CHECK(v.lower == std::vector<double>{1.2, 1.2});
+    CHECK(std::isinf(v.upper[0]));
+    CHECK(v.upper[1] == 1.8);
 }
 
 TEST_CASE("the sentence on other sizes names what they rest on") {
