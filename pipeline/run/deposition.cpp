@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -15,6 +16,8 @@
 #include "core/text/text.hpp"
 #include "pipeline/run/rebounds.hpp"
 #include "pipeline/run/sizes.hpp"
+#include "solver/batch/parallel.hpp"
+#include "solver/surrogate/rebound_table.hpp"
 
 namespace ashimpact {
 
@@ -49,6 +52,10 @@ std::vector<VelocityRow> rows_of(const std::vector<SizeVelocity>& all, SizeBasis
     return rows;
 }
 
+bool is_finite(double velocity) {
+    return velocity > 0 && std::isfinite(velocity);
+}
+
 /// On the power law of two rows, beyond them too; where one of them has none, that of the nearer.
 double on_power_law(const VelocityRow& a, const VelocityRow& b, double VelocityRow::*member,
                     double diameter) {
@@ -56,18 +63,22 @@ double on_power_law(const VelocityRow& a, const VelocityRow& b, double VelocityR
         a.diameter == b.diameter ? 0 : std::log(diameter / a.diameter) / std::log(b.diameter / a.diameter);
     const double first = a.*member;
     const double second = b.*member;
-    if (first == second || !(first > 0 && second > 0 && std::isfinite(first) && std::isfinite(second)))
-        return part < 0.5 ? first : second;
+    if (first == second || !is_finite(first) || !is_finite(second)) return part < 0.5 ? first : second;
     return first * std::pow(second / first, part);
 }
 
-VelocityRow row_at(const std::vector<VelocityRow>& rows, double diameter) {
+/// The rows on both sides of a size; beyond all of them the last two.
+std::pair<const VelocityRow&, const VelocityRow&> rows_around(const std::vector<VelocityRow>& rows,
+                                                              double diameter) {
     const auto above = static_cast<std::size_t>(
         std::ranges::lower_bound(rows, diameter, {}, &VelocityRow::diameter) - rows.begin());
     const std::size_t upper =
         std::clamp<std::size_t>(above, std::min<std::size_t>(1, rows.size() - 1), rows.size() - 1);
-    const VelocityRow& a = rows[upper == 0 ? 0 : upper - 1];
-    const VelocityRow& b = rows[upper];
+    return {rows[upper == 0 ? 0 : upper - 1], rows[upper]};
+}
+
+VelocityRow row_at(const std::vector<VelocityRow>& rows, double diameter) {
+    const auto& [a, b] = rows_around(rows, diameter);
     VelocityRow row{.diameter = diameter,
                     .value = on_power_law(a, b, &VelocityRow::value, diameter),
                     .lower = on_power_law(a, b, &VelocityRow::lower, diameter),
@@ -87,6 +98,50 @@ VelocityRow row_at(const std::vector<VelocityRow>& rows, double diameter) {
     row.upper = std::max(row.upper, row.value);
     return row;
 }
+
+/// Critical velocities of sizes, solved with the constants of an assumption.
+class SolvedSizes {
+  public:
+    SolvedSizes(const Run& run, SizeBasis basis, const std::vector<VelocityRow>& rows)
+        : impact_of_(assumed_impacts(run, basis)), rows_(rows) {}
+
+    /// The row of a size: solved, with the interval of the rows around it. Where these say something else
+    /// than the constants, as edited ones do, they count alone.
+    [[nodiscard]] VelocityRow row_of(double diameter) const {
+        VelocityRow row = row_at(rows_, diameter);
+        const auto value = at(diameter);
+        const auto [first, last] = rows_around(rows_, diameter);
+        if (!value || !agrees(first) || !agrees(last)) return row;
+        const bool both_finite = is_finite(*value) && is_finite(row.value);
+        row.lower = both_finite ? row.lower * *value / row.value : std::min(row.lower, *value);
+        row.upper = both_finite ? row.upper * *value / row.value : std::max(row.upper, *value);
+        row.value = *value;
+        return row;
+    }
+
+  private:
+    [[nodiscard]] std::optional<double> at(double diameter) const {
+        if (!impact_of_) return std::nullopt;
+        try {
+            const Impact impact = impact_of_(diameter);
+            const CriticalVelocity critical =
+                quick_critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
+            if (critical.verdict == CaptureVerdict::never_captured) return 0;
+            const double value = critical.value.value_or(std::numeric_limits<double>::infinity());
+            return value > fastest_in_model ? std::numeric_limits<double>::infinity() : value;
+        } catch (const ConvergenceError&) {
+            return std::nullopt;
+        }
+    }
+    [[nodiscard]] bool agrees(const VelocityRow& row) const {
+        constexpr double rounding = 1e-3;
+        const auto value = at(row.diameter);
+        return value && (*value == row.value || std::abs(*value / row.value - 1) < rounding);
+    }
+
+    std::function<Impact(double diameter)> impact_of_;
+    const std::vector<VelocityRow>& rows_;
+};
 
 constexpr std::array preferred{SizeBasis::contact_radius, SizeBasis::tsuji,         SizeBasis::hunt_crossley,
                                SizeBasis::brach_dunn,     SizeBasis::power_of_size, SizeBasis::constant,
@@ -273,10 +328,13 @@ DepositingAsh ash_of_run(const Run& run, std::vector<SizeClass> classes,
     for (const SizeBasis each : assumptions_to_use(comparison.by_size, basis)) {
         const std::vector<VelocityRow> rows = rows_of(comparison.by_size, each);
         ClassVelocities velocities{.basis = each};
-        for (const SizeClass& size : classes) {
+        const SolvedSizes solved(run, each, rows);
+        const auto found = in_parallel(classes, [&](const SizeClass& size) {
             const double diameter = size.diameter();
             const bool known = diameter >= ash.measured->from && diameter <= ash.measured->to;
-            const VelocityRow row = row_at(known && !measured.empty() ? measured : rows, diameter);
+            return known && !measured.empty() ? row_at(measured, diameter) : solved.row_of(diameter);
+        });
+        for (const VelocityRow& row : found) {
             velocities.value.push_back(row.value);
             velocities.lower.push_back(row.lower);
             velocities.upper.push_back(row.upper);

@@ -44,11 +44,12 @@ struct DepositingAsh {
 }
 
 /// The ash of a run: density and v_c of each class. Within the measured sizes v_c is as measured. Elsewhere
-/// it follows from the rows of each assumption, between two of them on a power law, beyond them on that of
-/// the last two; between one where everything, or nothing, is captured and one with a v_c the interval has
-/// both. @param basis the assumption of the answer; none: the first there is of contact-radius,
-/// tsuji, hunt-crossley, brach-dunn-damping, power-of-size, constant, adhesion-alone @param fastest impact,
-/// up to which restitutions are known [m/s]
+/// it is solved with the constants of each assumption; where the run states none, or rows that they do not
+/// give, it lies on a power law between two rows, beyond them on that of the last two. Between a row where
+/// everything, or nothing, is captured and one with a v_c the interval has both.
+/// @param basis the assumption of the answer; none: the first there is of contact-radius, tsuji,
+/// hunt-crossley, brach-dunn-damping, power-of-size, constant, adhesion-alone
+/// @param fastest impact, up to which restitutions are known [m/s]
 /// @throws InputError if the run has no v_c by size, or none by that assumption
 [[nodiscard]] DepositingAsh ash_of_run(const Run& run, std::vector<SizeClass> classes,
                                        const std::optional<SizeBasis>& basis, double fastest);

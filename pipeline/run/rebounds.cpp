@@ -190,6 +190,16 @@ std::vector<RestitutionOfVelocity> restitutions_by_law(
     return all;
 }
 
+std::function<Impact(double diameter)> assumed_impacts(const Run& run, SizeBasis basis) {
+    const auto damping = assumed_damping(run, basis);
+    if (!damping) return {};
+    return [&run, damping = *damping, law = run.comparison.sizes->law](double diameter) {
+        ContactPair contact = contact_of_size(run.contact, diameter).pair;
+        const Damping of_size = damping.of(diameter, contact);
+        return Impact{law, run.data.detachment_of(law), of_size, contact, 1};
+    };
+}
+
 std::optional<double> fastest_impact(const Run& run) {
     std::optional<double> fastest;
     for (const SampleRestitution& sample : run.restitution.samples)
@@ -202,14 +212,8 @@ std::optional<double> fastest_impact(const Run& run) {
 std::vector<RestitutionOfVelocity> restitutions_of_run(const Run& run, SizeBasis basis,
                                                        const ReboundingSizes& sizes) {
     const auto measured = std::make_shared<const std::vector<SizeRebounds>>(sample_rebounds(run));
-    const auto damping = measured->empty() ? assumed_damping(run, basis) : std::nullopt;
-    if (damping)
-        return restitutions_by_law(sizes, [&](double diameter) {
-            ContactPair contact = contact_of_size(run.contact, diameter).pair;
-            const Damping of_size = damping->of(diameter, contact);
-            const Law law = run.comparison.sizes->law;
-            return Impact{law, run.data.detachment_of(law), of_size, contact, 1};
-        });
+    if (const auto impact_of = assumed_impacts(run, basis); measured->empty() && impact_of)
+        return restitutions_by_law(sizes, impact_of);
     std::vector<RestitutionOfVelocity> all;
     for (std::size_t i = 0; i < sizes.diameters.size(); ++i)
         all.push_back(between_known(measured, sizes.diameters[i], sizes.critical[i]));

@@ -25,6 +25,10 @@ struct ReboundingSizes {
 [[nodiscard]] std::vector<RestitutionOfVelocity> restitutions_by_law(
     const ReboundingSizes& sizes, const std::function<Impact(double diameter)>& impact_of);
 
+/// The impact of a sphere of a diameter at 1 m/s, by the reported law and the damping of an assumption, with
+/// the constants that the run states; empty where it states none.
+[[nodiscard]] std::function<Impact(double diameter)> assumed_impacts(const Run& run, SizeBasis basis);
+
 /// The fastest impact that restitutions_of_run() rests on [m/s]; none if they follow from a damping.
 [[nodiscard]] std::optional<double> fastest_impact(const Run& run);
 

@@ -278,6 +278,17 @@ TEST_CASE("a made-up laboratory of three sizes: the run finds its damping law an
     CHECK(text == test::containing("Which damping explains the impacts, by dmt"));
     for (const std::string& line : test::lines_of(text)) CHECK(line.size() <= 80);
 
+    // Sizes between the rows are solved with the constant of the run.
+    const auto constant = std::ranges::find(comparison.sizes->coefficients, "contact-radius",
+                                            [](const auto& each) { return each.first; });
+    REQUIRE(constant != comparison.sizes->coefficients.end());
+    const Damping found{truth.law, constant->second.value};
+    const DepositingAsh solved =
+        ash_of_run(run, {{41.3e-6, 41.3e-6, 0.5}, {171e-6, 171e-6, 0.5}}, SizeBasis::contact_radius, 20);
+    for (std::size_t i = 0; i < solved.classes.size(); ++i)
+        CHECK(relative_difference(solved.assumptions.front().value[i],
+                                  true_critical_velocity(found, solved.classes[i].diameter())) < 1e-6);
+
     // Between a size of which all is captured and one with a v_c the border is not known.
     SizeVelocity all{
         .diameter = 10e-6, .basis = SizeBasis::contact_radius, .verdict = SizeVerdict::always_captured};
