@@ -282,7 +282,7 @@ SampleComparison comparison_of(const ComparedSample& of, const Case& data) {
 }
 
 /// Which damping explains the impacts, and which sizes stick, by the reported law.
-void set_other_sizes(const Run& run, ComparisonResult& result) {
+void set_other_sizes(const Run& run, ComparisonResult& result, StageRecord& record) {
     if (!result.reported) return;
     const LawChoice choice = *std::ranges::find(run.data.laws, result.reported->law, &LawChoice::law);
     const auto study = study_dampings(choice, run.contact, run.restitution);
@@ -292,6 +292,7 @@ void set_other_sizes(const Run& run, ComparisonResult& result) {
     if (!sizes) return;
     result.by_size = sizes->rows;
     result.sizes = sizes->summary;
+    if (const auto doubt = kept_properties_finding(run.contact)) record.note(*doubt);
 }
 
 }  // namespace
@@ -345,7 +346,7 @@ ComparisonResult comparison_stage(const Run& run, StageRecord& record) {
     result.equal_velocities = equal_velocities(data, run.contact, run.damping);
     if (gap.known()) result.dynamic_over_analytic = RatioRange{gap.least_ratio, gap.greatest_ratio};
     result.conclusion = gap.sentence();
-    set_other_sizes(run, result);
+    set_other_sizes(run, result, record);
     result.laws_by_size = laws_by_size(data.laws, run.contact);
     return result;
 }

@@ -453,6 +453,21 @@ SampleContact contact_of_size(const ContactResult& contacts, double diameter) {
     return contact;
 }
 
+std::optional<Finding> kept_properties_finding(const ContactResult& contacts) {
+    const auto has_tabor = [](const SampleContact& sample) {
+        return std::ranges::any_of(sample.parameters,
+                                   [](const auto& each) { return each.first.name == "tabor"; });
+    };
+    std::vector<std::string> kept;
+    if (std::ranges::any_of(contacts.samples, [](const SampleContact& each) { return each.roughness; }))
+        kept.emplace_back("the work of adhesion, reduced by the roughness");
+    if (std::ranges::any_of(contacts.samples, has_tabor)) kept.emplace_back("the Tabor parameter");
+    if (kept.empty()) return std::nullopt;
+    return Finding{
+        "kept-over-sizes", Severity::doubt,
+        "other sizes have " + joined(kept) + " of the nearest sample, although it goes with the size"};
+}
+
 std::optional<VelocitiesBySize> velocities_by_size(const SizeSources& sources) {
     const std::vector<MeasuredSize> measured = measured_sizes(sources);
     if (measured.empty()) return std::nullopt;

@@ -41,6 +41,11 @@ struct VelocitiesBySize {
 /// Sentences without full stop on sizes that several samples with a velocity by the reported law share.
 [[nodiscard]] std::vector<std::string> shared_sizes(const ComparisonResult& comparison);
 
+/// The doubt about what the contact of other sizes keeps of the nearest sample although it goes with the
+/// size: a work of adhesion that roughness has reduced, and a stated Tabor parameter. None where no sample
+/// has them.
+[[nodiscard]] std::optional<Finding> kept_properties_finding(const ContactResult& contacts);
+
 /// The contact of a sphere of that diameter, from those of the samples. @pre at least one sample
 [[nodiscard]] SampleContact contact_of_size(const ContactResult& contacts, double diameter);
 

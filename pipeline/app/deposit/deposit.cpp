@@ -189,6 +189,7 @@ DepositSource source_of_run(const CommandOptions& options, const TubeConditions&
     });
     if (auto note = temperature_finding(run.comparison, source.ash.law, tube.temperature))
         source.notes.push_back(*std::move(note));
+    if (auto note = kept_properties_finding(run.contact)) source.notes.push_back(*std::move(note));
     for (const std::string& shared : shared_sizes(run.comparison))
         source.notes.push_back({"shared-size", Severity::doubt, shared});
     return source;
