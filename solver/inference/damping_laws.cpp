@@ -167,8 +167,7 @@ class DampingLawFit {
     [[nodiscard]] FittedDamping fitted() const {
         const Law start_law = admits(law_.similar()) ? law_.similar() : law_;
         const std::size_t count = has_one_number(damping_law_) ? 1 : 2;
-        Constants constants = best_of_scan(start_law, count);
-        constants = corrected(start_law, constants, count, first_reach);
+        Constants constants = best_of_starts(start_law, count);
         constants = corrected(start_law, constants, count, middle_reach);
         if (count == 2) return fitted_by_learning(start_law, constants);
         if (start_law != law_) constants = corrected(start_law, constants, count, other_law_reach);
@@ -289,24 +288,38 @@ class DampingLawFit {
         return (weights_ * differences_of(ratio).square()).sum();
     }
 
-    /// The least misfit of a grid of constants, up to damping that captures nearly everything.
-    [[nodiscard]] Constants best_of_scan(Law law, std::size_t count) const {
-        const double typical = typical_coefficient();
-        const double all_captured = squares(Eigen::ArrayXd::Constant(weights_.size(), -1.0));
-        Constants best{typical, 0};
+    /// The least misfit of what the best of each scan moves to: that of other ratios may lie in a valley that
+    /// ends higher.
+    [[nodiscard]] Constants best_of_starts(Law law, std::size_t count) const {
+        Constants best{};
         double least = std::numeric_limits<double>::infinity();
         for (const double ratio : ratios_searched) {
-            if (count == 1 && ratio > 0) continue;
-            for (double octave = -octaves_searched; octave <= octaves_searched; octave += octaves_a_step) {
-                const double coefficient = typical * std::exp2(octave);
-                const Constants constants{coefficient, ratio * coefficient};
-                const double here = squares_or_infinite(law, constants);
-                if (here < least) {
-                    least = here;
-                    best = constants;
-                }
-                if (here > 2 * least && here > nearly_everything * all_captured) break;
+            const Constants start = best_of_scan(law, ratio);
+            const Constants reached = corrected(law, start, count, first_reach);
+            if (count == 1) return reached;
+            const double here = squares_or_infinite(law, reached);
+            if (!(here < least)) continue;
+            least = here;
+            best = reached;
+        }
+        return best;
+    }
+
+    /// The least misfit of a grid of constants of that ratio, up to damping that captures nearly everything.
+    [[nodiscard]] Constants best_of_scan(Law law, double ratio) const {
+        const double typical = typical_coefficient();
+        const double all_captured = squares(Eigen::ArrayXd::Constant(weights_.size(), -1.0));
+        Constants best{typical, ratio * typical};
+        double least = std::numeric_limits<double>::infinity();
+        for (double octave = -octaves_searched; octave <= octaves_searched; octave += octaves_a_step) {
+            const double coefficient = typical * std::exp2(octave);
+            const Constants constants{coefficient, ratio * coefficient};
+            const double here = squares_or_infinite(law, constants);
+            if (here < least) {
+                least = here;
+                best = constants;
             }
+            if (here > 2 * least && here > nearly_everything * all_captured) break;
         }
         return best;
     }

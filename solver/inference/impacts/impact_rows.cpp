@@ -470,19 +470,39 @@ void RepeatedRows::take(const TableRow& row, std::size_t first, std::size_t seco
                      number ? number->value : std::numeric_limits<double>::quiet_NaN()});
 }
 
-/// Pairs of rows that have the same first number by chance, if numbers are multiples of the least distance of
-/// two of them.
+namespace {
+
+/// What all numbers are multiples of, apart from rounding, as whole pixels give them; else their last digit.
+/// @param numbers rising
+double step_of(const std::vector<double>& numbers) {
+    double least = std::numeric_limits<double>::infinity();
+    double digit = least;
+    for (std::size_t i = 1; i < numbers.size(); ++i) {
+        digit = std::min(digit, last_digit(numbers[i]));
+        if (numbers[i] > numbers[i - 1]) least = std::min(least, numbers[i] - numbers[i - 1]);
+    }
+    constexpr int most_parts = 5;  // the least distance may be some steps
+    for (int parts = 1; parts <= most_parts; ++parts) {
+        const double step = least / parts;
+        const auto is_multiple = [&](double number) {
+            return std::abs(std::remainder(number - numbers.front(), step)) <= 2 * digit;
+        };
+        if (step > 8 * digit && std::ranges::all_of(numbers, is_multiple)) return step;
+    }
+    return std::min(least, digit);
+}
+
+}  // namespace
+
+/// Pairs of rows that have the same first number by chance, if numbers are multiples of a step.
 double RepeatedRows::pairs_by_chance() const {
     std::vector<double> numbers;
     for (const Row& row : rows_)
         if (std::isfinite(row.value)) numbers.push_back(row.value);
     std::ranges::sort(numbers);
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 1; i < numbers.size(); ++i)
-        if (numbers[i] > numbers[i - 1]) least = std::min(least, numbers[i] - numbers[i - 1]);
-    if (!std::isfinite(least)) return 0;
+    if (numbers.empty() || numbers.front() == numbers.back()) return 0;
     const auto count = static_cast<double>(numbers.size());
-    return 0.5 * count * (count - 1) / (1 + (numbers.back() - numbers.front()) / least);
+    return 0.5 * count * (count - 1) / (1 + (numbers.back() - numbers.front()) / step_of(numbers));
 }
 
 /// For each row that is evidence, the last one before it with the same cells.
