@@ -33,15 +33,16 @@ std::vector<TextBeside> texts_beside(const TextLines& file, std::span<const Text
     return texts;
 }
 
-std::optional<Finding> unread_comments(const TextLines& file, std::size_t heading, std::string_view code,
-                                       const std::set<std::string_view>& used) {
+std::optional<Finding> unread_comments(const TextLines& file, std::span<const TextLine> content,
+                                       std::string_view code, const std::set<std::string_view>& used) {
     constexpr std::size_t shown = 3;
     std::size_t first = 0;
     std::vector<std::string> comments;
     for (const TextLine& line : file.lines()) {
         const std::string_view text = trimmed(line.text);
         const std::string_view bare = text.substr(std::min(text.find_first_not_of("# "), text.size()));
-        if (!text.starts_with('#') || bare.empty() || line.number == heading ||
+        if (!text.starts_with('#') || bare.empty() ||
+            std::ranges::binary_search(content, line.number, {}, &TextLine::number) ||
             makes_statement({line.number, std::string(bare)}, used) ||
             (file.of_sheet() && bare.starts_with("comment on ")))
             continue;
@@ -76,7 +77,7 @@ CutTable cut_table(const TextLines& file, std::vector<TextLine> lines, std::size
             table.findings.push_back({code, Severity::remark,
                                       at_line(lines[i].number) + ", above the heading, is not read: " +
                                           title_in_quotes(trimmed(lines[i].text))});
-    if (auto comments = unread_comments(file, lines[place].number, code, used))
+    if (auto comments = unread_comments(file, lines, code, used))
         table.findings.push_back(std::move(*comments));
     table.rows.assign(lines.begin() + static_cast<std::ptrdiff_t>(first), lines.end());
     std::vector<Finding> notes = take_notes(lines, first, table.separator, code);
@@ -260,7 +261,8 @@ void require_coverage_in_headings(const std::vector<TextBeside>& texts, const Un
         });
         for (const TextLine& row : rows) {
             const std::string label = cut_row(row, separator).cells.front();
-            if (is_uncertainty_word(label.substr(label.rfind(' ') + 1)))
+            if (is_uncertainty_word(label.substr(label.rfind(' ') + 1)) &&
+                read_coverage(label).stated.empty())
                 refuse("the row " + in_quotes(label), label);
         }
     }
@@ -447,6 +449,23 @@ std::vector<std::optional<Finding>> small_namesakes(std::string_view code,
                                        joined(names[i]), names[i].size() == 1 ? "is" : "are",
                                        in_quotes(samples[i].name), in_quotes(samples[i].name + " esd"))};
     return findings;
+}
+
+void refuse_two_methods(const std::vector<std::string>& names, std::size_t line) {
+    static const WordLists methods("methods");
+    const auto names_method = [](const std::string& name) {
+        return name.size() <= longest_heading &&
+               std::ranges::any_of(words_in(name),
+                                   [](const std::string& word) { return methods.holds(word); });
+    };
+    const auto other = std::ranges::find_if(names, names_method);
+    if (other == names.end()) return;
+    for (const std::string& name : names)
+        if (lower_case(name).starts_with("sem") && words_in(name).front() == "sem" && !names_method(name))
+            refuse_line(line,
+                        in_quotes(name) + " beside " + in_quotes(*other) +
+                            " may be standard errors of the mean, or amounts by scanning electron microscopy",
+                        "\"standard error\" or \"SEM-EDX\" in place of \"SEM\"");
 }
 
 bool has_sign_of_bound(std::string_view text) {

@@ -49,8 +49,9 @@ struct CutTable {
 };
 
 /// A remark on the comments (#) of a file, which are not read but for what they state of the table.
-/// @param heading line of the heading, which may begin with "#" @param used statements that the reader uses
-[[nodiscard]] std::optional<Finding> unread_comments(const TextLines& file, std::size_t heading,
+/// @param content lines that are read: a heading or a sample "#1" may begin with "#"
+/// @param used statements that the reader uses
+[[nodiscard]] std::optional<Finding> unread_comments(const TextLines& file, std::span<const TextLine> content,
                                                      std::string_view code,
                                                      const std::set<std::string_view>& used = {});
 
@@ -143,6 +144,10 @@ struct NamedSum {
 /// they follow it ("rel. esd"). Mostly empty.
 [[nodiscard]] std::vector<std::optional<Finding>> small_namesakes(std::string_view code,
                                                                   const std::vector<NamedSum>& samples);
+
+/// Refuses "SEM" beside the name of another method, "XRD wt%": it may be a standard error of the mean, or a
+/// result of electron microscopy. @param names headings of columns or of rows @throws InputError
+void refuse_two_methods(const std::vector<std::string>& names, std::size_t line);
 
 /// Whether a name or heading has the sign of a bound or an estimate, "Quartz (<)", "v_r >" and "Na2O ~",
 /// unlike "ash < 63 um".

@@ -252,10 +252,11 @@ class OxideTable {
         } else {
             std::tie(heading, label) = read_down();
         }
+        refuse_crystalline(heading.value_or(1));
         if (samples.empty())
             refuse_line(rows_.back().line, "there are no amounts of oxides", "a number for each oxide");
         add_amount_notes();
-        if (auto comments = unread_comments(file, heading.value_or(0), glass_code, {"ignited sample"}))
+        if (auto comments = unread_comments(file, lines, glass_code, {"ignited sample"}))
             warnings.push_back(std::move(*comments));
         require_agreeing_texts(file, lines, heading, label);
     }
@@ -392,6 +393,17 @@ class OxideTable {
         check_coverage(glass_code, texts, columns, table, separator_, warnings);
     }
 
+    /// Refuses amounts of the crystalline part, "SiO2 crystalline" or "wt% (crystalline)".
+    void refuse_crystalline(std::size_t heading) const {
+        for (const OxideColumn& sample : samples)
+            for (const OxideCell& cell : sample.cells)
+                for (const xrd::Heading* each : {cell.unit, &cell.what.heading})
+                    if (each != nullptr && each->of_crystalline)
+                        refuse_line(each == cell.unit ? heading : cell.line,
+                                    in_quotes(each->written) + " states oxides of the crystalline part",
+                                    "oxides of the whole sample, without \"crystalline\"");
+    }
+
     void take_titles(std::size_t heading) {
         for (std::size_t i = 0; i < heading; ++i) {
             const std::string title = joined(rows_[i].cells);
@@ -446,7 +458,7 @@ class OxideTable {
                 if (names_units(cell)) cell.clear();
             if (take_units(names, units, is_unit)) ++next;
         }
-        read_headings(names.cells);
+        read_headings(names);
         const std::size_t label = label_column(names);
         std::vector<std::string> unused;
         for (std::size_t i = 0; i < headings_.size(); ++i) {
@@ -476,9 +488,10 @@ class OxideTable {
     }
 
     /// Reads the headings of columns; "SiO2 2s" behind "SiO2" is of its uncertainties.
-    void read_headings(const std::vector<std::string>& cells) {
+    void read_headings(const TableRow& row) {
+        refuse_two_methods(row.cells, row.line);
         std::string name;
-        for (const std::string& cell : cells) {
+        for (const std::string& cell : row.cells) {
             const auto beside = uncertainty_beside(cell, name);
             headings_.push_back(beside ? OxideLine{.role = OxideRole::uncertainty,
                                                    .heading = xrd::read_heading_beside(cell, name)}
@@ -584,7 +597,7 @@ class OxideTable {
         const bool has_heading = first > 0;
         if (!has_heading) first = oxide;
         const std::size_t width = rows_[first].cells.size();
-        if (has_heading) read_headings(rows_[first - 1].cells);
+        if (has_heading) read_headings(rows_[first - 1]);
         headings_.resize(std::max(headings_.size(), width));
         units_ = static_cast<std::size_t>(
             std::ranges::find_if(headings_,
@@ -838,10 +851,9 @@ std::optional<OxideNumber> number_of(const OxideCell& cell, const NumberMarks& m
         if (!coverage.problem.empty()) number.uncertainty.reset();
         if (number.uncertainty) *number.uncertainty /= coverage.factor;
         if (cell.error_heading != nullptr && !says_no_number(cell.uncertainty)) {
-            const xrd::Heading& unit = unit_heading(cell);
             if (number.uncertainty)
                 throw InputError(in_quotes(text) + " and its column state an uncertainty", "one of them");
-            if (cell.error_heading->unit == "%" && unit.scale == xrd::Scale::per_cent)
+            if (xrd::may_be_relative(*cell.error_heading))
                 throw InputError("the uncertainty in [%] may be of the sample or of the amount",
                                  "the unit of the amounts, such as [wt%]");
             const auto error = marks.read(cell.uncertainty, cell.error_column);

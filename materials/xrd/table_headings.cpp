@@ -11,6 +11,7 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "core/units/units.hpp"
+#include "materials/xrd/xrd.hpp"
 
 namespace ashimpact::xrd {
 
@@ -91,6 +92,11 @@ Role role_of_text(std::string_view text) {
 bool holds_per_cent(std::string_view text) {
     const std::string key = key_of(text);
     return without_per_cent(key) != key;
+}
+
+bool may_be_relative(const Heading& heading) {
+    return heading.scale == Scale::per_cent && heading.states != HeadingUnit::weight &&
+           heading.states != HeadingUnit::volume;
 }
 
 bool names_other_basis(const Heading& heading) {

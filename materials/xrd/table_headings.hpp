@@ -87,6 +87,10 @@ struct MarkedPhase {
 /// Role of a column by its heading alone: "wt%" is a weight, "esd" an uncertainty.
 [[nodiscard]] Role role_of_text(std::string_view text);
 
+/// Whether uncertainties under a heading are per cent of the whole or of the value: "error [%]", "Fehler in
+/// Prozent", unlike "esd [wt%]".
+[[nodiscard]] bool may_be_relative(const Heading& heading);
+
 /// Whether a heading without the unit of a fraction names moles, volumes or intensities: "Molenbruch [%]".
 [[nodiscard]] bool names_other_basis(const Heading& heading);
 

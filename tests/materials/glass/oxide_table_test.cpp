@@ -452,6 +452,29 @@ TEST_CASE("uncertainties beside the name of a sample or oxide are read, or what 
     CHECK(tells(down("FA1 wet").warnings, "\"FA1 wet\" is not read as uncertainties of \"FA1\""));
 }
 
+TEST_CASE("oxides of the crystalline part, by two methods and with relative errors are refused") {
+    const auto refused = [](const std::string& text) {
+        return input_error_of([&] { static_cast<void>(read_oxides(text, "xrf.csv")); });
+    };
+    for (const auto& [table, place] : {std::pair{"Oxide;wt%\nSiO2 crystalline;60\nAl2O3;40\n", "line 2"},
+                                       {"Oxide;wt%\nSiO2;60\nAl2O3 (cryst.);40\n", "line 3"},
+                                       {"Oxide;wt% (crystalline)\nSiO2;60\nAl2O3;40\n", "line 1"},
+                                       {"Sample;SiO2 crystalline;Al2O3\nFA1;60;40\n", "line 1"}})
+        CHECK_MESSAGE(contains(refused(table), place), refused(table));
+    for (const char* table :
+         {"Oxide;XRF wt%;SEM wt%\nSiO2;60;59\nAl2O3;40;41\n", "Sample;SiO2;Al2O3\nXRF;60;40\nSEM;59;41\n"})
+        CHECK(contains(refused(table), "standard errors of the mean, or amounts by scanning electron"));
+    CHECK(
+        near(*only("Oxide;wt%;SEM\nSiO2;60;2\nAl2O3;40;2\n").analysis.oxides[0].standard_uncertainty, 0.02));
+    for (const char* heading : {"error in percent", "Fehler in Prozent", "Error pct", "Fehler [Prozent]"})
+        for (const char* amounts : {"wt%", "g/kg"})
+            CHECK(contains(
+                refused(std::string("Oxide;") + amounts + ";" + heading + "\nSiO2;60;2\nAl2O3;40;2\n"),
+                "may be of the sample or of the amount"));
+    CHECK_FALSE(
+        tells(read_oxides("Sample;SiO2;Al2O3\n#1;60;40\n#2;59;41\n", "xrf.csv").warnings, "a comment"));
+}
+
 TEST_CASE("a total that does not fit is doubted") {
     CHECK(tells(only("Oxide,wt%\nSiO2,60\nAl2O3,30\nTotal,99\n").warnings, "the total is given as 99 %"));
     CHECK_FALSE(tells(only("Oxide,wt%\nSiO2,60\nAl2O3,30\nTotal,90.2\n").warnings, "the total"));
