@@ -170,7 +170,8 @@ class Closing {
 
     void close(const AmorphousNotStated&) const {
         if (!amorphous_)
-            throw InputError("the amorphous fraction of the sample is not stated", how_to_state_);
+            throw InputError("the amorphous fraction of the sample is not stated" + readings(),
+                             how_to_state_);
         require_sum(1, "as the amorphous part is listed");
     }
 
@@ -213,6 +214,15 @@ class Closing {
         model_.kind = FractionModel::Kind::remainder;
         model_.parameter = stated.scale;
         model_.parameter_uncertainty = stated.standard_uncertainty;
+    }
+
+    /// The readings of a text on the crystalline part, "100 % crystalline"; empty without one.
+    [[nodiscard]] std::string readings() const {
+        const std::string& text = analysis_.of_crystalline_part;
+        return text.empty() ? text
+                            : ": by " + text +
+                                  " the fractions are those of the crystalline part, or there is "
+                                  "no amorphous one";
     }
 
     /// The listed fractions are either of the crystalline part (sum 1) or of the whole (sum 1 - amorphous).

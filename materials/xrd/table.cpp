@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -22,8 +24,7 @@ double scale_of(const Table& table, const std::vector<Entry>& entries, std::vect
     bool per_cent = false;
     bool fraction = false;
     for (const Heading& heading : table.headings) {
-        if (heading.role == Role::standard || heading.role == Role::intensity || stands_beside(heading) ||
-            !heading.coverage.problem.empty())
+        if (heading.role == Role::standard || heading.role == Role::uncertainty || stands_beside(heading))
             continue;
         if (heading.scale == Scale::ppm) return 1e-6;  // by_volume() has refused other units beside it
         if (heading.scale == Scale::per_mille) return 1e-3;
@@ -55,12 +56,37 @@ double scale_of(const Table& table, const std::vector<Entry>& entries, std::vect
     return seems_per_cent ? 0.01 : 1;
 }
 
+/// Refuses uncertainties in another unit than the amounts, which state it in their cells or not at all.
+/// @throws InputError
+void require_scale_of_uncertainties(const Table& table, Scale amounts) {
+    for (const Heading& heading : table.headings)
+        if (heading.role == Role::uncertainty && heading.coverage.problem.empty() &&
+            heading.scale != Scale::not_stated && heading.scale != amounts)
+            refuse_line(table.heading_line,
+                        "the uncertainties in column " + in_quotes(heading.written) +
+                            " state another unit than that in which the amounts are read",
+                        "the unit in the headings of both");
+}
+
+constexpr std::array factors{std::pair{Scale::fraction, 1.0}, std::pair{Scale::per_cent, 0.01},
+                             std::pair{Scale::per_mille, 1e-3}, std::pair{Scale::ppm, 1e-6}};
+
 /// The scale of a factor from scale_of().
 Scale named_scale(double factor) {
-    return factor == 1      ? Scale::fraction
-           : factor == 0.01 ? Scale::per_cent
-           : factor == 1e-3 ? Scale::per_mille
-                            : Scale::ppm;
+    return std::ranges::find(factors, factor, &std::pair<Scale, double>::second)->first;
+}
+
+/// Factor from the number of an added standard to its weight fraction, by its unit or its size.
+/// @param amounts that of the amounts @throws InputError for a number without a unit beside g/kg or ppm
+double scale_of_standard(const PrintedNumber& number, const Heading& heading, double amounts) {
+    const auto* const stated = std::ranges::find(factors, heading.scale, &std::pair<Scale, double>::first);
+    if (stated != factors.end()) return stated->second;
+    constexpr double per_cent = 0.01;
+    if (!number.per_cent && amounts < per_cent)
+        throw InputError("the amount of the standard, " + shortest(number.value) +
+                             ", may be in the unit of the amounts, or per cent or a fraction",
+                         "a unit in the heading " + in_quotes(heading.written) + ": [wt%], [g/kg], [1]");
+    return number.per_cent || number.value > 1 ? per_cent : 1;
 }
 
 /// Refuses a chemical analysis, whose oxides are no phases. @throws InputError
@@ -135,6 +161,7 @@ void check_total(double sum, double stated, const Entry& entry) {
 /// Fractions of one sample. A stated total is checked; a stated crystalline total gives the amorphous part.
 XrdSample sample_of_fractions(const Group& group, double scale) {
     XrdSample sample{.name = group.sample};
+    std::string whole;  // name of a crystalline total of 100 %
     double sum = 0;
     for (const Entry& entry : group.entries) {
         if (!entry.amount) {
@@ -176,6 +203,7 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
         if (meaning == RowMeaning::crystalline_total) {
             sample.analysis.amorphous =
                 CrystallineTotal{.value = std::min(fraction, 1.0), .standard_uncertainty = uncertainty};
+            if (fraction > 1 - default_closure_tolerance) whole = entry.phase;
             continue;
         }
         sum += fraction;
@@ -200,6 +228,10 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
     if (sample.analysis.phases.empty())
         refuse_line(group.entries.front().line, sample_named(group.sample) + " has no phase with an amount",
                     "at least one");
+    if (!whole.empty() && std::abs(sum - 1) <= default_closure_tolerance) {  // it may be their sum
+        sample.analysis.amorphous = AmorphousNotStated{};
+        sample.analysis.of_crystalline_part = in_quotes(whole) + " of 100 %";
+    }
     return sample;
 }
 
@@ -250,7 +282,8 @@ XrdSample sample_of_peaks(const Group& group) {
 }
 
 /// Rescales a sample that contains an internal standard, a phase whose weight in the mixture is known.
-XrdSample standardised(const XrdSample& sample, const Group& group, const Table& table) {
+/// @param amounts their factor, from scale_of()
+XrdSample standardised(const XrdSample& sample, const Group& group, const Table& table, double amounts) {
     const Entry* standard = nullptr;
     for (const Entry& entry : group.entries) {
         if (!entry.standard) continue;
@@ -262,11 +295,9 @@ XrdSample standardised(const XrdSample& sample, const Group& group, const Table&
         standard = &entry;
     }
     if (!standard) return sample;
-    const bool per_cent = standard->standard->per_cent ||
-                          table.headings[*table.column(Role::standard)].scale == Scale::per_cent ||
-                          standard->standard->value > 1;
     return at_place(at_line(standard->line), [&] {
-        const double scale = per_cent ? 0.01 : 1;
+        const double scale =
+            scale_of_standard(*standard->standard, table.headings[*table.column(Role::standard)], amounts);
         auto uncertainty = standard->standard->standard_uncertainty;
         if (uncertainty) *uncertainty *= scale;
         return with_internal_standard(sample, standard->phase, standard->standard->value * scale,
@@ -350,6 +381,7 @@ XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) 
     if (std::ranges::any_of(entries, &Entry::uncertainty_in_per_cent))
         result.warnings.push_back(uncertainties_in_per_cent(xrd_code));
     const double scale = layout == Layout::peaks ? 1 : scale_of(table, entries, result.warnings);
+    if (layout != Layout::peaks) require_scale_of_uncertainties(table, named_scale(scale));
     constexpr double of_per_cent = 0.01;
     const auto states_scale = [](const Heading& heading) {
         return heading.role == Role::uncertainty && heading.scale != Scale::not_stated;
@@ -370,9 +402,10 @@ XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) 
             layout == Layout::peaks ? sample_of_peaks(group) : sample_of_fractions(group, scale);
         if (volumes) sample.analysis.basis = FractionBasis::volume;
         if (!table.crystalline.empty()) take_crystalline_part(sample, table.crystalline);
-        result.samples.push_back(standardised(sample, group, table));
+        result.samples.push_back(standardised(sample, group, table, scale));
     }
     std::vector<NamedSum> sums;
+    if (layout == Layout::fractions || layout == Layout::peaks) return result;  // a column names the samples
     for (const XrdSample& sample : result.samples) {
         sums.push_back({sample.name, 0});
         for (const PhaseFraction& phase : sample.analysis.phases) sums.back().sum += phase.fraction;

@@ -139,7 +139,8 @@ void check_units_of_uncertainties(Table& table) {
                (heading.role == Role::other && !heading.unit.empty());
     });
     for (Heading& heading : table.headings) {
-        if (heading.role != Role::uncertainty || heading.unit.empty()) continue;
+        if (heading.role != Role::uncertainty || (heading.unit.empty() && !may_be_relative(heading)))
+            continue;
         const bool known = amounts != table.headings.end();
         const bool is_volume =
             known && (amounts->role == Role::volume || amounts->states == HeadingUnit::volume);
@@ -148,7 +149,7 @@ void check_units_of_uncertainties(Table& table) {
         if (heading.states == HeadingUnit::other || !scaled_alike ||
             heading.states == (is_volume ? HeadingUnit::weight : HeadingUnit::volume))
             heading.coverage.problem = "they are in another unit than the fractions";
-        else if (heading.unit == "%" && (!known || amounts->scale == Scale::per_cent))
+        else if (may_be_relative(heading))
             heading.coverage.problem =
                 "[%] may be of the whole or of the value (write the unit of the fractions)";
     }
@@ -309,6 +310,14 @@ void take_uncertainty(Entry& entry, const std::optional<PrintedNumber>& of, cons
     entry.uncertainty_in_per_cent = uncertainty.per_cent;
 }
 
+/// The column of uncertainties that are read, beside phases.
+std::optional<std::size_t> read_uncertainties(const Table& table) {
+    for (std::size_t k = 0; k < table.headings.size(); ++k)
+        if (table.headings[k].role == Role::uncertainty && table.headings[k].coverage.problem.empty())
+            return k;
+    return std::nullopt;
+}
+
 /// One row a phase: phase and weight, or phase, intensity and RIR.
 std::vector<Entry> long_entries(const Table& table, Layout layout) {
     std::vector<Entry> entries;
@@ -336,13 +345,14 @@ std::vector<Entry> long_entries(const Table& table, Layout layout) {
         const Role amount = table.has(Role::weight) ? Role::weight : Role::volume;
         entry.amount = number(amount);
         if (!entry.amount) entry.without_number = cell(amount);
-        if (const auto uncertainty = number(Role::uncertainty)) {
+        const auto errors = read_uncertainties(table);
+        if (const auto uncertainty = errors ? number_in(row, *errors, table) : std::nullopt) {
             if (entry.amount && entry.amount->standard_uncertainty)
                 refuse_line(row.line, "the cell and a column state an uncertainty of the fraction",
                             "one of them");
-            const auto of = table.column(table.has(Role::intensity) ? Role::intensity : amount);
+            const auto of = table.column(layout == Layout::peaks ? Role::intensity : amount);
             take_uncertainty(entry, of ? number_in(row, *of, table) : std::nullopt, *uncertainty, row,
-                             *table.column(Role::uncertainty), row.cells[of.value_or(0)], table);
+                             *errors, row.cells[of.value_or(0)], table);
         }
         if (layout == Layout::peaks) {
             entry.intensity = number(Role::intensity);
@@ -455,6 +465,7 @@ void take_rows_of_uncertainties(std::vector<TableRow>& rows, std::size_t first, 
         if (label >= std::min(rows[i].cells.size(), rows[i + 1].cells.size())) return;
         const auto coverage = coverage_of_row(label_of(i + 1), label_of(i));
         if (!coverage || is_uncertainty_word(label_of(i)) || is_summary(label_of(i))) return;
+        refuse_two_methods({label_of(i), label_of(i + 1)}, rows[i + 1].line);
         coverages.push_back(*coverage);
     }
     if (first + 2 * coverages.size() != rows.size()) return;
@@ -465,8 +476,8 @@ void take_rows_of_uncertainties(std::vector<TableRow>& rows, std::size_t first, 
         if (coverages[i].factor != 1 || !coverages[i].problem.empty()) {
             warnings.push_back(
                 {code, Severity::doubt,
-                 "the uncertainties in " + at_line(row.line) + " are not read, as " +
-                     in_quotes(row.cells[label]) +
+                 (coverages[i].problem.empty() ? "the uncertainties in " : "the numbers in ") +
+                     at_line(row.line) + " are not read, as " + in_quotes(row.cells[label]) +
                      (coverages[i].problem.empty() ? " are no standard ones" : ": " + coverages[i].problem)});
             continue;
         }
@@ -483,11 +494,13 @@ bool looks_like_table(const TextLines& file) {
 
 namespace {
 
-/// Removes rows that sum up samples, such as "Mittel" and "SD". Single letters are names of samples, unless
-/// such a row stands before them.
+/// Removes rows that sum up samples or hold uncertainties of some, such as "Mittel", "SD" and "2s". Single
+/// letters are names of samples, unless such a row stands before them.
 void drop_summaries(Table& table) {
     const std::size_t label = *table.column(Role::sample);
-    const auto is_sum = [&](const TableRow& row) { return is_summary(row.cells[label]); };
+    const auto is_sum = [&](const TableRow& row) {
+        return is_summary(row.cells[label]) || coverage_of_row(row.cells[label], {});
+    };
     if (std::ranges::all_of(table.rows, is_sum)) return;  // such words are then the names of all samples
     bool follows = false;
     std::erase_if(table.rows, [&](const TableRow& row) {
@@ -683,6 +696,14 @@ void mark_sums(Table& table) {
     }
 }
 
+/// Sets aside the columns of other names beside phases and their amounts, which are not used: their units are
+/// not those of the amounts.
+void set_aside_others(Table& table) {
+    if (!table.has(Role::phase) || !names_amounts(table.headings)) return;
+    for (Heading& heading : table.headings)
+        if (heading.role == Role::other && !heading.text.empty()) heading.role = Role::measure;
+}
+
 /// Leaves out fractions by volume beside those by weight, and the uncertainties of these and of intensities
 /// where fractions are stated beside them.
 void prefer_fractions(Table& table) {
@@ -726,6 +747,11 @@ std::vector<bool> columns_with_numbers(const Table& table, std::span<const TextL
     return found;
 }
 
+void leave_out(Heading& heading) {
+    heading.role = Role::measure;
+    if (heading.text.empty()) heading.text = heading.written;  // "2 sigma"
+}
+
 /// Leaves out uncertainties without a name behind a column that is not used: they are of that column.
 void drop_uncertainties_of_unused(Table& table, std::span<const TextLine> rows) {
     const bool is_long = names_amounts(table.headings);
@@ -751,8 +777,7 @@ void drop_uncertainties_of_unused(Table& table, std::span<const TextLine> rows) 
         if (heading.role != Role::uncertainty || !is_unused(before) ||
             !is_uncertainty_of_unused(heading, before, holds_numbers[k - 1]))
             continue;
-        heading.role = Role::measure;
-        if (heading.text.empty()) heading.text = heading.written;  // "2 sigma"
+        leave_out(heading);
     }
 }
 
@@ -792,6 +817,33 @@ void require_owners_of_uncertainties(const Table& table) {
                             in_quotes(before.written) + ": they may be of it, or of another column",
                         "each column of uncertainties behind its amounts");
     }
+}
+
+/// Of several columns of uncertainties beside phases that behind the amounts counts, and the others are not
+/// used. @throws InputError where none stands there
+void choose_uncertainties(Table& table) {
+    auto owner = table.column(table.has(Role::weight) ? Role::weight : Role::volume);
+    if (!owner) owner = table.column(Role::intensity);
+    if (!table.has(Role::phase) || !owner) return;
+    const auto is_read = [](const Heading& heading) {
+        return heading.role == Role::uncertainty && heading.coverage.problem.empty();
+    };
+    if (std::ranges::count_if(table.headings, is_read) < 2) return;
+    const auto behind = table.headings.begin() + static_cast<std::ptrdiff_t>(*owner) + 1;
+    const auto chosen = std::find_if(behind, table.headings.end(), [&](const Heading& heading) {
+        return is_read(heading) || heading.role != Role::uncertainty;
+    });
+    if (chosen == table.headings.end() || !is_read(*chosen)) {
+        std::vector<std::string> names;
+        for (const Heading& heading : table.headings)
+            if (is_read(heading)) names.push_back(in_quotes(heading.written));
+        refuse_line(
+            table.heading_line,
+            "several columns hold uncertainties, and none stands behind the amounts: " + joined(names),
+            "the column of their uncertainties behind the amounts");
+    }
+    for (Heading& heading : table.headings)
+        if (&heading != &*chosen && is_read(heading)) leave_out(heading);
 }
 
 /// Removes rows of figures of merit and of other quantities among phases, such as "Rwp" and "LOI".
@@ -940,6 +992,16 @@ void require_agreeing_texts(Table& table, std::vector<TextBeside> texts, std::sp
     check_coverage(xrd_code, texts, columns, rows, table.separator, table.warnings);
 }
 
+/// Refuses amounts of an added standard that are no fractions by weight. @throws InputError
+void require_unit_of_standard(const Table& table) {
+    const auto standard = table.column(Role::standard);
+    if (!standard) return;
+    const Heading& heading = table.headings[*standard];
+    if (heading.states == HeadingUnit::other || heading.states == HeadingUnit::volume)
+        refuse_line(table.heading_line, "the column " + in_quotes(heading.written) + " is in another unit",
+                    "the weight fraction of the standard in the mixture: [wt%], [g/kg], [1]");
+}
+
 /// Refuses the name of a sample that may be a factor of its amounts: "0.1 wt%", "FA7 x10". @throws InputError
 void refuse_factor(const std::string& name, const std::string& written, std::size_t line) {
     static const std::regex factor("10+|(?:.* )?0[.]0*1|.*(?:x|\u00d7|[*]) *10+");
@@ -995,7 +1057,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
                 .rows = {},
                 .separator = cut.separator,
                 .marks = NumberMarks(decimal, file.of_sheet())};
-    if (std::ranges::any_of(table.headings, &Heading::of_crystalline)) table.crystalline = "the heading";
+    refuse_two_methods(cut.heading.cells, cut.heading.line);
     drop_numbers_of_phases(table, cut.rows);
     const bool is_wide = table.has(Role::phase) != table.has(Role::sample) && !names_amounts(table.headings);
     if (is_wide) {
@@ -1006,11 +1068,15 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     refuse_pairs_of_bases(table);
     if (table.has(Role::phase) && !table.has(Role::sample)) mark_sums(table);
     if (is_wide) require_owner_of_last(table);
+    set_aside_others(table);
+    for (const Heading& each : table.headings)
+        if (each.of_crystalline && each.role != Role::measure) table.crystalline = "the heading";
     prefer_fractions(table);
     if (table.has(Role::intensity)) find_uncertainties_of_ratios(table);
     drop_uncertainties_of_unused(table, cut.rows);
     check_units_of_uncertainties(table);
     require_owners_of_uncertainties(table);
+    choose_uncertainties(table);
     for (const Heading& each : table.headings)
         if (each.role != Role::measure)
             require_no_common_uncertainty(each.coverage.rest, each.written, table.heading_line);
@@ -1054,6 +1120,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
 
 Layout layout_of(const Table& table) {
     refuse_repeated_roles(table);
+    require_unit_of_standard(table);
     const std::size_t line = table.heading_line;
     const bool phase = table.has(Role::phase);
     if (phase && (table.has(Role::weight) || table.has(Role::volume))) return Layout::fractions;
@@ -1111,11 +1178,6 @@ Layout layout_of(const Table& table) {
 }
 
 bool by_volume(const Table& table, Layout layout) {
-    if (const auto standard = table.column(Role::standard);
-        standard && table.headings[*standard].states == HeadingUnit::other)
-        refuse_line(table.heading_line,
-                    "the column " + in_quotes(table.headings[*standard].written) + " is in another unit",
-                    "the weight fraction of the standard in the mixture: [wt%], [1]");
     bool weight = false;
     bool volume = false;
     const Heading* small = nullptr;  // in ppm or per mille

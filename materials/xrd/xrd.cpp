@@ -99,7 +99,8 @@ void note_missing_uncertainties(XrdSample& sample) {
     std::vector<std::string> without;
     for (const PhaseFraction& phase : sample.analysis.phases)
         if (!phase.standard_uncertainty && phase.fraction > 0) without.push_back(in_quotes(phase.name));
-    if (without.empty() || without.size() == sample.analysis.phases.size()) return;
+    const auto has_one = [](const PhaseFraction& phase) { return phase.standard_uncertainty.has_value(); };
+    if (without.empty() || std::ranges::none_of(sample.analysis.phases, has_one)) return;
     sample.warnings.push_back(
         {xrd_code, Severity::remark,
          fmt::format("{} {} no uncertainty, as other phases do, and {} as exact", joined(without),

@@ -398,7 +398,7 @@ TEST_CASE("columns and rows beside a sample that are not read as its uncertainti
         contains(told("Phase;FA1;FA1 SE;FA2\nMullite;30;3;20\nQuartz;70;2;80\n", 2),
                  "uncertainties of column \"FA1 SE\" are not read, as \"SE\" names no standard uncertainty"));
     CHECK(contains(told("Sample;Mullite;Quartz\nFA1;30;70\nFA1 RSD;3;2\n", 1),
-                   "the uncertainties in line 3 are not read, as \"FA1 RSD\": \"RSD\" names no"));
+                   "the numbers in line 3 are not read, as \"FA1 RSD\": \"RSD\" names no"));
     CHECK(contains(told("Phase;FA1;FA1 wet;FA2\nMullite;30;3;20\nQuartz;70;2;80\n", 3),
                    "\"FA1 wet\" is not read as uncertainties of \"FA1\": write \"FA1 esd\""));
     for (const char* label : {"s", "twice sd", "rel. esd", "err3"})

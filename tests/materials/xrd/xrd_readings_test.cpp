@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "core/text/text.hpp"
+#include "materials/xrd/xrd.hpp"
+#include "tests/materials/catalogue.hpp"
+#include "tests/support/checks.hpp"
+
+namespace ashimpact::test {
+
+namespace {
+
+std::string refusal(const std::string& table) {
+    return input_error_of(
+        [&] { return compose(read_xrd(table, "t.csv").samples.front().analysis, shipped_catalogue()); });
+}
+
+XrdSample first_of(const std::string& table) {
+    CAPTURE(table);
+    return read_xrd(table, "t.csv").samples.front();
+}
+
+std::string told(const std::string& table) {
+    const XrdResult result = read_xrd(table, "t.csv");
+    std::string text = joined(texts_of(result.warnings));
+    for (const XrdSample& sample : result.samples) text += joined(texts_of(sample.warnings));
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("a column that is not used does not scale the amounts") {
+    for (const char* column : {"Hg ppm", "Cl mg/kg", "Cl [g/kg]", "Cl \u2030", "microstrain [ppm]"}) {
+        for (const auto& [heading, amount] :
+             {std::pair{"wt%;", "12.3;"}, {"Amount;", "12.3;"}, {"wt%;", "12.3 %;"}}) {
+            const std::string table =
+                std::string("Phase;") + heading + column + "\nQuartz;" + amount + "400\n";
+            CHECK(first_of(table).analysis.phases[0].fraction == doctest::Approx(0.123));
+            CHECK(contains(told(table), std::string("column \"") + column + "\" is not used"));
+        }
+    }
+    CHECK(first_of("Phase;Cl [g/kg];wt%;esd [wt%]\nQuartz;4;12.3;0.4\n")
+              .analysis.phases[0]
+              .standard_uncertainty.value() == doctest::Approx(0.004));
+    for (const char* column : {"strain [%]", "error %", "error in percent"}) {
+        const std::string rows = "\nQuartz;0.123;3\nMullite;0.877;2\n";
+        const XrdSample sample = first_of(std::string("Phase;Amount;") + column + rows);
+        CHECK(sample.analysis.phases[0].fraction == doctest::Approx(0.123));
+        CHECK_FALSE(sample.analysis.phases[0].standard_uncertainty);
+    }
+    CHECK(contains(refusal("Phase;Amount;esd [wt%]\nQuartz;0.123;3\nGlass;0.877;2\n"), "state another unit"));
+    CHECK(contains(refusal("Phase;Amount;esd [g/kg]\nQuartz;20 %;3\nGlass;80 %;2\n"), "state another unit"));
+    CHECK(told("Phase;wt%;size (crystalline)\nQuartz;20;9\nGlass;80;\n").find("crystalline part") ==
+          std::string::npos);
+}
+
+TEST_CASE("words for per cent in the heading of uncertainties are of the whole or of the value") {
+    for (const char* column : {"error in percent", "Fehler in Prozent", "Error pct", "Fehler [Prozent]",
+                               "esd percent", "error [%]", "\u00b1 %", "\u8bef\u5dee(%)", "weight error [%]"})
+        for (const char* amounts : {"wt%", "Amount", "Weight fraction %"}) {
+            CAPTURE(column);
+            const std::string table =
+                std::string("Phase;") + amounts + ";" + column + "\nQuartz;20;3\nGlass;80;2\n";
+            CHECK_FALSE(first_of(table).analysis.phases[0].standard_uncertainty);
+            CHECK(contains(told(table), "of the whole or of the value"));
+        }
+}
+
+TEST_CASE("the amount of an added standard has a unit of its own") {
+    const auto scale = [](const std::string& heading, const std::string& cells) {
+        const XrdSample sample = first_of("Phase;" + heading + "\nQuartz;" + cells);
+        return std::get<AmorphousRemainder>(sample.analysis.amorphous).scale;
+    };
+    const double expected = 0.02 / (0.3 * 0.98);
+    for (const auto& [unit, number] : {std::pair{"g/kg", "20"},
+                                       {"mg/g", "20"},
+                                       {"ppm", "20000"},
+                                       {"\u2030", "20"},
+                                       {"wt%", "2"},
+                                       {"1", "0.02"}}) {
+        const std::string table = "standard [" + std::string(unit) + "]";
+        CHECK(scale("wt%;" + table, "70;\nCorundum;30;" + std::string(number) + "\n") ==
+              doctest::Approx(expected));
+        CHECK(scale("g/kg;" + table, "700;\nCorundum;300;" + std::string(number) + "\n") ==
+              doctest::Approx(expected));
+    }
+    CHECK(scale("g/kg;standard", "700;\nCorundum;300;2 %\n") == doctest::Approx(expected));
+    for (const char* unit : {"g/kg", "ppm"})
+        CHECK(contains(
+            refusal("Phase;" + std::string(unit) + ";standard\nQuartz;700;\nCorundum;300;2\n"),
+            "line 3: the amount of the standard, 2, may be in the unit of the amounts, or per cent"));
+    for (const char* table : {"Phase;wt%;standard [vol%]\nQuartz;70;\nCorundum;30;20\n",
+                              "Phase;wt%;standard [g]\nQuartz;70;\nCorundum;30;20\n",
+                              "Phase;I;RIR;standard [g]\nQuartz;70;1;\nCorundum;30;1;20\n"})
+        CHECK(contains(refusal(table), "is in another unit; allowed: the weight fraction of the standard"));
+}
+
+TEST_CASE("SEM beside the name of another method has two readings") {
+    for (const char* table :
+         {"Phase;XRD wt%;SEM wt%\nQuartz;20;21\nGlass;80;79\n", "Phase;Rietveld [wt%];SEM\nQuartz;20;1\n",
+          "Sample;Quartz;Glass\nXRD;20;80\nSEM;21;79\n"})
+        CHECK(
+            contains(refusal(table), "may be standard errors of the mean, or amounts by scanning electron"));
+    CHECK(first_of("Phase;wt%;SEM\nQuartz;20;1\n").analysis.phases[0].standard_uncertainty.value() ==
+          doctest::Approx(0.01));
+}
+
+TEST_CASE("of several columns of uncertainties that behind the amounts counts") {
+    for (const auto& [heading, cells] : {std::pair{"Phase;;esd;wt%;esd", "Quartz;;9;20;1"},
+                                         {"Phase;PDF;error;wt%;error", "Quartz;33-1161;9;20;1"},
+                                         {"\u00b1;Phase;wt%;\u00b1", "9;Quartz;20;1"}}) {
+        const std::string table = std::string(heading) + "\n" + cells + "\n";
+        CHECK(first_of(table).analysis.phases[0].standard_uncertainty.value() == doctest::Approx(0.01));
+        CHECK(contains(told(table), "is not used"));
+    }
+    CHECK(contains(refusal("\u00b1;Phase;esd;wt%\n9;Quartz;1;20\n"), "none stands behind the amounts"));
+    CHECK(first_of("Phase;esd;wt%\nQuartz;1;20\n").analysis.phases[0].standard_uncertainty.value() ==
+          doctest::Approx(0.01));
+    CHECK(first_of("Phase;wt%;rel. error [%];esd\nQuartz;20;5;1\n")
+              .analysis.phases[0]
+              .standard_uncertainty.value() == doctest::Approx(0.01));
+}
+
+TEST_CASE("a quantity beside a sample names none") {
+    for (const char* column : {"strain [%]", "probability [%]", "match [%]", "expansion [%]", "humidity [%]",
+                               "preferred orientation [%]"}) {
+        const std::string table = "Phase;FA1 [wt%];" + std::string(column) + "\nQuartz;20;1\nGlass;80;2\n";
+        CHECK(read_xrd(table, "t.csv").samples.size() == 1);
+        CHECK(contains(told(table), "column \"" + std::string(column) + "\" is not used"));
+    }
+}
+
+TEST_CASE("a crystalline total of 100 % may be the sum of the crystalline phases") {
+    for (const char* table : {"Phase;wt%\nQuartz;30\nMullite;70\nTotal crystalline;100\n",
+                              "Phase;wt%\nQuartz;30\nMullite;70\nSumme kristallin;100\n",
+                              "Sample;Quartz;Mullite;crystalline\nA;30;70;100\n"})
+        CHECK(contains(refusal(table), "the amorphous fraction of the sample is not stated: by "));
+    XrdSample sample = first_of("Phase;wt%\nQuartz;30\nMullite;70\nTotal crystalline;100\n");
+    sample.analysis.state_amorphous(AmorphousFraction{.value = 0.4});
+    CHECK(compose(sample.analysis, shipped_catalogue()).components.back().weight_fraction ==
+          doctest::Approx(0.4));
+    CHECK(refusal("Phase;wt%\nQuartz;30\nMullite;70\nTotal crystalline;60\n").empty());
+    CHECK(contains(refusal("Phase;wt%\nQuartz;30\nGlass;70\nTotal crystalline;100\n"), "\"Glass\" is none"));
+}
+
+TEST_CASE("remarks on rows and amounts say what is there") {
+    const auto says = [](const std::string& table, const char* text) {
+        return told(table).find(text) != std::string::npos;
+    };
+    CHECK_FALSE(says("Phase;wt%\nQuartz;20\nLime;0\nGlass;80\n", "as other phases do"));
+    const std::string wide = "Sample;Quartz;Glass\n";
+    CHECK_FALSE(says(wide + "#1;20;80\n#2;30;70\n", "a comment"));
+    CHECK(says("# note\n" + wide + "#1;20;80\n", "line 1, a comment, is no part of the table: \"note\""));
+    CHECK(
+        says(wide + "FA1;20;80\n2 sigma;1;1\nFA2;30;70\n", "line 3 is no sample and left out: \"2 sigma\""));
+    CHECK(says(wide + "FA1;20;80\nFA1 mean;21;79\n", "the numbers in line 3 are not read, as \"FA1 mean\""));
+    CHECK_FALSE(says("Sample;Phase;wt%\nFA1;Quartz;20\nFA1;Glass;80\nFA11;Quartz;9\n", "write \"FA1 esd\""));
+}
+
+}  // namespace ashimpact::test
