@@ -392,7 +392,12 @@ XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) 
             if (entry.amount && entry.uncertainty && !entry.uncertainty_in_per_cent)
                 small.take(entry.amount->value, shortest(*entry.uncertainty), *entry.uncertainty);
     if (const auto doubt = small.finding(xrd_code)) result.warnings.push_back(*doubt);
-    if (layout != Layout::peaks) require_scale(table.texts, {named_scale(scale)});
+    if (layout != Layout::peaks) {
+        std::vector<TextBeside> texts = table.texts;
+        if (const auto label = table.column(Role::sample))
+            for (const TableRow& row : table.rows) texts.push_back({row.line, row.cells[*label], true});
+        require_scale(texts, {named_scale(scale)});
+    }
     warn_of_ignored(table, layout, result.warnings);
     note_readings(table, layout, result.warnings);
     refuse_oxides(entries, table.heading_line);

@@ -197,8 +197,10 @@ void split_unit(Heading& heading, std::string_view text) {
          at = text.find_first_of(" /", at + 1)) {
         const std::string_view rest = trimmed(text.substr(at + 1));
         const std::string_view name = trimmed(text.substr(0, at));
-        const bool per_cent = holds_per_cent(rest) &&
-                              (at == last || (unit_of(rest) != HeadingUnit::other && !rest.starts_with('/')));
+        const Role role = role_of_text(rest);  // "at. %"
+        const bool is_unit =
+            unit_of(rest) != HeadingUnit::other || role == Role::measure || role == Role::intensity;
+        const bool per_cent = holds_per_cent(rest) && (at == last || (is_unit && !rest.starts_with('/')));
         const bool is_quotient = text[at] == '/' || name.ends_with('/');  // "w/%", but not "1/wt%"
         if (!name.empty() && (per_cent || (!is_quotient && fraction_unit(rest) != nullptr)) &&
             (!is_quotient || holds_letter(name)))
@@ -304,7 +306,8 @@ Heading read_heading(std::string_view text) {
     if (holds_per_cent(key) || holds_per_cent(unit))
         heading.scale = is_per_mille ? Scale::per_mille : Scale::per_cent;
     if (key.ends_with("ppm") || unit.ends_with("ppm")) heading.scale = Scale::ppm;
-    if (key.ends_with("fraction") && heading.scale == Scale::not_stated) heading.scale = Scale::fraction;
+    if ((key.ends_with("fraction") || unit == "fraction") && heading.scale == Scale::not_stated)
+        heading.scale = Scale::fraction;
     if (unit == "1" || heading.unit == "-") heading.scale = Scale::fraction;
     if (quotient != nullptr && quotient->scale != Scale::not_stated) heading.scale = quotient->scale;
     if (heading.scale == Scale::per_mille && heading.unit.ends_with('%'))
@@ -457,10 +460,13 @@ void require_scale(const std::vector<TextBeside>& texts, const std::set<Scale>& 
         for (auto from = text.find_first_not_of(ends); from != std::string_view::npos;) {
             const auto end = std::min(text.find_first_of(ends, from), text.size());
             const std::string_view word = text.substr(from, end - from);
+            const bool is_plain = word == "fraction" && !text.substr(0, from).ends_with('[');
             from = text.find_first_not_of(ends, end);
             const Scale scale = scale_in_unit(word);
-            const bool of_number = std::exchange(behind_number, is_digit(word.back()));
-            if (scale == Scale::not_stated || of_number) continue;
+            const bool is_name = std::isalpha(static_cast<unsigned char>(word.front())) != 0 &&
+                                 word.find('=') == std::string_view::npos;  // "FA1"
+            const bool of_number = std::exchange(behind_number, is_digit(word.back()) && !is_name);
+            if (scale == Scale::not_stated || of_number || is_plain) continue;
             agrees = agrees || amounts.contains(scale);
             if (!amounts.contains(scale)) other = word;
         }

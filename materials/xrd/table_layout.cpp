@@ -129,9 +129,11 @@ bool is_uncertainty(const Heading& heading) {
 void check_units_of_uncertainties(Table& table) {
     if (table.has(Role::intensity)) {
         for (std::size_t k = 1; k < table.headings.size(); ++k)
-            if (is_uncertainty(table.headings[k]) && table.headings[k].scale == Scale::per_cent &&
-                table.headings[k - 1].scale != Scale::per_cent)
-                table.headings[k].coverage.problem = "they are in another unit than the column before them";
+            if (is_uncertainty(table.headings[k]) && table.headings[k].scale == Scale::per_cent)
+                table.headings[k].coverage.problem =
+                    table.headings[k - 1].scale == Scale::per_cent
+                        ? "[%] may be of the greatest intensity or of the value"
+                        : "they are in another unit than the column before them";
         return;
     }
     const auto amounts = std::ranges::find_if(table.headings, [](const Heading& heading) {
@@ -1180,9 +1182,10 @@ Layout layout_of(const Table& table) {
 bool by_volume(const Table& table, Layout layout) {
     bool weight = false;
     bool volume = false;
-    const Heading* small = nullptr;  // in ppm or per mille
-    const Heading* other = nullptr;  // in another unit, or without one
-    const Heading* bare = nullptr;   // without a basis
+    const Heading* stated = nullptr;  // the first with a unit
+    const Heading* other = nullptr;   // in another one
+    const Heading* without = nullptr;
+    const Heading* bare = nullptr;  // without a basis
     for (const Heading& heading : table.headings) {
         const bool amounts =
             heading.role == Role::weight || heading.role == Role::volume ||
@@ -1192,10 +1195,11 @@ bool by_volume(const Table& table, Layout layout) {
             refuse_line(table.heading_line,
                         "the column " + in_quotes(heading.written) + " is in another unit",
                         "fractions by weight or by volume: [wt%], [vol%], [ppm], [1]");
-        const bool is_small = heading.scale == Scale::ppm || heading.scale == Scale::per_mille;
-        if (is_small && (small == nullptr || small->scale == heading.scale))
-            small = &heading;
-        else
+        if (heading.scale == Scale::not_stated)
+            without = &heading;
+        else if (stated == nullptr)
+            stated = &heading;
+        else if (stated->scale != heading.scale)
             other = &heading;
         const bool by_weight = heading.role == Role::weight || heading.states == HeadingUnit::weight;
         const bool of_volume = heading.role == Role::volume || heading.states == HeadingUnit::volume;
@@ -1209,9 +1213,12 @@ bool by_volume(const Table& table, Layout layout) {
                     "the unit in the heading of every column");
     if (weight && volume)
         refuse_line(table.heading_line, "there are fractions by weight and by volume", "one of the two");
-    if (small != nullptr && other != nullptr)
+    const bool is_small =
+        stated != nullptr && (stated->scale == Scale::ppm || stated->scale == Scale::per_mille);
+    if (is_small && other == nullptr) other = without;
+    if (other != nullptr)
         refuse_line(table.heading_line,
-                    "the columns " + in_quotes(small->written) + " and " + in_quotes(other->written) +
+                    "the columns " + in_quotes(stated->written) + " and " + in_quotes(other->written) +
                         " are not in one unit",
                     "one unit, stated in the heading of every column");
     return volume;

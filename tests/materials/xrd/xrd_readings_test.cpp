@@ -56,6 +56,31 @@ TEST_CASE("a column that is not used does not scale the amounts") {
           std::string::npos);
 }
 
+TEST_CASE("amounts in two units, in headings or names of samples, are refused") {
+    for (const char* table :
+         {"Phase;FA1 [fraction];FA2 [wt%]\nQuartz;0.123;12.3\n",
+          "Sample;Quartz [1];Mullite [%]\nA;0.123;28.4\n", "Phase;FA1;FA2\n;fraction;%\nQuartz;0.123;12.3\n"})
+        CHECK(contains(refusal(table), "are not in one unit"));
+    for (const char* table : {"Sample;Quartz [wt%];Glass [wt%]\nFA1 [g/kg];12.3;87.7\n",
+                              "Sample;Phase;wt%\nFA1 [ppm];Quartz;12.3\n", "Sample;Quartz\nFA1 [%];0.123\n",
+                              "Sample;Quartz\nFA1 [fraction];0.123\nFA2 [%];12.3\n"})
+        CHECK(contains(refusal(table), "and the amounts are read in another unit"));
+    CHECK(first_of("Sample;Quartz;Glass\nFA1 [%];12.3;87.7\n").analysis.phases[0].fraction ==
+          doctest::Approx(0.123));
+    CHECK(refusal("Size fraction 2\nSample;Quartz;Glass\nfine fraction;12.3;87.7\n").empty());
+    const std::string rows = "\nQuartz;20\nGlass;80\n";
+    for (const char* column : {"FA1 at. %", "FA1 rel. int. %", "FA1 \u043c\u043e\u043b\u044c\u043d. %"})
+        CHECK(
+            contains(refusal("Phase;" + std::string(column) + rows), "holds no weight or volume fractions"));
+    for (const char* column : {"FA1, \ubd80\ud53c %", "FA1, \u4f53\u79ef\u6bd4 %"})
+        CHECK(first_of("Phase;" + std::string(column) + rows).analysis.basis == FractionBasis::volume);
+    CHECK_FALSE(first_of("Phase;Amount [fraction];error [%]\nQuartz;0.123;3\n")
+                    .analysis.phases[0]
+                    .standard_uncertainty);
+    const XrdSample peaks = first_of("Phase;I [%];esd [%];RIR\nQuartz;100;3;3.1\nMullite;60;2;0.7\n");
+    CHECK_FALSE(peaks.analysis.phases[0].standard_uncertainty);
+}
+
 TEST_CASE("words for per cent in the heading of uncertainties are of the whole or of the value") {
     for (const char* column : {"error in percent", "Fehler in Prozent", "Error pct", "Fehler [Prozent]",
                                "esd percent", "error [%]", "\u00b1 %", "\u8bef\u5dee(%)", "weight error [%]"})
