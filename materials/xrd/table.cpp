@@ -83,7 +83,7 @@ double scale_of_standard(const PrintedNumber& number, const Heading& heading, do
     if (stated != factors.end()) return stated->second;
     constexpr double per_cent = 0.01;
     if (!number.per_cent && amounts < per_cent)
-        throw InputError("the amount of the standard, " + shortest(number.value) +
+        throw InputError("the amount of the standard, " + readable_number(number.value) +
                              ", may be in the unit of the amounts, or per cent or a fraction",
                          "a unit in the heading " + in_quotes(heading.written) + ": [wt%], [g/kg], [1]");
     return number.per_cent || number.value > 1 ? per_cent : 1;
