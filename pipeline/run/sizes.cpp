@@ -459,7 +459,8 @@ std::optional<Finding> kept_properties_finding(const ContactResult& contacts) {
                                    [](const auto& each) { return each.first.name == "tabor"; });
     };
     std::vector<std::string> kept;
-    if (std::ranges::any_of(contacts.samples, [](const SampleContact& each) { return each.roughness; }))
+    if (std::ranges::any_of(contacts.samples,
+                            [](const SampleContact& each) { return each.roughness.has_value(); }))
         kept.emplace_back("the work of adhesion, reduced by the roughness");
     if (std::ranges::any_of(contacts.samples, has_tabor)) kept.emplace_back("the Tabor parameter");
     if (kept.empty()) return std::nullopt;
