@@ -186,13 +186,13 @@ class TopasReader {
                         "once, with the number that counts");
     }
     /// Refuses the amounts of weight_percent and MVW where one is not the other, rounded.
-    void require_agreement(const Token& token, const PrintedNumber& weight) {
+    void require_agreement(const Token& token, const std::optional<PrintedNumber>& weight) {
         constexpr double rounding = 0.5;  // [%]
         const auto& other = phase(token).listed.amount;
-        if (other && std::abs(other->value - weight.value) > rounding)
+        if (other && weight && std::abs(other->value - weight->value) > rounding)
             refuse_line(token.line,
                         "the phase has " + shortest(other->value) + " % before and " +
-                            shortest(weight.value) + " % here",
+                            shortest(weight->value) + " % here",
                         "weight_percent and MVW that agree");
     }
 
