@@ -185,17 +185,6 @@ class TopasReader {
             refuse_line(token.line, in_quotes(token.text) + " stands twice",
                         "once, with the number that counts");
     }
-    /// Refuses the amounts of weight_percent and MVW where one is not the other, rounded.
-    void require_agreement(const Token& token, const std::optional<PrintedNumber>& weight) {
-        constexpr double rounding = 0.5;  // [%]
-        const auto& other = phase(token).listed.amount;
-        if (other && weight && std::abs(other->value - weight->value) > rounding)
-            refuse_line(token.line,
-                        "the phase has " + shortest(other->value) + " % before and " +
-                            shortest(weight->value) + " % here",
-                        "weight_percent and MVW that agree");
-    }
-
     void read_keyword(const Token& token) {
         const std::string& word = token.text;
         if (word.starts_with("#if")) {
@@ -221,9 +210,7 @@ class TopasReader {
             listed.line = tokens_[at_++].line;
         } else if (word == "weight_percent") {
             require_first(token, !phase(token).has_weight);
-            const PrintedNumber weight = number_after(token);
-            require_agreement(token, weight);
-            phase(token).listed.amount = weight;
+            phase(token).listed.amount = number_after(token);
             phase(token).has_weight = true;
         } else if (word == "spiked_phase_measured_weight_percent") {
             require_first(token, !phase(token).spiked);
@@ -238,7 +225,6 @@ class TopasReader {
             if (arguments.size() != 3)
                 refuse_line(token.line, "MVW has " + std::to_string(arguments.size()) + " arguments",
                             "MVW( cell mass, cell volume, weight per cent)");
-            require_agreement(token, arguments[2]);
             if (!phase(token).has_weight) phase(token).listed.amount = arguments[2];
         } else if (word == "Phase_Density_g_on_cm3") {
             const auto arguments = arguments_after(token);

@@ -247,8 +247,6 @@ TEST_CASE("malformed TOPAS files are refused at their line") {
     refuses_text(
         "weight_percent_amorphous 57\nstr phase_name Quartz weight_percent 20\nweight_percent_amorphous 40\n",
         "line 3: \"weight_percent_amorphous\" stands twice");
-    refuses_text("str phase_name Quartz\nweight_percent 20\nMVW(1, 2, 30)\n",
-                 "line 3: the phase has 20 % before and 30 % here");
     refuses_text("str phase_name Quartz weight_percent 0\n", "no phase has a weight");
     refuses_text("str phase_name Quartz weight_percent 25\nstr phase_name Mullite weight_percent 70\n",
                  "line 1: the weights of the phases add up to 95 %");
