@@ -145,7 +145,8 @@ TEST_CASE("a table of impacts without capture starts at its smallest velocity") 
     CHECK(worst_error(subject, table) < table_accuracy);
 }
 
-TEST_CASE("a table follows the damping along the velocity, at several sizes with their own contacts") {
+TEST_CASE("a table follows the damping along the velocity, at several sizes with their own contacts" *
+          doctest::test_suite("long")) {
     for (const char* law : {"hertz", "dmt", "jkr"}) {
         CAPTURE(law);
         for (ExportSubject subject : {followed(law), sizes(followed(law), 30e-6, 200e-6, 1.5),

@@ -250,7 +250,7 @@ TEST_CASE("of a run v_c by size counts, and beyond the measured sizes the headli
     check_refused(sandbox, "deposit" + superheater + ash + " --at '2 m/s'", "--at: the run has it");
 }
 
-TEST_CASE("what a sieve table has beside sizes and shares is said") {
+TEST_CASE("what a sieve table has beside sizes and shares is said" * doctest::test_suite("long")) {
     const Sandbox sandbox;
     for (const auto& [table, says] :
          {std::pair{"size [um];passing [wt%];Bemerkung\n10;20;x\n20;100;\n",

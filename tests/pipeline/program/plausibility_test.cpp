@@ -171,6 +171,11 @@ TEST_CASE("a critical velocity above 500 m/s is outside the model; JSON keeps th
     CHECK(sandbox.json("out.json")["result"]["laws"][0]["captured_outside_model"]["value"] == 1);
     CHECK(sandbox.read("out.html") == containing("100 % with v_c above 500 m/s, outside the model"));
 
+    const auto none = test::succeeded(
+        sandbox, std::string("critical-velocity --law dmt --diameter '88 um'") + usual_contact);
+    CHECK(none.out == containing("none: rebounds at every velocity"));
+    CHECK(none.err == containing("is between DMT (< 0.1) and JKR (> 5)"));
+
     const std::string command =
         std::string("critical-velocity --law hertz --diameter '88 um' --damping '100 kg/s'") + usual_contact;
     const auto text = test::succeeded(sandbox, command);

@@ -41,7 +41,8 @@ Json bare_case() {
 
 }  // namespace
 
-TEST_CASE("export, report and figure refuse artifacts computed from another state than the edited one") {
+TEST_CASE("export, report and figure refuse artifacts computed from another state than the edited one" *
+          doctest::test_suite("long")) {
     const Sandbox sandbox;
     test::put_built_in_run(sandbox);
     edit_result(sandbox, "2-contact.json", "/result/samples/0/work_of_adhesion/value = 0.5");
@@ -80,7 +81,8 @@ TEST_CASE(
     CHECK(sandbox.read("out/assumptions.md") != containing("e is the measured one"));
 }
 
-TEST_CASE("export computes from an edited critical velocity; a report waits for what follows from it") {
+TEST_CASE("export computes from an edited critical velocity; a report waits for what follows from it" *
+          doctest::test_suite("long")) {
     const Sandbox sandbox;
     test::put_built_in_run(sandbox);
     test::succeeded(sandbox, export_run);
@@ -104,7 +106,8 @@ TEST_CASE("export computes from an edited critical velocity; a report waits for 
     check_refused(sandbox, export_run, "/dissipated/value: was edited, and only part of what comes after");
 }
 
-TEST_CASE("a run does not compute an edited artifact anew: the edit would be lost") {
+TEST_CASE("a run does not compute an edited artifact anew: the edit would be lost" *
+          doctest::test_suite("long")) {
     const Sandbox sandbox;
     test::put_built_in_run(sandbox);
     const auto before = sandbox.everything();
@@ -132,7 +135,8 @@ TEST_CASE("an interval has one level throughout a run") {
     check_refused(sandbox, "run --from histories", "/interval/level: is 0.9; allowed: 0.95");
 }
 
-TEST_CASE("an edited comparison is refused by a report, which shows its numbers from other artifacts too") {
+TEST_CASE("an edited comparison is refused by a report, which shows its numbers from other artifacts too" *
+          doctest::test_suite("long")) {
     const Sandbox sandbox;
     test::put_built_in_run(sandbox);
     const std::string computed = sandbox.read("results/comparison.json");

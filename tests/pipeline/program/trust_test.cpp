@@ -199,7 +199,7 @@ TEST_CASE("what init says can be typed as it stands, and so can the examples of 
                   "--amorphous-fraction: a standard uncertainty of 2; allowed: a fraction of the whole");
 }
 
-TEST_CASE("an output replaces only a file of its kind, whatever the command") {
+TEST_CASE("an output replaces only a file of its kind, whatever the command" * doctest::test_suite("long")) {
     const Sandbox sandbox;
     test::put_built_in_run(sandbox);
     sandbox.write("mine.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");

@@ -189,7 +189,8 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("double precision gives the verdict, and the critical velocity to 1e-12") {
+TEST_CASE("double precision gives the verdict, and the critical velocity to 1e-12" *
+          doctest::test_suite("long")) {
     Worst worst;
     for (const ContactCase& c : contact_cases()) {
         for (const double w : ash_adhesions) {

@@ -120,6 +120,13 @@ TEST_CASE("two constants are found where adhesion counts, and are undetermined w
     CHECK(relative_difference(own.constants[0].value, 0.3) < 1e-7);
     CHECK(relative_difference(own.constants[1].value, 2.0) < 1e-7);
     CHECK(std::abs(*own.correlation) < greatest_correlation);
+    // Strong attraction beside weak repulsion, whose valley is narrow.
+    const auto strong = fits_of(law, three_samples(law, {DampingLaw::brach_dunn, 1}, 70.0, 0.03, 24));
+    const FittedDamping& attracted = fit_by(strong, DampingLaw::brach_dunn);
+    CHECK(attracted.misfit < 1e-5);
+    CHECK(attracted.evidence == DampingEvidence::explains);
+    REQUIRE(attracted.constants.size() == 2);
+    CHECK(relative_difference(attracted.constants[1].value, 70.0) < 1e-4);
     const Law hertz = Law::named("hertz");
     const auto far = fits_of(hertz, three_samples(hertz, truth, 2.0, 0.03, 12));
     const FittedDamping& untold = fit_by(far, DampingLaw::brach_dunn);

@@ -503,6 +503,11 @@ TEST_CASE("impacts that a table holds twice are refused, few equal ones are not"
     CHECK(contains(
         refusal(sorted),
         "line 3: the row repeats that of line 2, and 5 of 12 rows repeat others: they may be there twice"));
+    std::string spread;  // velocities on no common step, each impact twice
+    for (int i = 0; i < 17; ++i)
+        for (int copy = 0; copy < 2; ++copy)
+            spread += fmt::format("{:.3f};{:.3f};\n", 1.16 * std::pow(1.12, i), 0.05 + 0.19 * i);
+    CHECK(contains(refusal(spread), "17 of 34 rows repeat others: they may be there twice"));
     CHECK(refusal(once + block[0] + block[4] + block[3]).empty());
     std::string coarse;
     std::string nominal;
