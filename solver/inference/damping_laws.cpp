@@ -24,6 +24,7 @@ constexpr double usual_scatter = 0.03;  ///< of e between impacts beyond stated 
 constexpr double octaves_searched = 5;  ///< of a coefficient, to both sides of that of the median impact
 constexpr double octaves_a_step = 1;    ///< finer than the valleys of the misfit
 constexpr std::array ratios_searched{0.0, 5.0, 60.0};  ///< of a second constant: attraction is weak
+constexpr double hopeful_start = 4;        ///< squares of the best of a scan over those of the best of all
 constexpr double nearly_everything = 0.8;  ///< of the squares that remain if every impact is captured
 /// Relative change of a coefficient that a parabola of e^2 covers, and how often it is moved at most.
 struct Reach {
@@ -288,38 +289,40 @@ class DampingLawFit {
         return (weights_ * differences_of(ratio).square()).sum();
     }
 
+    /// Constants with the squares of their misfit.
+    struct Start {
+        Constants constants{};
+        double squares = std::numeric_limits<double>::infinity();
+    };
+
     /// The least misfit of what the best of each scan moves to: that of other ratios may lie in a valley that
     /// ends higher.
     [[nodiscard]] Constants best_of_starts(Law law, std::size_t count) const {
-        Constants best{};
-        double least = std::numeric_limits<double>::infinity();
-        for (const double ratio : ratios_searched) {
-            const Constants start = best_of_scan(law, ratio);
-            const Constants reached = corrected(law, start, count, first_reach);
-            if (count == 1) return reached;
+        if (count == 1) return corrected(law, best_of_scan(law, 0).constants, count, first_reach);
+        std::vector<Start> starts;
+        for (const double ratio : ratios_searched) starts.push_back(best_of_scan(law, ratio));
+        const double least = std::ranges::min(starts, {}, &Start::squares).squares;
+        Start best{starts.front().constants};
+        for (const Start& start : starts) {
+            if (start.squares > hopeful_start * least) continue;
+            const Constants reached = corrected(law, start.constants, count, first_reach);
             const double here = squares_or_infinite(law, reached);
-            if (!(here < least)) continue;
-            least = here;
-            best = reached;
+            if (here < best.squares) best = {reached, here};
         }
-        return best;
+        return best.constants;
     }
 
     /// The least misfit of a grid of constants of that ratio, up to damping that captures nearly everything.
-    [[nodiscard]] Constants best_of_scan(Law law, double ratio) const {
+    [[nodiscard]] Start best_of_scan(Law law, double ratio) const {
         const double typical = typical_coefficient();
         const double all_captured = squares(Eigen::ArrayXd::Constant(weights_.size(), -1.0));
-        Constants best{typical, ratio * typical};
-        double least = std::numeric_limits<double>::infinity();
+        Start best{{typical, ratio * typical}};
         for (double octave = -octaves_searched; octave <= octaves_searched; octave += octaves_a_step) {
             const double coefficient = typical * std::exp2(octave);
             const Constants constants{coefficient, ratio * coefficient};
             const double here = squares_or_infinite(law, constants);
-            if (here < least) {
-                least = here;
-                best = constants;
-            }
-            if (here > 2 * least && here > nearly_everything * all_captured) break;
+            if (here < best.squares) best = {constants, here};
+            if (here > 2 * best.squares && here > nearly_everything * all_captured) break;
         }
         return best;
     }
