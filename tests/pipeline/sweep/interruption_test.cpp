@@ -368,7 +368,8 @@ TEST_CASE("a flipped bit anywhere in the rows is found, with its place, and no t
                    << " in checkpoints, all found");
 }
 
-TEST_CASE("a disk that is full at any moment is said in one line; no signal, nothing lost") {
+TEST_CASE("a disk that is full at any moment is said in one line; no signal, nothing lost" *
+          doctest::test_suite("long")) {
     REQUIRE(undisturbed().front().first == "out.h5");
     const std::size_t blocks = undisturbed().front().second.size() / 1024;
     int refused = 0;

@@ -371,9 +371,10 @@ TEST_CASE("where captures are rare their share outside of the model is the same 
     Json json = full_spec(65536);
     json["impact"].update({{"damping_law", "contact-radius"}, {"damping", "2500 Pa s"}});
     json["variables"]["radius"].update({{"median", "22 um"}, {"minimum", "5 um"}});
+    json["impact"]["laws"] = {"dmt"};
     json["sampling"]["method"] = "random";
     std::vector<OutsideShare> shares;
-    for (const int seed : {1, 2, 3}) {
+    for (const int seed : {1, 2}) {
         json["sampling"]["seed"] = seed;
         shares.push_back(captures_outside_model(read_sweep_spec(json.dump()).spec).front());
     }
