@@ -348,6 +348,16 @@ struct Block {
     }
 };
 
+/// Whether each row sums a block up, or holds its least or greatest values.
+bool all_sum_up(std::span<const MeasuredRow> rows, const Block& block) {
+    const auto holds = [&](const MeasuredRow& row, double Moments::*end) {
+        return row.values[0] == block.values[0].*end && row.values[1] == block.values[1].*end;
+    };
+    return std::ranges::all_of(rows, [&](const MeasuredRow& row) {
+        return holds(row, &Moments::minimum) || holds(row, &Moments::maximum) || block.summed_up_in(row);
+    });
+}
+
 /// Whether a row holds the medians of others.
 bool holds_medians(const MeasuredRow& row, std::span<const MeasuredRow> others) {
     for (std::size_t k = 0; k < row.values.size(); ++k) {
@@ -364,11 +374,15 @@ void refuse_summary_at_end(std::span<const MeasuredRow> rows) {
     if (rows.size() < fewest) return;
     constexpr std::size_t most_between = 2;  // standard deviations, least and greatest values
     for (std::size_t between = 0; between <= most_between; ++between) {
-        if (Block::of(rows.subspan(1 + between)).summed_up_in(rows.front()) == "means")
+        const Block below = Block::of(rows.subspan(1 + between));
+        if (below.summed_up_in(rows.front()) == "means" && all_sum_up(rows.subspan(1, between), below))
             refuse_summary_row(rows.front().line, "the means", "below");
-        for (const std::size_t last : {rows.size() - 1, rows.size() - 2})
-            if (Block::of(rows.first(last - between)).summed_up_in(rows[last]) == "means")
+        for (const std::size_t last : {rows.size() - 1, rows.size() - 2}) {
+            const Block above = Block::of(rows.first(last - between));
+            if (above.summed_up_in(rows[last]) == "means" &&
+                all_sum_up(rows.subspan(last - between, between), above))
                 refuse_summary_row(rows[last].line, "the means");
+        }
     }
     if (holds_medians(rows.front(), rows.subspan(1)))
         refuse_summary_row(rows.front().line, "the medians", "below");
