@@ -38,11 +38,14 @@ std::optional<Finding> unread_comments(const TextLines& file, std::span<const Te
     constexpr std::size_t shown = 3;
     std::size_t first = 0;
     std::vector<std::string> comments;
+    const auto is_content = [&](std::size_t number) {
+        const auto at = std::ranges::lower_bound(content, number, {}, &TextLine::number);
+        return at != content.end() && at->number == number;
+    };
     for (const TextLine& line : file.lines()) {
         const std::string_view text = trimmed(line.text);
         const std::string_view bare = text.substr(std::min(text.find_first_not_of("# "), text.size()));
-        if (!text.starts_with('#') || bare.empty() ||
-            std::ranges::binary_search(content, line.number, {}, &TextLine::number) ||
+        if (!text.starts_with('#') || bare.empty() || is_content(line.number) ||
             makes_statement({line.number, std::string(bare)}, used) ||
             (file.of_sheet() && bare.starts_with("comment on ")))
             continue;

@@ -100,7 +100,7 @@ void note_missing_uncertainties(XrdSample& sample) {
     for (const PhaseFraction& phase : sample.analysis.phases)
         if (!phase.standard_uncertainty && phase.fraction > 0) without.push_back(in_quotes(phase.name));
     const auto has_one = [](const PhaseFraction& phase) { return phase.standard_uncertainty.has_value(); };
-    if (without.empty() || std::ranges::none_of(sample.analysis.phases, has_one)) return;
+    if (without.empty() || !std::ranges::any_of(sample.analysis.phases, has_one)) return;
     sample.warnings.push_back(
         {xrd_code, Severity::remark,
          fmt::format("{} {} no uncertainty, as other phases do, and {} as exact", joined(without),

@@ -301,7 +301,7 @@ class DampingLawFit {
         if (count == 1) return corrected(law, best_of_scan(law, 0).constants, count, first_reach);
         std::vector<Start> starts;
         for (const double ratio : ratios_searched) starts.push_back(best_of_scan(law, ratio));
-        const double least = std::ranges::min(starts, {}, &Start::squares).squares;
+        const double least = std::ranges::min_element(starts, {}, &Start::squares)->squares;
         Start best{starts.front().constants};
         for (const Start& start : starts) {
             if (start.squares > hopeful_start * least) continue;
