@@ -177,9 +177,8 @@ bool is_formula(std::string_view name) {
     return name.size() < 40 && std::regex_match(std::string(name), symbols);
 }
 
-/// Whether a part of a name says that this is another form of the phase, its melt or what became of it, or
-/// is a spreadsheet's mark of a name that does not count. Hydrated lime is no lime, calcined gypsum no
-/// gypsum.
+/// Whether a qualifier in a name changes the phase: another polymorph, its melt, a product of hydration,
+/// carbonation or heating. "struck out" is the spreadsheet reader's mark of a deleted name.
 bool names_other_form(std::string_view part, const Phase& phase) {
     static const WordLists forms("other forms");
     const auto has = [&](const char* group) { return phase.formula.find(group) != std::string::npos; };

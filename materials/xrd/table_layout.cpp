@@ -322,6 +322,7 @@ std::optional<std::size_t> read_uncertainties(const Table& table) {
 
 /// One row a phase: phase and weight, or phase, intensity and RIR.
 std::vector<Entry> long_entries(const Table& table, Layout layout) {
+    const auto errors = read_uncertainties(table);
     std::vector<Entry> entries;
     for (const TableRow& row : table.rows) {
         const auto cell = [&](Role role) -> std::string {
@@ -347,7 +348,6 @@ std::vector<Entry> long_entries(const Table& table, Layout layout) {
         const Role amount = table.has(Role::weight) ? Role::weight : Role::volume;
         entry.amount = number(amount);
         if (!entry.amount) entry.without_number = cell(amount);
-        const auto errors = read_uncertainties(table);
         if (const auto uncertainty = errors ? number_in(row, *errors, table) : std::nullopt) {
             if (entry.amount && entry.amount->standard_uncertainty)
                 refuse_line(row.line, "the cell and a column state an uncertainty of the fraction",

@@ -161,7 +161,7 @@ void run_critical_velocity_command(const CommandOptions& options, std::ostream& 
     std::vector<Finding> doubts = options.doubts();
     const auto angle = read_angle(options);
     std::optional<ByScheme> scheme;
-    constexpr double usual_velocity = 1;  // [m/s]; stands for all where none is critical
+    constexpr double usual_velocity = 1;  // [m/s]; of the impact whose warnings are printed without a v_c
     if (result.value) {
         if (const auto doubt = outside_model(*result.value)) {
             warn_of({*doubt});

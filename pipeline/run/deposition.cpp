@@ -84,7 +84,7 @@ VelocityRow row_at(const std::vector<VelocityRow>& rows, double diameter) {
                     .lower = on_power_law(a, b, &VelocityRow::lower, diameter),
                     .upper = on_power_law(a, b, &VelocityRow::upper, diameter),
                     .outside = on_power_law(a, b, &VelocityRow::outside, diameter)};
-    // Where capture of everything, or of nothing, begins between two rows is not known.
+    // One row has a finite v_c, the other none: the transition may lie anywhere between them.
     const bool between = a.diameter < diameter && diameter < b.diameter;
     const auto is_finite = [](const VelocityRow& each) {
         return each.value > 0 && std::isfinite(each.value);
@@ -99,19 +99,22 @@ VelocityRow row_at(const std::vector<VelocityRow>& rows, double diameter) {
     return row;
 }
 
-/// Critical velocities of sizes, solved with the constants of an assumption.
+/// Critical velocities [m/s] by size, solved with the constants of an assumption.
 class SolvedSizes {
   public:
     SolvedSizes(const Run& run, SizeBasis basis, const std::vector<VelocityRow>& rows)
-        : impact_of_(assumed_impacts(run, basis)), rows_(rows) {}
+        : impact_of_(assumed_impacts(run, basis)),
+          rows_(rows),
+          reproduced_(in_parallel(rows, [this](const VelocityRow& row) { return int{reproduces(row)}; })) {}
 
-    /// The row of a size: solved, with the interval of the rows around it. Where these say something else
-    /// than the constants, as edited ones do, they count alone.
+    /// The solved velocity of a size, with the relative interval of the neighbouring rows. Interpolated
+    /// between them if the constants do not reproduce them, as after an edit.
     [[nodiscard]] VelocityRow row_of(double diameter) const {
         VelocityRow row = row_at(rows_, diameter);
-        const auto value = at(diameter);
         const auto [first, last] = rows_around(rows_, diameter);
-        if (!value || !agrees(first) || !agrees(last)) return row;
+        if (!reproduced_[place_of(first)] || !reproduced_[place_of(last)]) return row;
+        const auto value = velocity_of(diameter);
+        if (!value) return row;
         const bool both_finite = is_finite(*value) && is_finite(row.value);
         row.lower = both_finite ? row.lower * *value / row.value : std::min(row.lower, *value);
         row.upper = both_finite ? row.upper * *value / row.value : std::max(row.upper, *value);
@@ -120,7 +123,7 @@ class SolvedSizes {
     }
 
   private:
-    [[nodiscard]] std::optional<double> at(double diameter) const {
+    [[nodiscard]] std::optional<double> velocity_of(double diameter) const {
         if (!impact_of_) return std::nullopt;
         try {
             const Impact impact = impact_of_(diameter);
@@ -133,14 +136,20 @@ class SolvedSizes {
             return std::nullopt;
         }
     }
-    [[nodiscard]] bool agrees(const VelocityRow& row) const {
+    /// Whether the constants give the velocity of a row.
+    [[nodiscard]] bool reproduces(const VelocityRow& row) const {
         constexpr double rounding = 1e-3;
-        const auto value = at(row.diameter);
+        const auto value = velocity_of(row.diameter);
         return value && (*value == row.value || std::abs(*value / row.value - 1) < rounding);
+    }
+
+    [[nodiscard]] std::size_t place_of(const VelocityRow& row) const {
+        return static_cast<std::size_t>(&row - rows_.data());
     }
 
     std::function<Impact(double diameter)> impact_of_;
     const std::vector<VelocityRow>& rows_;
+    std::vector<int> reproduced_;  ///< of each row, whether the constants reproduce it
 };
 
 constexpr std::array preferred{SizeBasis::contact_radius, SizeBasis::tsuji,         SizeBasis::hunt_crossley,

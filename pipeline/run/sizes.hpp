@@ -41,9 +41,8 @@ struct VelocitiesBySize {
 /// Sentences without full stop on sizes that several samples with a velocity by the reported law share.
 [[nodiscard]] std::vector<std::string> shared_sizes(const ComparisonResult& comparison);
 
-/// The doubt about what the contact of other sizes keeps of the nearest sample although it goes with the
-/// size: a work of adhesion that roughness has reduced, and a stated Tabor parameter. None where no sample
-/// has them.
+/// Warning that contacts of other sizes use properties of the nearest sample that depend on the size: a work
+/// of adhesion reduced by roughness, a stated Tabor parameter. None if no sample has one.
 [[nodiscard]] std::optional<Finding> kept_properties_finding(const ContactResult& contacts);
 
 /// The contact of a sphere of that diameter, from those of the samples. @pre at least one sample

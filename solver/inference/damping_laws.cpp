@@ -295,8 +295,8 @@ class DampingLawFit {
         double squares = std::numeric_limits<double>::infinity();
     };
 
-    /// The least misfit of what the best of each scan moves to: that of other ratios may lie in a valley that
-    /// ends higher.
+    /// Corrects the best constants of each scanned ratio and returns those of least misfit: the best of the
+    /// scan alone may lead to a local minimum.
     [[nodiscard]] Constants best_of_starts(Law law, std::size_t count) const {
         if (count == 1) return corrected(law, best_of_scan(law, 0).constants, count, first_reach);
         std::vector<Start> starts;
@@ -455,7 +455,7 @@ class DampingLawFit {
 
     [[nodiscard]] static Constants moved(Constants constants, const Eigen::VectorXd& shift,
                                          const Eigen::VectorXd& reach) {
-        constexpr double rounding = 1e-12;  // what a move to zero leaves is no constant
+        constexpr double rounding = 1e-12;  // of a reach: a constant below it is the rounding error of 0
         for (Eigen::Index k = 0; k < shift.size(); ++k) {
             double& constant = constants[static_cast<std::size_t>(k)];
             constant += shift[k] * reach[k];

@@ -486,7 +486,7 @@ void RepeatedRows::take(const TableRow& row, std::size_t first, std::size_t seco
 
 namespace {
 
-/// What all numbers are multiples of, apart from rounding, as whole pixels give them; else their last digit.
+/// Common step of the numbers, such as one pixel of a camera gives; their last digit if there is none.
 /// @param numbers rising
 double step_of(const std::vector<double>& numbers) {
     double least = std::numeric_limits<double>::infinity();

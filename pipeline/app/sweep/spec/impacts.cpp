@@ -296,11 +296,12 @@ std::vector<std::string> warnings_of_sizes(const SweepSpec& spec) {
 
 namespace {
 
-/// Captures among the impacts at @p values, and those of them that are captures at fastest_in_model, too.
+/// Numbers of captured impacts.
 struct CaptureCounts {
     double all = 0;
-    double outside = 0;
+    double outside = 0;  ///< captured at fastest_in_model, too
 };
+/// Counts the captures among the impacts at @p values.
 CaptureCounts count_captures(const SweepSpec& spec, const ImpactModel& model, const Values& values) {
     const std::size_t count = values.front().size();
     const ImpactColumns impacts(spec, values, count);
