@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <ostream>
 #include <vector>
 
@@ -168,6 +169,14 @@ std::string result_text(const MeasuredDamping& result, const MeasurementSet& set
            (dampings ? "\n" + dampings_text(dampings->comparison) : "");
 }
 
+/// Warns where the law does not suit the contact. That impacts yield is among the findings of the series.
+void warn_of_law(const ContactChoice& choice, const MeasurementSet& set) {
+    const double fastest = std::ranges::max_element(set.points, {}, &Measurement::velocity)->velocity;
+    const Impact impact = choice.impact({DampingLaw::constant, 0}, fastest);
+    for (const Finding& finding : regime_of(impact, solve_impact(impact).maximum_overlap).warnings)
+        if (finding.severity == Severity::background) warn_of({finding});
+}
+
 /// `damping --impacts FILE`: intervals are those of the impacts; the contact counts as exactly known.
 void run_measured_damping_command(const CommandOptions& options, std::ostream& out) {
     if (options["--method"] != "taylor" || options.has("--time-step"))
@@ -194,6 +203,7 @@ void run_measured_damping_command(const CommandOptions& options, std::ostream& o
             doubts.push_back(*doubt);
         }
     warn_of(result.findings, options["--impacts"]);
+    warn_of_law(choice, set);
     Json json = measured_damping_json(result, set);
     json["dampings"] = dampings ? dampings_json(dampings->comparison) : Json(nullptr);
     add_notes(json, doubts);

@@ -24,6 +24,7 @@
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
 #include "solver/contact/pair.hpp"
+#include "solver/motion/scale.hpp"
 
 namespace ashimpact {
 
@@ -87,6 +88,18 @@ void require_same_at_every_size(const CommandOptions& options, const ExportSubje
             .at("--roughness");
 }
 
+/// How the coefficient of a damping goes with the size of Hertz spheres of one material that rebound alike.
+double exponent_of_same_restitution(const ExportSubject& subject) {
+    const auto unit = [&](double size) {
+        const ContactPair hertz{.mass = size * size * size,
+                                .effective_radius = size,
+                                .contact_modulus = 1,
+                                .work_of_adhesion = 0};
+        return Scale::of(hertz, 1.0).damping_unit(subject.damping_law);
+    };
+    return std::round(std::log2(unit(2) / unit(1)));
+}
+
 /// A range given by the user.
 void read_ranges(const CommandOptions& options, ExportSubject& subject) {
     if (options.has("--velocity")) subject.velocity = options.positive("--velocity", Dimension::velocity);
@@ -107,7 +120,8 @@ void read_ranges(const CommandOptions& options, ExportSubject& subject) {
             subject.sizes.size() == 1
                 ? "several sizes are asked for, but not how the damping goes with the size"
                 : "sizes beyond the measured ones are asked for, but not how the damping goes on",
-            "0 for the same damping at every size, 2 for the same e of Hertz spheres, ...")
+            fmt::format("0 for the same damping at every size, {} for the same e of Hertz spheres, ...",
+                        exponent_of_same_restitution(subject)))
             .at("--damping-exponent");
     if (options.has("--damping-exponent")) {
         if (!needs_exponent)
@@ -116,7 +130,9 @@ void read_ranges(const CommandOptions& options, ExportSubject& subject) {
                                                                   : "all sizes lie between measured ones");
         subject.exponent = options.number("--damping-exponent", Dimension::fraction);
         if (std::abs(subject.exponent) > 10)
-            throw InputError("is " + shortest(subject.exponent), "-10 to 10; 2 keeps e of Hertz spheres")
+            throw InputError(
+                "is " + shortest(subject.exponent),
+                fmt::format("-10 to 10; {} keeps e of Hertz spheres", exponent_of_same_restitution(subject)))
                 .at("--damping-exponent");
     }
     if (options.has("--to-velocity")) {
@@ -246,6 +262,9 @@ void run_export_command(const CommandOptions& options, const TableImage& image, 
         if (file.name == "README.md" && !subject.edits.empty())
             file.content += fmt::format("\n## Edited\n\n{}.\n", fmt::join(subject.edits, ".\n"));
     require_inside_model(subject);
+    // A run has said before which of its laws suits the contacts.
+    const Severity least = options.has("run") ? Severity::remark : Severity::background;
+    for (const std::string& remark : regime_remarks(subject, least)) spdlog::warn("warning: {}", remark);
     const std::filesystem::path folder(options["--output"]);
     require_free(folder, files, code.name);
     std::vector<FileContent> contents;

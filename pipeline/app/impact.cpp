@@ -86,8 +86,13 @@ void run_impact_command(const CommandOptions& options, std::ostream& out) {
         rebound = oblique_result(*at_angle, result);
     }
     if (!options.has("--json")) {
-        out << impact_text(impact, result, oblique ? ", normal" : "")
-            << (rebound ? oblique_text(*at_angle, *rebound) : std::string()) << requested_text(damping);
+        out << impact_text(impact, result, oblique ? ", normal" : "");
+        if (time_step) {
+            TextList list;
+            list.add("by the paper's scheme", "time step " + readable(*time_step, "s"));
+            out << list.text(0);
+        }
+        out << (rebound ? oblique_text(*at_angle, *rebound) : std::string()) << requested_text(damping);
         return;
     }
     Json json = impact_json(impact, result);

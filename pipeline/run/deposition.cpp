@@ -152,6 +152,8 @@ class SolvedSizes {
     std::vector<int> reproduced_;  ///< of each row, whether the constants reproduce it
 };
 
+constexpr double warmest_room = 323;  ///< [K]; of measurements without a stated temperature
+
 constexpr std::array preferred{SizeBasis::contact_radius, SizeBasis::tsuji,         SizeBasis::hunt_crossley,
                                SizeBasis::brach_dunn,     SizeBasis::power_of_size, SizeBasis::constant,
                                SizeBasis::adhesion};
@@ -363,14 +365,21 @@ DepositingAsh ash_of_run(const Run& run, std::vector<SizeClass> classes,
     return ash;
 }
 
-std::optional<Finding> temperature_finding(const ComparisonResult& comparison, Law law,
-                                           double gas_temperature) {
+std::optional<Finding> temperature_finding(const Run& run, Law law, double gas_temperature) {
     std::optional<double> least;
-    for (const SampleComparison& sample : comparison.samples) {
+    for (const SampleComparison& sample : run.comparison.samples) {
         const ContactTemperatures* of = sample.temperature ? sample.temperature->laws.find(law) : nullptr;
         if (of == nullptr || !of->giordano2008.elastic_up_to) continue;
         least = std::min(least.value_or(*of->giordano2008.elastic_up_to), *of->giordano2008.elastic_up_to);
     }
+    const auto& stated = run.data.temperature.particle;
+    if (!least && gas_temperature > (stated ? stated->value() : warmest_room))
+        return Finding{
+            "deposition", Severity::remark,
+            fmt::format("the gas has {}, and v_c is that of contacts {}: softer or sticky surfaces "
+                        "are not in it",
+                        readable(gas_temperature, "K"),
+                        stated ? "at " + readable(stated->value(), "K") : "at room temperature")};
     if (!least || gas_temperature <= *least) return std::nullopt;
     return Finding{
         "deposition", Severity::doubt,

@@ -55,9 +55,8 @@ struct DepositingAsh {
                                        const std::optional<SizeBasis>& basis, double fastest);
 
 /// The doubt about v_c at the temperature of the gas [K], from the glass of the samples; none where it stays
-/// elastic during contacts, or no chemistry is known.
-[[nodiscard]] std::optional<Finding> temperature_finding(const ComparisonResult& comparison, Law law,
-                                                         double gas_temperature);
+/// elastic during contacts. Without its chemistry a remark that the gas is hotter than the contacts were.
+[[nodiscard]] std::optional<Finding> temperature_finding(const Run& run, Law law, double gas_temperature);
 
 /// What stays on a tube. The span of what stays reaches over all assumptions but that of adhesion alone,
 /// which is a lower bound, unless it is the only one.

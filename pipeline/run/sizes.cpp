@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <limits>
 #include <map>
 #include <span>
@@ -352,42 +353,51 @@ std::vector<SizeVelocity> measured_rows(const std::vector<MeasuredSize>& samples
     return rows;
 }
 
+/// Velocity of a size by one assumption; none where it says nothing.
+using SizeRule = std::function<std::optional<SizeVelocity>(double diameter)>;
+
+/// Logarithm of the greatest over the least velocity of a size; infinite where an assumption gives none.
+double spread_of(const std::vector<SizeRule>& rules, double diameter) {
+    double least = std::numeric_limits<double>::infinity();
+    double greatest = 0;
+    for (const SizeRule& rule : rules) {
+        const std::optional<SizeVelocity> row = rule(diameter);
+        if (!row) continue;
+        least = std::min(least, row->velocity.value_or(0));
+        greatest = std::max(greatest, row->velocity.value_or(0));
+    }
+    return least > 0 ? std::log(greatest / least) : std::numeric_limits<double>::infinity();
+}
+
+/// The last size in an agreement, to three digits, between a size in it and one outside.
+double end_of_agreement(const std::vector<SizeRule>& rules, double inside, double outside) {
+    const double first = inside;
+    constexpr int halvings = 8;
+    for (int i = 0; i < halvings; ++i) {
+        const double middle = std::sqrt(inside * outside);
+        (spread_of(rules, middle) <= std::log(agreement_factor) ? inside : outside) = middle;
+    }
+    const double unit = std::pow(10.0, std::floor(std::log10(inside)) - 2);
+    const double digits = outside < inside ? std::ceil(inside / unit) : std::floor(inside / unit);
+    const double rounded = std::strtod(fmt::format("{:.2e}", digits * unit).c_str(), nullptr);
+    return outside < inside ? std::min(rounded, first) : std::max(rounded, first);
+}
+
 /// Where the assumptions agree, without a gap, around the measured sizes.
-std::optional<SizeRange> agreement_of(const std::vector<SizeVelocity>& rows, const std::vector<double>& sizes,
+std::optional<SizeRange> agreement_of(const std::vector<SizeRule>& rules, const std::vector<double>& sizes,
                                       const SizeRange& measured) {
-    std::map<double, std::pair<double, double>> extremes;  // least and greatest velocity of a size
-    std::vector<SizeBasis> assumptions;
-    for (const SizeVelocity& row : rows) {
-        if (row.basis == SizeBasis::adhesion) continue;
-        if (row.basis != SizeBasis::measured &&
-            std::ranges::find(assumptions, row.basis) == assumptions.end())
-            assumptions.push_back(row.basis);
-        const double velocity = row.velocity.value_or(0);
-        auto [entry, added] = extremes.try_emplace(row.diameter, velocity, velocity);
-        entry->second = {std::min(entry->second.first, velocity), std::max(entry->second.second, velocity)};
-    }
-    if (assumptions.size() < 2) return std::nullopt;
-    std::vector<double> spread;  // logarithm of greatest over least velocity, by size
-    for (const double diameter : sizes) {
-        const auto entry = extremes.find(diameter);
-        const bool known = entry != extremes.end() && entry->second.first > 0;
-        spread.push_back(known ? std::log(entry->second.second / entry->second.first)
-                               : std::numeric_limits<double>::infinity());
-    }
+    std::vector<double> spread;
+    for (const double diameter : sizes) spread.push_back(spread_of(rules, diameter));
     const double most = std::log(agreement_factor);
-    // The end of an agreement, between a size in it and its neighbour.
-    const auto end_at = [&](std::size_t inside, std::size_t outside) {
-        if (outside >= sizes.size() || !std::isfinite(spread[outside])) return sizes[inside];
-        const double share = (most - spread[inside]) / (spread[outside] - spread[inside]);
-        return rounded_size(between_sizes(sizes[inside], sizes[outside], share));
-    };
     std::optional<SizeRange> best;
     for (std::size_t first = 0; first < sizes.size(); ++first) {
         if (!(spread[first] <= most)) continue;
         std::size_t last = first;
         while (last + 1 < sizes.size() && spread[last + 1] <= most) ++last;
         const bool holds_measured = sizes[first] <= measured.to && sizes[last] >= measured.from;
-        const SizeRange run{end_at(first, first - 1), end_at(last, last + 1)};
+        SizeRange run{sizes[first], sizes[last]};
+        if (first > 0) run.from = end_of_agreement(rules, sizes[first], sizes[first - 1]);
+        if (last + 1 < sizes.size()) run.to = end_of_agreement(rules, sizes[last], sizes[last + 1]);
         if (holds_measured && (!best || run.to / run.from >= best->to / best->from)) best = run;
         first = last;
     }
@@ -479,6 +489,14 @@ std::optional<VelocitiesBySize> velocities_by_size(const SizeSources& sources) {
     const auto add_rows = [&](const auto& row_of) {
         const auto rows = in_parallel(sizes, row_of);
         all.rows.insert(all.rows.end(), rows.begin(), rows.end());
+        return rows;
+    };
+    std::vector<SizeRule> rules;  // of the assumptions
+    const auto add_assumption = [&](const auto& row_of) {
+        rules.emplace_back([row_of, rows = add_rows(row_of)](double diameter) {
+            const auto known = std::ranges::find(rows, diameter, &SizeVelocity::diameter);
+            return known != rows.end() ? *known : row_of(diameter);
+        });
     };
     bool explained = false;
     for (const FittedDamping& fitted : sources.dampings) {
@@ -489,7 +507,7 @@ std::optional<VelocitiesBySize> velocities_by_size(const SizeSources& sources) {
         all.summary.coefficients.emplace_back(std::string(name_of(fitted.law)),
                                               make_quantity(first.value, first.dimension, first.uncertainty));
         const AssumedVelocities assumed(sources, basis_of(fitted.law));
-        add_rows([&](double diameter) { return assumed.of_fit(diameter, fitted); });
+        add_assumption([assumed, &fitted](double diameter) { return assumed.of_fit(diameter, fitted); });
     }
     if (!explained) {
         all.summary.constants = ConstantsFrom::capture;
@@ -507,15 +525,17 @@ std::optional<VelocitiesBySize> velocities_by_size(const SizeSources& sources) {
                 std::string(name_of(damping->law)),
                 make_quantity(damping->coefficient, dimension_of(damping->law)));
             const AssumedVelocities assumed(sources, basis_of(damping->law));
-            add_rows([&](double diameter) { return assumed.of_coefficient(diameter, *damping); });
+            add_assumption([assumed, damping = *damping](double diameter) {
+                return assumed.of_coefficient(diameter, damping);
+            });
         }
     }
     if (has_one_number(sources.damping_law))
         if (const auto power = power_of_size(sources, measured, sources.damping_law);
             power && power->exponent_uncertainty > 0) {
             const AssumedVelocities assumed(sources, SizeBasis::power_of_size);
-            add_rows([&](double diameter) {
-                return assumed.of_coefficient(diameter, {sources.damping_law, power->coefficient(diameter)});
+            add_assumption([assumed, power = *power, law = sources.damping_law](double diameter) {
+                return assumed.of_coefficient(diameter, {law, power.coefficient(diameter)});
             });
             all.summary.power = PowerOfDiameter{
                 make_quantity(power->exponent, Dimension::fraction, power->exponent_uncertainty),
@@ -527,7 +547,12 @@ std::optional<VelocitiesBySize> velocities_by_size(const SizeSources& sources) {
         add_rows([&](double diameter) {
             return adhesion.of_damping(diameter, {}, contact_of_size(sources.contacts, diameter).pair);
         });
-    all.summary.agreement = agreement_of(all.rows, sizes, all.summary.measured);
+    if (rules.size() < 2) return all;
+    rules.emplace_back([&](double diameter) -> std::optional<SizeVelocity> {
+        const auto rows = measured_rows(measured, {diameter});
+        return rows.empty() ? std::nullopt : std::optional(rows.front());
+    });
+    all.summary.agreement = agreement_of(rules, sizes, all.summary.measured);
     return all;
 }
 

@@ -308,12 +308,13 @@ void RestitutionMap::tabulate_damping() {
             const double continued =
                 parabola(log_root(i), {log_root(i + 1), log_root(i + 2), log_root(i + 3)},
                          {log_fall(i + 1), log_fall(i + 2), log_fall(i + 3)});
-            const double guess = std::exp(continued + miss);
-            if (!(guess < numbers(0, j))) throw ConvergenceError("damping does not rise towards capture");
+            // Nearer to capture the numbers are greater, so the guess is less than the fall before.
+            const double log_guess = std::min(continued + miss, log_fall(i + 1) - 1e-3);
+            const double guess = std::exp(log_guess);
             numbers(i, j) = numbers(0, j) - guess;
             const double e = cube(root.node(i)) * greatest_restitution(x);
             if (e < least_solved) continue;
-            const double power = (continued + miss - log_fall(i + 1)) / (log_root(i) - log_root(i + 1)) / 3.0;
+            const double power = (log_guess - log_fall(i + 1)) / (log_root(i) - log_root(i + 1)) / 3.0;
             const FoundNumber found = solved_damping_number(
                 *this, e, x, power, {numbers(i, j), 0.3 * guess, row.steepness / guess});
             numbers(i, j) = found.value;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <limits>
 
 #include <spdlog/spdlog.h>
@@ -27,6 +28,7 @@
 #include "solver/batch/parallel.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
 #include "solver/deposition/tube_flow.hpp"
+#include "solver/motion/regime.hpp"
 #include "solver/surrogate/rebound_table.hpp"
 
 namespace ashimpact {
@@ -85,9 +87,32 @@ Damping damping_of_all(const CommandOptions& options, ContactPair contact, doubl
     return damping;
 }
 
+/// What a result was computed from.
+struct DepositSource {
+    DepositingAsh ash{};
+    std::vector<InputFile> inputs{};
+    std::string run{};  ///< its identity; empty: none
+    bool rests_on_edit = false;
+    std::vector<Finding> notes{};
+};
+
+/// Notes where the law does not hold for the smallest and the largest sphere at the speed of the gas.
+void note_regimes(DepositSource& source, const std::function<Impact(double diameter)>& impact_of,
+                  double velocity, Severity least) {
+    for (const SizeClass* size : {&source.ash.classes.front(), &source.ash.classes.back()}) {
+        Impact impact = impact_of(size->diameter());
+        impact.velocity = velocity;
+        for (const Finding& finding : regime_of(impact, solve_impact(impact).maximum_overlap).warnings)
+            if (finding.severity >= least)
+                source.notes.push_back(
+                    {finding.code, finding.severity, readable(size->diameter(), "m") + ": " + finding.text});
+        if (source.ash.classes.size() == 1) break;
+    }
+}
+
 /// Ash by the options of a contact: one law and its constants for every size.
-DepositingAsh ash_of_options(const CommandOptions& options, const TubeConditions& tube,
-                             const ParticleSizes& sizes) {
+DepositSource source_of_options(const CommandOptions& options, const TubeConditions& tube,
+                                const ParticleSizes& sizes) {
     for (const char* option : {"--diameter", "--radius", "--mass"})
         if (options.has(option)) throw InputError("the sizes are those of --sizes", "--density").at(option);
     for (const char* option :
@@ -123,21 +148,14 @@ DepositingAsh ash_of_options(const CommandOptions& options, const TubeConditions
     ReboundingSizes rebounding{.diameters = {}, .critical = velocities.value, .fastest = tube.velocity};
     for (const SizeClass& size : classes) rebounding.diameters.push_back(size.diameter());
     std::vector<double> densities(classes.size(), density);
-    return {.law = choice.law,
-            .classes = std::move(classes),
-            .densities = std::move(densities),
-            .assumptions = {std::move(velocities)},
-            .restitutions = restitutions_by_law(rebounding, impact_of)};
+    DepositSource source{.ash = {.law = choice.law,
+                                 .classes = std::move(classes),
+                                 .densities = std::move(densities),
+                                 .assumptions = {std::move(velocities)},
+                                 .restitutions = restitutions_by_law(rebounding, impact_of)}};
+    note_regimes(source, impact_of, tube.velocity, Severity::background);
+    return source;
 }
-
-/// What a result was computed from.
-struct DepositSource {
-    DepositingAsh ash{};
-    std::vector<InputFile> inputs{};
-    std::string run{};  ///< its identity; empty: none
-    bool rests_on_edit = false;
-    std::vector<Finding> notes{};
-};
 
 /// One constant damping for sizes that differ, without the user stating that each has it.
 std::optional<Finding> doubt_of_damping(const CommandOptions& options, const DepositingAsh& ash) {
@@ -187,9 +205,12 @@ DepositSource source_of_run(const CommandOptions& options, const TubeConditions&
     source.ash = at_place(FileName{artifacts.at(comparison_artifact).place}, [&] {
         return ash_of_run(run, classes_on(tube, sizes, densest), basis, tube.velocity);
     });
-    if (auto note = temperature_finding(run.comparison, source.ash.law, tube.temperature))
+    if (auto note = temperature_finding(run, source.ash.law, tube.temperature))
         source.notes.push_back(*std::move(note));
     if (auto note = kept_properties_finding(run.contact)) source.notes.push_back(*std::move(note));
+    // The run has said which of its laws suits the contacts, not what the speed of this gas does.
+    if (const auto impact_of = assumed_impacts(run, source.ash.assumptions.front().basis))
+        note_regimes(source, impact_of, tube.velocity, Severity::remark);
     for (const std::string& shared : shared_sizes(run.comparison))
         source.notes.push_back({"shared-size", Severity::doubt, shared});
     return source;
@@ -253,7 +274,7 @@ Deposition write_deposition(const CommandOptions& options, const TableOptions& t
     if (options.has("run"))
         source = source_of_run(options, tube, sizes.sizes);
     else
-        source.ash = ash_of_options(options, tube, sizes.sizes);
+        source = source_of_options(options, tube, sizes.sizes);
     if (auto doubt = doubt_of_damping(options, source.ash)) {
         warn_of({*doubt}, "--damping");
         doubts.push_back(*std::move(doubt));

@@ -361,7 +361,7 @@ void run_sweep_command(const CommandOptions& options, MpiSession& session, const
         const SweepPlan checked = at_place(FileName{options["spec"]}, [&] { return SweepPlan(text); });
         for (const std::string& warning : checked.spec().warnings) spdlog::warn("warning: {}", warning);
         for (const std::string& warning :
-             warnings_of_captures(checked.spec(), captures_outside_model(checked.spec())))
+             warnings_of_impacts(checked.spec(), captures_outside_model(checked.spec())))
             spdlog::warn("warning: {}", warning);
         check_outputs(SweepFiles::beside(options["--output"]), options["spec"], checked,
                       !options.has("--no-report"));
@@ -403,7 +403,7 @@ Json sweep_artifact(const SweepPlan& plan, const SweepProgress& progress, const 
                 .json(plan.spec().laws[i], outside[i]));
     result["not_converged"] = failures_json(plan, progress.failed);
     std::vector<std::string> warnings = plan.spec().warnings;
-    for (std::string& warning : warnings_of_captures(plan.spec(), outside))
+    for (std::string& warning : warnings_of_impacts(plan.spec(), outside))
         warnings.push_back(std::move(warning));
     if (progress.failed.total() > 0)
         warnings.push_back(std::to_string(progress.failed.total()) + " of " + std::to_string(plan.impacts()) +

@@ -182,21 +182,20 @@ std::string geometry_words(const ExportSubject& subject) {
         readable(subject.partner->radius, "m"), readable(subject.partner->mass, "kg"));
 }
 
-/// What regime_of() remarks on the impacts of the folder, each once.
-std::set<std::string> remarks(const ExportSubject& subject) {
-    std::set<std::string> lines(subject.doubts.begin(), subject.doubts.end());
+}  // namespace
+
+std::set<std::string> regime_remarks(const ExportSubject& subject, Severity least) {
+    std::set<std::string> lines;
     const ExportSubject stiff = stiffened(subject);
     for (const ExpectedImpact& each : expected_impacts(stiff)) {
         if (!each.maximum_overlap) continue;
         const Regime regime =
             regime_of(impact_at(stiff, each.diameter, each.velocity), *each.maximum_overlap);
         for (const Finding& warning : regime.warnings)
-            lines.insert(readable(each.diameter, "m") + ": " + warning.text);
+            if (warning.severity >= least) lines.insert(readable(each.diameter, "m") + ": " + warning.text);
     }
     return lines;
 }
-
-}  // namespace
 
 std::string softening_comment(const ExportSubject& subject) {
     if (!subject.stiff) return "";
@@ -291,7 +290,8 @@ ExportFile assumptions(const ExportSubject& subject, const std::vector<std::stri
         for (const std::string& line : softening_lines(subject)) text += "- " + line + "\n";
     for (const std::string& conversion : conversions) text += "- " + conversion + "\n";
     text += "\n## What the model holds for\n\n";
-    const auto lines = remarks(subject);
+    std::set<std::string> lines = regime_remarks(subject, Severity::background);
+    lines.insert(subject.doubts.begin(), subject.doubts.end());
     for (const std::string& line : lines) text += "- " + line + "\n";
     if (lines.empty()) text += "- nothing speaks against this law in these impacts\n";
     text +=

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -72,6 +73,9 @@ void require_small_overlaps(const ExportSubject& subject);
 /// Impacts of the smallest, the largest, the known sizes and one between, at 0.99 and 1.01 v_c, at
 /// multiples of v_c up to the largest velocity, and at the subject's own velocity.
 [[nodiscard]] std::vector<ExpectedImpact> expected_impacts(const ExportSubject& subject);
+
+/// What regime_of() finds on the expected impacts, each once, with the size before it.
+[[nodiscard]] std::set<std::string> regime_remarks(const ExportSubject& subject, Severity least);
 
 /// expected.json. @p more has what the comparing script of a code needs beside the impacts.
 [[nodiscard]] ExportFile expected_json(const ExportSubject& subject, std::string_view code, const Json& more);

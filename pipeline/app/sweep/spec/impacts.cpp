@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -18,6 +19,7 @@
 #include "pipeline/app/contact/single_contact.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/pair.hpp"
+#include "solver/motion/regime.hpp"
 #include "solver/statistics/design.hpp"
 
 namespace ashimpact {
@@ -348,17 +350,56 @@ std::vector<OutsideShare> captures_outside_model(const SweepSpec& spec) {
     return shares;
 }
 
-std::vector<std::string> warnings_of_captures(const SweepSpec& spec,
-                                              const std::vector<OutsideShare>& shares) {
+namespace {
+
+/// Adds the share of the impacts that a law does not hold for, with one of its findings.
+void warn_of_regimes(const SweepSpec& spec, std::vector<std::string>& warnings) {
+    /// Impacts of one law with findings of one severity.
+    struct Remarked {
+        int impacts = 0;
+        std::string first;  ///< finding
+    };
+    constexpr std::uint64_t judged = 100;
+    const Values values = variable_values(spec, judged);
+    const std::size_t count = values.empty() ? 1 : values.front().size();
+    const ImpactColumns impacts(spec, values, count);
+    for (const LawChoice& choice : spec.laws) {
+        const ImpactModel model{choice.law, choice.detachment, spec.damping_law};
+        std::map<Severity, Remarked> remarked;
+        for (std::size_t i = 0; i < count; ++i) {
+            std::map<Severity, std::string> own;
+            try {
+                const Impact impact = impact_at(model, impacts, i);
+                for (const Finding& finding :
+                     regime_of(impact, solve_impact(impact).maximum_overlap).warnings)
+                    own.try_emplace(finding.severity, finding.text);
+            } catch (const InputError&) {  // reported where the sweep solves the impact
+            } catch (const ConvergenceError&) {
+            }
+            for (const auto& [severity, text] : own)
+                if (remarked[severity].impacts++ == 0) remarked[severity].first = text;
+        }
+        for (const auto& [severity, of] : remarked)
+            warnings.push_back(
+                fmt::format("{}: {:.2g} % of the impacts are outside of where the law holds; one: {}",
+                            choice.law.name(), 100.0 * of.impacts / static_cast<double>(count), of.first));
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of_impacts(const SweepSpec& spec,
+                                             const std::vector<OutsideShare>& outside) {
     std::vector<std::string> warnings;
     for (std::size_t k = 0; k < spec.laws.size(); ++k)
-        if (shares[k].fraction > 0)
+        if (outside[k].fraction > 0)
             warnings.push_back(fmt::format(
                 "{}: of {:.3g} %{} of the captures v_c is {}; they, and shares that count them, are no "
                 "result",
-                spec.laws[k].law.name(), 100 * shares[k].fraction,
-                shares[k].uncertainty > 0 ? fmt::format(" (± {:#.2g} %)", 100 * shares[k].uncertainty) : "",
+                spec.laws[k].law.name(), 100 * outside[k].fraction,
+                outside[k].uncertainty > 0 ? fmt::format(" (± {:#.2g} %)", 100 * outside[k].uncertainty) : "",
                 outside_model_text()));
+    warn_of_regimes(spec, warnings);
     return warnings;
 }
 

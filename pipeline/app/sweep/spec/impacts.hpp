@@ -74,9 +74,10 @@ struct OutsideShare {
 /// many more that there are 1000 captures among them, at most 65,536 unless the scalar solver takes them.
 [[nodiscard]] std::vector<OutsideShare> captures_outside_model(const SweepSpec& spec);
 
-/// The doubts about such captures. @param shares of captures_outside_model()
-[[nodiscard]] std::vector<std::string> warnings_of_captures(const SweepSpec& spec,
-                                                            const std::vector<OutsideShare>& shares);
+/// The doubts about such captures, and by law the share of impacts that it does not hold for (of 100).
+/// @param outside of captures_outside_model()
+[[nodiscard]] std::vector<std::string> warnings_of_impacts(const SweepSpec& spec,
+                                                           const std::vector<OutsideShare>& outside);
 
 /// Results wanted in addition to the restitution (others stay empty), and the method to compute them.
 struct WantedResults {
