@@ -194,6 +194,18 @@ TEST_CASE(
     REQUIRE(sizes.summary.agreement);
     CHECK(sizes.summary.agreement->from > 40e-6);
     CHECK(sizes.summary.agreement->to < 200e-6);
+    // At both ends the greatest of these velocities is all but twice the least, and no more.
+    for (const double end : {sizes.summary.agreement->from, sizes.summary.agreement->to}) {
+        double least = fastest_in_model;
+        double greatest = 0;
+        for (const auto& [law, coefficient] : sizes.summary.coefficients) {
+            const double velocity = true_critical_velocity({named<DampingLaw>(law), coefficient.value}, end);
+            least = std::min(least, velocity);
+            greatest = std::max(greatest, velocity);
+        }
+        CHECK(greatest / least <= agreement_factor);
+        CHECK(greatest / least > 0.9 * agreement_factor);
+    }
     // Constant damping far below the measured size: no number that means nothing.
     const auto constant = rows_of(sizes, SizeBasis::constant);
     for (const SizeVelocity& row : constant)

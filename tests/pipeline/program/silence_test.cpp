@@ -353,6 +353,38 @@ TEST_CASE("a contact at rest that is wide is warned of") {
     CHECK(test::succeeded(sandbox, soft + "'20 GPa'").err.empty());
 }
 
+TEST_CASE("every command that solves impacts says where the law does not hold") {
+    const Sandbox sandbox;
+    const std::string contact =
+        " --law dmt --density '2300 kg/m3' --contact-modulus '60 GPa' --work-of-adhesion '0.5 J/m2'";
+    const std::string sphere = contact + " --diameter '88 um'";
+    const std::string damping = " --damping '0.005 kg/s'";
+    sandbox.write("impacts.csv", "v_in [m/s],v_r [m/s]\n1,0.55\n2,1.2\n3,1.9\n4,2.6\n");
+    for (const std::string& command :
+         {"impact --velocity '2 m/s'" + sphere + damping, "critical-velocity" + sphere + damping,
+          "damping --velocity '2 m/s' --restitution 0.6" + sphere, "damping --impacts impacts.csv" + sphere,
+          "export table -o table" + sphere + damping,
+          "deposit --tube-diameter '38 mm' --gas-velocity '2 m/s' --gas-temperature '900 C' -o tube "
+          "--sizes '88 um'" +
+              contact + damping}) {
+        CAPTURE(command);
+        const std::string said = test::succeeded(sandbox, command).err;
+        CHECK(said == containing("Tabor parameter 3.6"));
+        CHECK(said.find("Tabor parameter") == said.rfind("Tabor parameter"));
+    }
+    sandbox.write("spec.json", R"({"impact": {"laws": ["dmt", "maugis-dugdale"], "radius": "44 um",
+        "density": "2300 kg/m3", "contact_modulus": "60 GPa", "damping": "0.005 kg/s", "cohesion_range": "0.4 nm",
+        "velocity": "2 m/s"}, "variables": {"work_of_adhesion": {"values": ["1 uJ/m2", "0.5 J/m2"]}}})");
+    const std::string said = test::succeeded(sandbox, "sweep spec.json -o sweep.json").err;
+    CHECK(said == containing("dmt: 50 % of the impacts are outside of where the law holds"));
+    CHECK(said != containing("maugis-dugdale:"));
+}
+
+TEST_CASE("a report is refused under the name of another format") {
+    const Sandbox sandbox;
+    check_refused(sandbox, "report results -o report.pdf", "-o: a report is an HTML file, not \".pdf\"");
+}
+
 TEST_CASE("energy that rounding leaves is not shown as dissipated") {
     const Sandbox sandbox;
     const auto run =

@@ -638,3 +638,14 @@ TEST_CASE("thirty uncertain inputs, sixty dimensions of the sequence") {
     CHECK(relative_difference(result.interval.standard_uncertainty, std::sqrt(6 * 0.55)) < 0.02);
     CHECK(std::abs(influence_of(result, "4").total.value - 0.25 / 3.3) < 0.02);
 }
+
+TEST_CASE("a map of impacts begins where almost all are captured, and gives solved restitutions") {
+    const Law law = Law::named("brach-dunn");
+    for (const double slowest : {-3.0, -1.0, 0.0}) {
+        const RestitutionMap map(law, Detachment::zero_overlap, {slowest, slowest + 4});
+        CHECK(map.accuracy() < 0.005);
+        const double x = map.range().upper - 1;
+        CHECK(map.number(0.5, x) < map.number(0.1, x));
+        CHECK(map.number(0.1, x) < map.number(0.0, x));
+    }
+}
