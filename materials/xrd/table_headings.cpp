@@ -395,16 +395,23 @@ void StandardsInTexts::take(const TextBeside& text) {
     const auto mentioned = mentions_in(words, standard_materials());
     const std::size_t first =  // word of the name
         text.text.starts_with(sheet_name_mark) ? words_in(sheet_name_mark).size() : 0;
-    const bool is_mark = std::ranges::any_of(mentions_in(words, marks), [&](const Mention& mention) {
+    const auto found = mentions_in(words, marks);
+    const bool is_mark = std::ranges::any_of(found, [&](const Mention& mention) {
         return mention.list == "standard" && !mention.negated &&
                (text.is_name || mention.count > 1 || words[mention.first].size() >= shortest_mark);
+    });
+    // "ISTD 10 %", unlike "standard cell"
+    const bool is_of_any = std::ranges::any_of(found, [&](const Mention& mention) {
+        return mention.list == "standard" && !mention.negated &&
+               (mention.count > 1 ||
+                (words[mention.first].size() >= shortest_mark && words[mention.first] != "standard"));
     });
     const auto is_added = [&](const Mention& mention) {  // "FA1 with corundum", unlike "Corundum ash"
         return text.is_name && mention.first > first && !mention.negated;
     };
     if (!is_mark && !states_amount_added(text.text) && !std::ranges::any_of(mentioned, is_added)) return;
     for (const Mention& mention : mentioned) materials_.insert(mention.list);
-    any_ = any_ || (text.is_name && mentioned.empty());  // "FA1 spiked"
+    any_ = any_ || (mentioned.empty() && (text.is_name || is_of_any));  // "FA1 spiked"
 }
 
 bool StandardsInTexts::hold(std::string_view phase) const {
@@ -416,7 +423,8 @@ void mark_standards(Analysis& analysis, const std::string& sample) {
     StandardsInTexts standards;
     standards.take({.line = 0, .text = sample, .is_name = true});
     for (PhaseFraction& phase : analysis.phases)
-        phase.is_standard = phase.is_standard || standards.hold(phase.name);
+        phase.is_standard = phase.is_standard || standards.hold(phase.name) ||
+                            read_phase_name(phase.name).mark == PhaseMark::standard;
 }
 
 namespace {

@@ -8,6 +8,7 @@
 #include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
 #include "materials/xrd/readers.hpp"
+#include "materials/xrd/table_headings.hpp"
 
 namespace ashimpact::xrd {
 
@@ -333,6 +334,13 @@ bool looks_like_topas(const TextLines& file) {
 XrdResult read_topas(const TextLines& file) {
     XrdResult result{.format = XrdFormat::topas_out, .samples = {}};
     for (const TopasPattern& pattern : TopasReader(file).read()) result.samples.push_back(sample_of(pattern));
+    StandardsInTexts comments;
+    for (const auto& [number, raw] : file.lines())
+        if (const auto text = trimmed(raw); text.starts_with('\''))
+            comments.take({.line = number, .text = std::string(text.substr(1))});
+    for (XrdSample& sample : result.samples)
+        for (PhaseFraction& phase : sample.analysis.phases)
+            phase.is_standard = phase.is_standard || comments.hold(phase.name);
     if (result.samples.empty())
         refuse_line(file.last_line(), "there is no phase", "str with phase_name and weight_percent");
     number_patterns(result.samples);

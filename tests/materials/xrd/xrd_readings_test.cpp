@@ -122,6 +122,24 @@ TEST_CASE("the amount of an added standard has a unit of its own") {
         CHECK(contains(refusal(table), "is in another unit; allowed: the weight fraction of the standard"));
 }
 
+TEST_CASE("an internal standard is one in every format, by its name or a remark beside it") {
+    const auto topas = [](const std::string& comment, const std::string& name) {
+        return comment + "\nxdd \"FA1.xy\"\n  str phase_name \"Mullite\" MVW(0, 1, 60)\n  str phase_name \"" +
+               name + "\" MVW(0, 1, 40)\n";
+    };
+    for (const char* name :
+         {"Corundum (internal standard)", "Corundum [spike]", "Corundum, internal standard"})
+        CHECK(contains(refusal(topas("' Rietveld", name)), "is called an internal standard"));
+    CHECK(contains(refusal(topas("' FA1 + 10 wt% corundum (internal standard)", "Corundum")),
+                   "is called an internal standard"));
+    CHECK(refusal(topas("' no internal standard", "Corundum")).empty());
+    const std::string rows = "\nPhase;wt%\nMullite;60\nCorundum;40\n";
+    for (const char* title : {"ISTD 10 %", "incl. internal standard", "spike 10%"})
+        CHECK(contains(refusal(title + rows), "is called an internal standard"));
+    for (const char* title : {"Standard cell", "without internal standard", "Fly ash 7"})
+        CHECK(refusal(title + rows).empty());
+}
+
 TEST_CASE("SEM beside the name of another method has two readings") {
     for (const char* table :
          {"Phase;XRD wt%;SEM wt%\nQuartz;20;21\nGlass;80;79\n", "Phase;Rietveld [wt%];SEM\nQuartz;20;1\n",
