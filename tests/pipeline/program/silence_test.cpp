@@ -374,7 +374,8 @@ TEST_CASE("every command that solves impacts says where the law does not hold") 
     }
     sandbox.write("spec.json", R"({"impact": {"laws": ["dmt", "maugis-dugdale"], "radius": "44 um",
         "density": "2300 kg/m3", "contact_modulus": "60 GPa", "damping": "0.005 kg/s", "cohesion_range": "0.4 nm",
-        "velocity": "2 m/s"}, "variables": {"work_of_adhesion": {"values": ["1 uJ/m2", "0.5 J/m2"]}}})");
+        "velocity": "2 m/s"}, "variables": {"work_of_adhesion": {"values": ["1 uJ/m2", "0.5 J/m2"]}},
+        "sampling": {"method": "grid"}})");
     const std::string said = test::succeeded(sandbox, "sweep spec.json -o sweep.json").err;
     CHECK(said == containing("dmt: 50 % of the impacts are outside of where the law holds"));
     CHECK(said != containing("maugis-dugdale:"));
