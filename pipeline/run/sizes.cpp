@@ -15,6 +15,7 @@
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
+#include "materials/contact_properties.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/motion/scale.hpp"
@@ -457,8 +458,13 @@ SampleContact contact_of_size(const ContactResult& contacts, double diameter) {
     contact.radius.value = radius;
     contact.contact_modulus.quantity.value =
         between([](const SampleContact& of) { return of.contact_modulus.value(); });
+    const auto left_by_roughness = [](const SampleContact& of, double sphere) {
+        return of.roughness ? roughness_reduction(sphere, {.rms = of.roughness->value()}) : 1.0;
+    };
     contact.work_of_adhesion.quantity.value =
-        between([](const SampleContact& of) { return of.work_of_adhesion.value(); });
+        left_by_roughness(contact, radius) * between([&](const SampleContact& of) {
+            return of.work_of_adhesion.value() / left_by_roughness(of, of.radius.value);
+        });
     contact.pair = pair_of(contact);
     return contact;
 }
@@ -468,15 +474,10 @@ std::optional<Finding> kept_properties_finding(const ContactResult& contacts) {
         return std::ranges::any_of(sample.parameters,
                                    [](const auto& each) { return each.first.name == "tabor"; });
     };
-    std::vector<std::string> kept;
-    if (std::ranges::any_of(contacts.samples,
-                            [](const SampleContact& each) { return each.roughness.has_value(); }))
-        kept.emplace_back("the work of adhesion, reduced by the roughness");
-    if (std::ranges::any_of(contacts.samples, has_tabor)) kept.emplace_back("the Tabor parameter");
-    if (kept.empty()) return std::nullopt;
+    if (std::ranges::none_of(contacts.samples, has_tabor)) return std::nullopt;
     return Finding{
         "kept-over-sizes", Severity::doubt,
-        "other sizes have " + joined(kept) + " of the nearest sample, although it goes with the size"};
+        "other sizes have the Tabor parameter of the nearest sample, although it goes with the size"};
 }
 
 std::optional<VelocitiesBySize> velocities_by_size(const SizeSources& sources) {

@@ -34,18 +34,20 @@ struct VelocitiesBySize {
 /// critical damping as a power of the diameter where there are several sizes. And by adhesion alone.
 /// Of several samples of one size the geometric mean counts, with an interval that holds all of theirs.
 /// Between two samples density, E* and work of adhesion are interpolated over ln d, beyond them those of the
-/// nearest sample hold.
+/// nearest sample hold; of rough surfaces the work of adhesion without its roughness_reduction(), which each
+/// size has of its own.
 /// @return none if no sample has a velocity by the reported law
 [[nodiscard]] std::optional<VelocitiesBySize> velocities_by_size(const SizeSources& sources);
 
 /// Sentences without full stop on sizes that several samples with a velocity by the reported law share.
 [[nodiscard]] std::vector<std::string> shared_sizes(const ComparisonResult& comparison);
 
-/// Warning that contacts of other sizes use properties of the nearest sample that depend on the size: a work
-/// of adhesion reduced by roughness, a stated Tabor parameter. None if no sample has one.
+/// Warning that contacts of other sizes use the stated Tabor parameter of the nearest sample, although it
+/// depends on the size. None if no sample has one.
 [[nodiscard]] std::optional<Finding> kept_properties_finding(const ContactResult& contacts);
 
-/// The contact of a sphere of that diameter, from those of the samples. @pre at least one sample
+/// The contact of a sphere of that diameter, from those of the samples, as velocities_by_size() has it. @pre
+/// at least one sample
 [[nodiscard]] SampleContact contact_of_size(const ContactResult& contacts, double diameter);
 
 }  // namespace ashimpact

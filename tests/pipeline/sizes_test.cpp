@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "core/plausibility.hpp"
+#include "materials/contact_properties.hpp"
 #include "pipeline/app/run_stages.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/present/text/result_text.hpp"
@@ -210,6 +211,27 @@ TEST_CASE(
     const auto constant = rows_of(sizes, SizeBasis::constant);
     for (const SizeVelocity& row : constant)
         if (row.velocity) CHECK(*row.velocity <= fastest_in_model);
+}
+
+TEST_CASE("a rough sphere of another size has the adhesion that its own roughness leaves") {
+    ContactResult contacts;
+    constexpr double rms = 2e-9;
+    constexpr double smooth = 0.5;
+    const auto left = [&](double diameter) {
+        return smooth * roughness_reduction(diameter / 2, {.rms = rms});
+    };
+    for (const double diameter : {60e-6, 120e-6}) {
+        SampleContact contact = contact_of_laboratory(diameter);
+        contact.roughness = Stated{make_quantity(rms, Dimension::length)};
+        contact.work_of_adhesion.quantity.value = left(diameter);
+        contacts.samples.push_back(contact);
+    }
+    CHECK_FALSE(kept_properties_finding(contacts));
+    for (const double diameter : {5e-6, 60e-6, 85e-6, 120e-6, 400e-6}) {
+        const SampleContact contact = contact_of_size(contacts, diameter);
+        CHECK(relative_difference(contact.work_of_adhesion.value(), left(diameter)) < 1e-12);
+        CHECK(contact.pair.work_of_adhesion == contact.work_of_adhesion.value());
+    }
 }
 
 TEST_CASE("no velocity by size depends on the order of samples") {
