@@ -173,7 +173,17 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
     NumberMarks marks(decimal, file.of_sheet());
     for (std::size_t k = 0; k < headings.size(); ++k) {
         const SizeHeading& heading = headings[k];
-        if (!heading.column) continue;
+        if (!heading.column) {
+            if (!heading.written.empty()) continue;
+            for (const TextLine& line : rows)
+                if (const TableRow row = cut_row(line, separator);
+                    k < row.cells.size() && !row.cells[k].empty()) {
+                    note(fmt::format("{}: {} in a column without a heading is not used", at_cell(row.line, k),
+                                     in_quotes(row.cells[k])));
+                    break;
+                }
+            continue;
+        }
         uncertain[k] = {heading.written, heading.coverage, heading.column == SizeColumn::uncertainty};
         if (heading.column == SizeColumn::uncertainty) marks.holds_uncertainties(k);
         const bool is_size = heading.column == SizeColumn::diameter;

@@ -126,7 +126,24 @@ OutcomeWord outcome_mentioned(std::string_view remark) {
     return outcome;
 }
 
+namespace {
+
+/// Whether a label is a name with a word for a mean or another summary before or behind it: "Mittelwert A",
+/// "P1 SD".
+bool names_summary(std::string_view label) {
+    const std::size_t first = label.find_first_of(" _-");
+    if (first == std::string_view::npos || is_summary(label)) return false;
+    const std::string_view before = label.substr(0, first);
+    const std::string_view behind = label.substr(label.find_last_of(" _-") + 1);
+    return std::ranges::any_of(std::array{before, behind}, [](std::string_view word) {
+        return word.size() > 1 && is_summary(word) && !is_total(word);
+    });
+}
+
+}  // namespace
+
 void RowLabels::Column::take(std::string_view cell) {
+    named_summaries += names_summary(label_in(cell)) ? 1 : 0;
     if (const auto number = row_number(cell)) {
         in_order = in_order && (numbers == 0 || *number == last_number + 1);
         ++numbers;
@@ -259,6 +276,12 @@ bool RowLabels::is_summary_label(const Column& column, const TableRow& row) cons
 void RowLabels::refuse_sign(const Column& column, const TableRow& row) {
     const std::string& cell = row.cells[column.column.position];
     const std::string_view label = label_in(cell);
+    const std::size_t rows = column.numbers + column.measures + column.texts;
+    if (column.column.position == 0 && column.named_summaries < rows && names_summary(label))
+        throw InputError(in_quotes(cell) + " in " + name_of(column.column) +
+                             " may be the name of an impact, or the row sums up others",
+                         "a file without the rows that sum up, or another name")
+            .at(at_cell(row.line, column.column.position));
     const bool is_label =
         column.column.position == 0 || (column.labels_rows() && column.numbers + column.measures > 0);
     if (!is_label || !is_sign(label) || column.has_letters || !column.stands_between(label)) return;

@@ -58,6 +58,7 @@ class RowLabels {
         };
         std::map<std::string, Label> labels{};  ///< in small letters
         std::size_t others = 0;                 ///< rows without such a label
+        std::size_t named_summaries = 0;        ///< rows with a name and such a word, "Mittelwert A"
         bool has_letters = false;               ///< one letter is the name of some row
         bool describes_rows = false;            ///< "mean of 3" in the first row, which sums up no others
         [[nodiscard]] bool counts_rows() const {

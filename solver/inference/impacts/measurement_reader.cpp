@@ -786,6 +786,22 @@ std::optional<Finding> blank_line_among(std::span<const TextLine> rows, const Te
     return std::nullopt;
 }
 
+/// The doubt that readings so near to 0 that noise explains them are rebounds.
+std::optional<Finding> uncertain_rebounds(const MeasurementSet& set) {
+    constexpr double near = 2;  // standard uncertainties
+    const auto count = std::ranges::count_if(set.points, [](const Measurement& point) {
+        return point.outcome == NotedOutcome::from_reading && point.rebound > 0 && point.noise &&
+               point.rebound < near * point.noise->rebound;
+    });
+    if (count == 0) return std::nullopt;
+    return Finding{
+        impacts_code, Severity::doubt,
+        fmt::format("{} of {} impacts count as rebounds although v_r is less than two standard "
+                    "uncertainties above 0: captures among them lower v_c, which its interval does not "
+                    "allow for; a column \"outcome\" states them",
+                    count, set.points.size())};
+}
+
 MeasurementSet read_table(const TextLines& file, std::string_view name, std::optional<DecimalMark> decimal) {
     auto lines = lines_with_content(file);
     if (lines.empty()) throw InputError("the file holds no table", "a heading and one line an impact");
@@ -876,6 +892,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
             "columns u(v_in) and u(v_r) beside it")
             .at(heading_line);
     add_implausible(*heading.of(MeasuredQuantity::velocity), set);
+    if (auto doubt = uncertain_rebounds(set)) set.warnings.push_back(*std::move(doubt));
     if (set.points.empty() && set.unknown > 0)
         throw InputError("the outcome of every impact is unknown", "rebounds or captures");
     if (set.points.empty())

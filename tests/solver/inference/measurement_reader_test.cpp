@@ -479,6 +479,13 @@ TEST_CASE("readings below zero that noise around zero does not explain are refus
                    "1 reading of column \"v_r\" below zero (line 2) counts as 0"));
     CHECK(read_measurements(stated + rows({-0.04, -0.03, -0.09}, ";capture;0.05;0.05"), "t.csv").captures() ==
           3);
+    const auto told = [&](const std::vector<double>& rebounds, const std::string& outcome) {
+        return warnings_of(read_measurements(stated + rows(rebounds, ";" + outcome + ";0.05;0.05"), "t.csv"));
+    };
+    CHECK(contains(told({0, 0.09, 0.02, 0.4}, ""),
+                   "2 of 4 impacts count as rebounds although v_r is less than two"));
+    CHECK_FALSE(contains(told({0, 0.11, 0.2, 0.4}, ""), "count as rebounds although"));
+    CHECK_FALSE(contains(told({0.09, 0.02, 0.4}, "rebound"), "count as rebounds although"));
 }
 
 TEST_CASE("impacts that a table holds twice are refused, few equal ones are not") {
@@ -720,6 +727,13 @@ TEST_CASE("rows behind each group that a short word calls their mean are no impa
                     CHECK(contains(refusal(table(label, is_first, group)),
                                    "may be a name, or the row sums up others"));
         }
+    for (const char* label : {"Mittelwert A", "MW 1", "A1 mean", "SD A", "A1_SD"}) {
+        CAPTURE(label);
+        CHECK(
+            contains(refusal(table(label, true, "A1")), "may be the name of an impact, or the row sums up"));
+    }
+    CHECK(read_measurements("run;v_in;v_r\nMW 1;1.4;0.1\nMW 2;1.6;0.2\nMW 3;1.8;0.3\n", "t.csv")
+              .points.size() == 3);
     const MeasurementSet both = read_measurements(
         "group;v_in;v_r\nA;1.4;0.1\nA;1.6;0.2\nMW;1.5;0.15\nSD;0.14;0.07\nB;1.8;0.3\nB;2.0;0.4\n"
         "MW;1.9;0.35\nSD;0.14;0.07\n",
