@@ -182,7 +182,8 @@ bool RowLabels::Column::stands_between(std::string_view label) const {
 
 RowLabels::RowLabels(const LabelColumns& heading, std::span<const TextLine> lines, char separator) {
     for (const auto* all : {&heading.unused, &heading.remarks})
-        for (const TextColumn& column : *all) columns_.push_back({.column = column});
+        for (const TextColumn& column : *all)
+            columns_.push_back({.column = column, .is_remark = all == &heading.remarks});
     if (columns_.empty()) return;
     std::vector<Column*> at(heading.columns, nullptr);
     for (Column& column : columns_) at[column.column.position] = &column;
@@ -276,12 +277,6 @@ bool RowLabels::is_summary_label(const Column& column, const TableRow& row) cons
 void RowLabels::refuse_sign(const Column& column, const TableRow& row) {
     const std::string& cell = row.cells[column.column.position];
     const std::string_view label = label_in(cell);
-    const std::size_t rows = column.numbers + column.measures + column.texts;
-    if (column.column.position == 0 && column.named_summaries < rows && names_summary(label))
-        throw InputError(in_quotes(cell) + " in " + name_of(column.column) +
-                             " may be the name of an impact, or the row sums up others",
-                         "a file without the rows that sum up, or another name")
-            .at(at_cell(row.line, column.column.position));
     const bool is_label =
         column.column.position == 0 || (column.labels_rows() && column.numbers + column.measures > 0);
     if (!is_label || !is_sign(label) || column.has_letters || !column.stands_between(label)) return;
@@ -291,8 +286,18 @@ void RowLabels::refuse_sign(const Column& column, const TableRow& row) {
         .at(at_cell(row.line, column.column.position));
 }
 
+void RowLabels::refuse_named_summary(const Column& column, const TableRow& row) {
+    const std::string& cell = row.cells[column.column.position];
+    const std::size_t rows = column.numbers + column.measures + column.texts;
+    if (column.column.position == 0 && column.named_summaries < rows && names_summary(label_in(cell)))
+        throw InputError(in_quotes(cell) + " in " + name_of(column.column) +
+                             " may be the name of an impact, or the row sums up others",
+                         "a file without the rows that sum up, or another name")
+            .at(at_cell(row.line, column.column.position));
+}
+
 void RowLabels::require_number(const Column& column, const TableRow& row) {
-    if (column.numbers_labels()) {
+    if (column.numbers_labels() && !column.is_remark) {
         const std::string& label = row.cells[column.column.position];
         if (is_blank(label) || std::ranges::any_of(label, is_digit)) return;
         throw InputError(in_quotes(label) + " is in " + name_of(column.column) + ", where the others have " +
@@ -612,6 +617,7 @@ std::string RowLabels::summary_in(const TableRow& row) const {
     for (const Column& column : columns_) {
         refuse_sign(column, row);
         require_number(column, row);
+        refuse_named_summary(column, row);
     }
     require_valid(row);
     return {};

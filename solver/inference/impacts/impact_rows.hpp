@@ -28,8 +28,9 @@ class RowLabels {
     /// "SD" count in the rows at the end, in the first column, where the other rows have a number, and behind
     /// groups of other rows. In another column with a text in most rows all words but totals count behind
     /// groups alone.
-    /// @throws InputError for one letter behind groups, which may be a name, for another text where the
-    /// others have a number, for no number there behind them, and for a row that a remark calls invalid
+    /// @throws InputError for one letter behind groups or "Mean A", which may be names, for another text
+    /// where the others have a number, for no number there behind them, and for a row that a remark calls
+    /// invalid
     [[nodiscard]] std::string summary_in(const TableRow& row) const;
 
     /// Whether a column numbers the rows.
@@ -39,6 +40,7 @@ class RowLabels {
     /// The cells of a column that holds no quantity.
     struct Column {
         TextColumn column;
+        bool is_remark = false;
         std::size_t numbers = 0;   ///< whole numbers
         std::size_t measures = 0;  ///< other numbers
         std::size_t texts = 0;     ///< anything else
@@ -84,6 +86,7 @@ class RowLabels {
     [[nodiscard]] bool is_summary_label(const Column& column, const TableRow& row) const;
     static void refuse_sign(const Column& column, const TableRow& row);
     static void require_number(const Column& column, const TableRow& row);
+    static void refuse_named_summary(const Column& column, const TableRow& row);
     void require_valid(const TableRow& row) const;
 
     std::vector<Column> columns_;

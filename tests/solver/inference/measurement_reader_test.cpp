@@ -815,6 +815,11 @@ TEST_CASE("a label without a number below numbered ones may sum up, in any langu
         CHECK(contains(input_error_of([&] { static_cast<void>(of(label)); }),
                        "is in column \"Particella\", where the others have \"P\" and a number"));
     for (const char* label : {"P11", "Q1", "P11*"}) CHECK(of(label).points.size() == 5);
+    CHECK(read_measurements(
+              "v_in;v_r;Remark\n1.1;0.1;camera 1\n1.5;0.3;camera 2\n1.9;0.5;camera 2\n2.4;0.8;camera 1\n"
+              "3.1;1.1;clean\n",
+              "t.csv")
+              .points.size() == 5);
 }
 
 TEST_CASE("a last row without a label that holds the means of the others is refused") {
