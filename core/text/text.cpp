@@ -232,7 +232,11 @@ std::vector<std::string> cut_at_numbers(std::string_view text) {
 
 std::string without_numbers(std::string_view text) {
     std::vector<std::string> pieces = cut_at_numbers(text);
-    for (std::size_t i = 1; i < pieces.size(); i += 2) pieces[i] = "#";
+    bool quoted = false;  // as names are
+    for (std::size_t i = 1; i < pieces.size(); i += 2) {
+        if (std::ranges::count(pieces[i - 1], '"') % 2 == 1) quoted = !quoted;
+        if (!quoted) pieces[i] = "#";
+    }
     return fmt::format("{}", fmt::join(pieces, ""));
 }
 

@@ -65,7 +65,7 @@ std::errc take_decimal(std::string_view& text, double& value);
 /// The text cut at its numbers: words, number, words, ...
 [[nodiscard]] std::vector<std::string> cut_at_numbers(std::string_view text);
 
-/// The text with "#" for its numbers: what texts share that differ in numbers alone.
+/// The text with "#" for its numbers outside of quotes: what texts share that differ in numbers alone.
 [[nodiscard]] std::string without_numbers(std::string_view text);
 
 /// The words with ", " between them.
