@@ -165,14 +165,20 @@ void assume_cohesion(Sample& sample) {
 
 /// The laws of a case; those of one that names none, with what they need.
 std::vector<LawChoice> read_case_laws(const View& document, std::vector<Sample>& samples) {
+    const auto elastic =
+        std::ranges::find_if(samples, [](const Sample& sample) { return !sample.yield_pressure; });
     std::vector<Law> laws;
     if (const auto names = document.find("laws")) {
-        for (const View& name : names->elements()) laws.push_back(Law::named(name.text()));
+        for (const View& name : names->elements()) {
+            laws.push_back(Law::named(name.text()));
+            if (laws.back().is_plastic() && elastic != samples.end())
+                name.fail("law " + name.text() + " needs a yield_pressure, which sample " +
+                              in_quotes(elastic->name) + " does not state",
+                          "a yield_pressure for each sample, or the laws without " + name.text());
+        }
     } else {
         laws = default_laws();
-        const bool yields = std::ranges::any_of(
-            samples, [](const Sample& sample) { return sample.yield_pressure.has_value(); });
-        if (yields) laws.push_back(Law::named("thornton-ning"));
+        if (elastic == samples.end()) laws.push_back(Law::named("thornton-ning"));
         for (Sample& sample : samples) assume_cohesion(sample);
     }
     std::ranges::sort(laws, {}, &Law::index);  // so that no choice depends on their order

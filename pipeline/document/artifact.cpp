@@ -156,6 +156,22 @@ Artifact sealed_artifact(const Envelope& envelope, Json result, const std::strin
     return {record.file, std::make_shared<const Json>(std::move(document)), std::move(bytes)};
 }
 
+namespace {
+
+/// Warns of files of a case that are there and are not what the run has read.
+void warn_of_changed_inputs(const Json& document, const std::string& place) {
+    for (const Json& input : document.at("provenance").at("inputs")) {
+        const std::filesystem::path file(input.at("file").get<std::string>());
+        std::error_code ignored;
+        if (!std::filesystem::is_regular_file(file, ignored)) continue;
+        if (sha256(read_file(file)) == input.at("sha256").get<std::string>()) continue;
+        spdlog::warn("warning: {}: has changed since it was read for {}, whose content counts", file.string(),
+                     place);
+    }
+}
+
+}  // namespace
+
 Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view file) {
     const auto path = folder / file;
     std::string bytes = read_file(path);
@@ -163,6 +179,7 @@ Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view f
         Json document = parse_json(bytes);
         require_schema_version(document, true);
         validate_document(document, schema_of(file));
+        if (file == case_artifact) warn_of_changed_inputs(document, path.string());
         const bool edited = is_edited(document);
         std::vector<Finding> doubts;
         if (edited) {

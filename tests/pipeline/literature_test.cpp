@@ -209,6 +209,20 @@ TEST_CASE(
         test::succeeded(sandbox, "calibrate --sizes one.csv --law jkr " + silver + "--free work_of_adhesion")
             .out == test::containing("There are as many constants as velocities"));
 
+    // Constants that only their quotient counts of have no intervals.
+    sandbox.write("traded.csv", "d [um],v_c [m/s]\n5,0.147536\n10,0.082802\n20,0.046471\n40,0.026081\n");
+    const Json traded = parse_json(test::succeeded(sandbox,
+                                                   "calibrate --sizes traded.csv --law jkr --density 2300 "
+                                                   "--contact-modulus '60 GPa' --uncertainty '5 %' "
+                                                   "--free work_of_adhesion --free density --json")
+                                       .out);
+    for (const Json& constant : traded["constants"])
+        CHECK(constant["interval_95"] == Json::array({nullptr, nullptr}));
+    sandbox.write("unnamed.csv", "d [um],v_c [m/s],u(v_c) [m/s],\n1,0.1,0.01,\n2,0.06,0.01,*\n");
+    CHECK(test::succeeded(sandbox,
+                          "calibrate --sizes unnamed.csv --law jkr " + silver + "--free work_of_adhesion")
+              .err == test::containing("\"*\" in a column without a heading is not used"));
+
     sandbox.write("plain.csv", "d [um],v_c [m/s]\n1,0.1\n");
     sandbox.write("units.csv", "d [um],v_c [m/s]\n1 um,0.1 m/s\n");
     const std::string of_one =

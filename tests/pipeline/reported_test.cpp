@@ -278,6 +278,13 @@ TEST_CASE("a case without laws has maugis-dugdale with an assumed range, and tho
     }
     document["samples"][1]["tabor"] = 1.5;
     document["samples"][1]["yield_pressure"] = "5 GPa";
+    CHECK(laws_of(loaded()).size() == five_laws.size());
+    document["laws"] = {"dmt", "thornton-ning"};
+    CHECK(test::input_error_of(loaded) ==
+          test::containing(
+              "/laws/1: law thornton-ning needs a yield_pressure, which sample \"fine\" does not"));
+    document.erase("laws");
+    document["samples"][0]["yield_pressure"] = "6 GPa";
     const Case own = loaded();
     CHECK(laws_of(own)[4] == "thornton-ning");
     CHECK(own.samples[0].parameters[0].first.name == "cohesion_range");

@@ -104,12 +104,17 @@ Json constants_json(const Case& data, const CalibrationSummary& summary,
         const CalibratedConstant& constant = summary.constants[i];
         const std::string_view unit = unit_of_constant(summary, constant);
         Json value = quantity_json(constant.value, unit);
-        value["standard_uncertainty"] = constant.standard_uncertainty;
+        value["standard_uncertainty"] = std::isfinite(constant.standard_uncertainty)
+                                            ? Json(constant.standard_uncertainty)
+                                            : Json(nullptr);
+        const auto end = [&](double bound) {  // none of a constant that is not identifiable
+            return std::isfinite(bound) ? quantity_json(bound, unit) : Json(nullptr);
+        };
         list.push_back(
             {{"quantity", name_of(constant.quantity)},
              {"sample", constant.sample ? Json(data.samples[*constant.sample].name) : Json(nullptr)},
              {"value", value},
-             {"interval_95", {quantity_json(constant.lower, unit), quantity_json(constant.upper, unit)}},
+             {"interval_95", {end(constant.lower), end(constant.upper)}},
              {"profile", profile_json(data, summary, profiles[i], unit)}});
     }
     return list;

@@ -170,6 +170,21 @@ TEST_CASE("a run from its own 0-case.json in the current folder is up to date") 
     test::succeeded(sandbox, "report again");
 }
 
+TEST_CASE("a file that has changed since a run is named where the run is used") {
+    const Sandbox sandbox;
+    test::write_example(sandbox, test::with_one_sample(test::example_case(), {"hertz"}));
+    test::succeeded(sandbox, "run case.json -o out");
+    const std::string case_text = sandbox.read("case.json");
+    for (const char* command : {"run -o out --from comparison", "report out"}) {
+        CAPTURE(command);
+        sandbox.write("case.json", case_text + "\n");
+        CHECK(test::succeeded(sandbox, command).err ==
+              containing("case.json: has changed since it was read for out/0-case.json"));
+        sandbox.write("case.json", case_text);
+        CHECK(test::succeeded(sandbox, command).err != containing("has changed"));
+    }
+}
+
 TEST_CASE("a figure takes artifacts of one run, and those that it shows") {
     const Sandbox sandbox;
     test::put_built_in_run(sandbox);

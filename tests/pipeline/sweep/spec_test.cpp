@@ -359,10 +359,9 @@ TEST_CASE("captures with a v_c outside of the model are counted by law, of one s
     json["variables"]["radius"] = {{"values", {"5 um", "5.1 um"}}};
     CHECK(shares() == std::vector<double>{1, 1});
     const SweepSpec spec = read_sweep_spec(json.dump()).spec;
-    CHECK(warnings_of_captures(spec, {{.fraction = 0.25, .uncertainty = 0.021}, {}}) ==
-          std::vector<std::string>{
-              "dmt: of 25 % (± 2.1 %) of the captures v_c is above 500 m/s, outside the model; they, "
-              "and shares that count them, are no result"});
+    CHECK(warnings_of_impacts(spec, {{.fraction = 0.25, .uncertainty = 0.021}, {}}).front() ==
+          "dmt: of 25 % (± 2.1 %) of the captures v_c is above 500 m/s, outside the model; they, "
+          "and shares that count them, are no result");
     json["variables"]["radius"] = {{"values", {"44 um", "45 um"}}};
     CHECK(shares() == std::vector<double>{0, 0});
 }
