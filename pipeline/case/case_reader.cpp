@@ -367,6 +367,15 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
     }
     add_shared_impacts(data.samples, findings);
     data.laws = read_case_laws(document, data.samples);
+    const bool has_tabor = std::ranges::any_of(data.samples, [](const Sample& sample) {
+        return std::ranges::any_of(sample.parameters,
+                                   [](const auto& given) { return given.first.name == stated_tabor.name; });
+    });
+    if (data.roughness && data.roughness->value() > 0 && has_tabor &&
+        std::ranges::any_of(data.laws, [](const LawChoice& each) { return each.law.takes(stated_tabor); }))
+        document.at("roughness")
+            .fail("a sample states its tabor: that of the smooth surfaces or of the rough ones",
+                  "cohesion_range or cohesive_stress in place of tabor, or no roughness");
     if (const auto law = document.find("damping_law")) data.damping_law = named<DampingLaw>(law->text());
     if (const auto scheme = document.find("paper_explicit")) {
         const View step = scheme->at("time_step");

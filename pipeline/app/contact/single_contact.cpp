@@ -20,6 +20,7 @@
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/present/text/layout.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/maugis_dugdale.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/motion/explicit_scheme.hpp"
 
@@ -77,6 +78,10 @@ bool warn_if_idle(const CommandOptions& options, const std::string& option, Law 
 double read_roughness(const CommandOptions& options, Law law, double effective_radius) {
     if (!options.has("--roughness")) return 1;
     warn_if_idle(options, "--roughness", law, "work_of_adhesion");
+    if (options.has("--tabor") && law.takes(stated_tabor))
+        throw InputError("may be that of the smooth surfaces or of the rough ones",
+                         "--cohesion-range or --cohesive-stress; or without --roughness")
+            .at("--tabor");
     const double rms = options.number("--roughness", Dimension::length);
     if (const auto doubt = roughness_doubt(effective_radius, rms)) warn_of({*doubt}, "--roughness");
     return at_place("--roughness", [&] { return roughness_reduction(effective_radius, {.rms = rms}); });

@@ -425,6 +425,7 @@ class SignsOfReadings {
         if (point.rebound > 0.0) ++positive_;
         if (point.rebound >= 0.0) return;
         below_.push_back(point.line);
+        lowest_ = std::min(lowest_, point.rebound);
         beyond_noise_ =
             beyond_noise_ || !point.noise || -point.rebound > likely_noise * std::sqrt(point.noise->rebound);
     }
@@ -448,10 +449,13 @@ class SignsOfReadings {
                          numbered("line", below_), below_.size() == 1 ? "counts" : "count")});
     }
 
+    [[nodiscard]] double lowest() const { return lowest_; }
+
   private:
     static constexpr double likely_noise = 3.0;  ///< of a reading [standard uncertainties]
     std::size_t positive_ = 0;
     std::vector<std::size_t> below_;  ///< lines
+    double lowest_ = 0;               ///< reading [m/s]
     bool beyond_noise_ = false;       ///< some, or how uncertain they are is not stated
 };
 
@@ -787,18 +791,20 @@ std::optional<Finding> blank_line_among(std::span<const TextLine> rows, const Te
 }
 
 /// The doubt that readings so near to 0 that noise explains them are rebounds.
-std::optional<Finding> uncertain_rebounds(const MeasurementSet& set) {
+/// @param lowest reading below zero; 0 without one [m/s]
+std::optional<Finding> uncertain_rebounds(const MeasurementSet& set, double lowest) {
     constexpr double near = 2;  // standard uncertainties
-    const auto count = std::ranges::count_if(set.points, [](const Measurement& point) {
-        return point.outcome == NotedOutcome::from_reading && point.rebound > 0 && point.noise &&
-               point.rebound < near * point.noise->rebound;
+    const auto count = std::ranges::count_if(set.points, [&](const Measurement& point) {
+        const double noise = point.noise ? near * std::sqrt(point.noise->rebound) : 0;
+        return point.outcome == NotedOutcome::from_reading && point.rebound > 0 &&
+               point.rebound < std::max(noise, -lowest);
     });
     if (count == 0) return std::nullopt;
     return Finding{
         impacts_code, Severity::doubt,
-        fmt::format("{} of {} impacts count as rebounds although v_r is less than two standard "
-                    "uncertainties above 0: captures among them lower v_c, which its interval does not "
-                    "allow for; a column \"outcome\" states them",
+        fmt::format("{} of {} impacts count as rebounds although noise explains their v_r: captures "
+                    "among them lower v_c, which its interval does not allow for; a column \"outcome\" "
+                    "states them",
                     count, set.points.size())};
 }
 
@@ -892,7 +898,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
             "columns u(v_in) and u(v_r) beside it")
             .at(heading_line);
     add_implausible(*heading.of(MeasuredQuantity::velocity), set);
-    if (auto doubt = uncertain_rebounds(set)) set.warnings.push_back(*std::move(doubt));
+    if (auto doubt = uncertain_rebounds(set, signs.lowest())) set.warnings.push_back(*std::move(doubt));
     if (set.points.empty() && set.unknown > 0)
         throw InputError("the outcome of every impact is unknown", "rebounds or captures");
     if (set.points.empty())

@@ -396,6 +396,20 @@ TEST_CASE("every command that solves impacts says where the law does not hold") 
     CHECK(said != containing("maugis-dugdale:"));
 }
 
+TEST_CASE("a Tabor parameter beside a roughness has two readings") {
+    const Sandbox sandbox;
+    check_refused(sandbox,
+                  std::string("impact --law maugis-dugdale --velocity 2 --tabor 2 --roughness '1 nm'") +
+                      adhesive_sphere,
+                  "--tabor: may be that of the smooth surfaces or of the rough ones");
+    Json document = test::with_one_sample(test::example_case(), {"maugis-dugdale"});
+    document.erase("particle");
+    document["samples"][0]["tabor"] = 2;
+    document["roughness"] = "1 nm";
+    test::write_example(sandbox, document);
+    check_refused(sandbox, "run case.json", "/roughness: a sample states its tabor");
+}
+
 TEST_CASE("a report is refused under the name of another format") {
     const Sandbox sandbox;
     check_refused(sandbox, "report results -o report.pdf", "-o: a report is an HTML file, not \".pdf\"");
