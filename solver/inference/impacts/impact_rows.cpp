@@ -286,6 +286,20 @@ void RowLabels::refuse_sign(const Column& column, const TableRow& row) {
         .at(at_cell(row.line, column.column.position));
 }
 
+void RowLabels::refuse_figures_beside(const Column& label, const TableRow& row) const {
+    if (label.column.position == 0) return;
+    std::size_t rows = 0;  // with such a label
+    for (const auto& [name, of] : label.labels) rows += of.rows;
+    for (const Column& beside : columns_)
+        if (beside.column.position > label.column.position && beside.texts == 0 &&
+            beside.numbers + beside.measures <= rows && read_number(row.cells[beside.column.position]))
+            throw InputError(in_quotes(row.cells[label.column.position]) + " stands before " +
+                                 row.cells[beside.column.position] +
+                                 ": the row may sum up others, or both stand beside the table",
+                             "a file without the figures beside the table")
+                .at(at_cell(row.line, label.column.position));
+}
+
 void RowLabels::refuse_named_summary(const Column& column, const TableRow& row) {
     const std::string& cell = row.cells[column.column.position];
     const std::size_t rows = column.numbers + column.measures + column.texts;
@@ -613,7 +627,10 @@ std::string RowLabels::summary_in(const TableRow& row) const {
     const std::string& first = row.cells.front();  // a label may stand in the column of v_in
     if (!is_short(label_in(first)) && is_summary(first)) return first;
     for (const Column& column : columns_)
-        if (is_summary_label(column, row)) return row.cells[column.column.position];
+        if (is_summary_label(column, row)) {
+            refuse_figures_beside(column, row);
+            return row.cells[column.column.position];
+        }
     for (const Column& column : columns_) {
         refuse_sign(column, row);
         require_number(column, row);

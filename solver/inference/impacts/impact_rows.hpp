@@ -86,6 +86,7 @@ class RowLabels {
     [[nodiscard]] bool is_summary_label(const Column& column, const TableRow& row) const;
     static void refuse_sign(const Column& column, const TableRow& row);
     static void require_number(const Column& column, const TableRow& row);
+    void refuse_figures_beside(const Column& label, const TableRow& row) const;
     static void refuse_named_summary(const Column& column, const TableRow& row);
     void require_valid(const TableRow& row) const;
 

@@ -524,7 +524,14 @@ std::optional<Measurement> measurement_of(const MeasurementHeading& heading, con
         throw InputError("v_in is " + shortest(velocity.value) + " m/s", "> 0 m/s, a magnitude");
     auto outcome = stated_outcome(heading, row);
     if (!outcome) return std::nullopt;
-    if (outcome != NotedOutcome::from_reading) remark = OutcomeWord::none;
+    if (outcome != NotedOutcome::from_reading) {
+        const bool captured = outcome == NotedOutcome::capture;
+        if (remark == (captured ? OutcomeWord::rebound : OutcomeWord::capture))
+            throw InputError(fmt::format("the outcome is a {}, and a remark tells of a {}",
+                                         captured ? "capture" : "rebound", captured ? "rebound" : "capture"),
+                             "one of them");
+        remark = OutcomeWord::none;
+    }
     const OutcomeWord cell = outcome_word(row.cells[heading.reading().position]);
     const bool word = cell == OutcomeWord::capture;
     const bool blank = cell == OutcomeWord::unknown;
