@@ -60,7 +60,8 @@ std::vector<PhaseFraction> read_fractions(const View& node) {
 double density_of(const View& node) {
     static_cast<void>(node.certain_number(Dimension::density, "a phase of your own under \"phases\" for it"));
     const double density = positive_quantity(node, "density", Dimension::density).value;
-    if (node.json().is_number())  // where it stands the name of a phase is its key
+    const bool is_bare = node.json().is_number() || (node.json().is_string() && read_number(node.text()));
+    if (is_bare)  // where it stands the name of a phase is its key
         static_cast<void>(implausible_at(node.pointer(), *plausible_range("density"), {density, density}));
     return density;
 }

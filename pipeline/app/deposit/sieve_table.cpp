@@ -404,7 +404,7 @@ class SieveTable {
         double sum = 0;
         for (const ShareRow& row : rows) sum += row.share;
         const double scale = bare_scale(sum, notes);
-        if (std::abs(sum * scale - 1) > sum_tolerance)
+        if (std::abs(sum * scale - 1) > sum_tolerance + 1e-9)  // sums are rounded
             refuse_line(rows.front().line, fmt::format("the shares add up to {:.4g} %", 100 * sum * scale),
                         "98 to 102 %");
         constexpr double rounding = 2e-3;
