@@ -136,6 +136,7 @@ bool names_summary(std::string_view label) {
     const std::string_view before = label.substr(0, first);
     const std::string_view behind = label.substr(label.find_last_of(" _-") + 1);
     return std::ranges::any_of(std::array{before, behind}, [](std::string_view word) {
+        if (word.starts_with('(') && word.ends_with(')')) word = word.substr(1, word.size() - 2);
         return word.size() > 1 && is_summary(word) && !is_total(word);
     });
 }
@@ -303,7 +304,8 @@ void RowLabels::refuse_figures_beside(const Column& label, const TableRow& row) 
 void RowLabels::refuse_named_summary(const Column& column, const TableRow& row) {
     const std::string& cell = row.cells[column.column.position];
     const std::size_t rows = column.numbers + column.measures + column.texts;
-    if (column.column.position == 0 && column.named_summaries < rows && names_summary(label_in(cell)))
+    if (column.labels_rows() && !column.is_remark && column.named_summaries < rows &&
+        names_summary(label_in(cell)))
         throw InputError(in_quotes(cell) + " in " + name_of(column.column) +
                              " may be the name of an impact, or the row sums up others",
                          "a file without the rows that sum up, or another name")

@@ -729,7 +729,7 @@ TEST_CASE("rows behind each group that a short word calls their mean are no impa
                     CHECK(contains(refusal(table(label, is_first, group)),
                                    "may be a name, or the row sums up others"));
         }
-    for (const char* label : {"Mittelwert A", "MW 1", "A1 mean", "SD A", "A1_SD"}) {
+    for (const char* label : {"Mittelwert A", "MW 1", "A1 mean", "A1 (mean)", "1 mean", "SD A", "A1_SD"}) {
         CAPTURE(label);
         CHECK(contains(refusal(table(label, true, "A")), "may be the name of an impact, or the row sums"));
         CHECK(contains(refusal(table(label, true, "A1")), "sum"));
