@@ -216,8 +216,7 @@ TEST_CASE(
                                                    "--contact-modulus '60 GPa' --uncertainty '5 %' "
                                                    "--free work_of_adhesion --free density --json")
                                        .out);
-    for (const Json& constant : traded["constants"])
-        CHECK(constant["interval_95"] == Json::array({nullptr, nullptr}));
+    for (const Json& constant : traded["constants"]) CHECK(constant["interval_95"][1].is_null());
     sandbox.write("unnamed.csv", "d [um],v_c [m/s],u(v_c) [m/s],\n1,0.1,0.01,\n2,0.06,0.01,*\n");
     CHECK(test::succeeded(sandbox,
                           "calibrate --sizes unnamed.csv --law jkr " + silver + "--free work_of_adhesion")

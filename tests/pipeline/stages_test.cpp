@@ -87,8 +87,9 @@ TEST_CASE("every artifact that follows from the case says where contacts end, an
 }
 
 TEST_CASE("results read back from artifacts are written again as they were, and say what was computed") {
-    for (const Artifacts& artifacts :
-         {built_in(), example(), computed_from(example_under("thornton-ning"))}) {
+    Json yielding = example_under("thornton-ning");
+    for (Json& sample : yielding["samples"]) sample["yield_pressure"] = "5 GPa";
+    for (const Artifacts& artifacts : {built_in(), example(), computed_from(yielding)}) {
         const Run run = read_run(artifacts);
         for (const Stage& stage : stages()) {
             const Artifact& artifact = artifacts.at(stage.file);
