@@ -83,8 +83,10 @@ Component component(const PhaseFraction& line, ResolvedPhase resolved, std::vect
     if (!line.density) return result;
     const double catalogue = result.phase.density.value;
     constexpr double rounding = 1e-9;
-    if (std::abs(*line.density - catalogue) < rounding * catalogue) return result;
-    notes.push_back({phases_code, Severity::background,
+    constexpr double far = 0.2;  // more than porosity or a solid solution makes of a phase
+    const double gap = std::abs(*line.density - catalogue);
+    if (gap < rounding * catalogue) return result;
+    notes.push_back({phases_code, gap > far * catalogue ? Severity::doubt : Severity::background,
                      "the file's density of " + in_quotes(line.name) + ", " + to_tenths(*line.density) +
                          " kg/m3, is used; the catalogue has " + to_tenths(catalogue) + " kg/m3 (" +
                          per_cent(*line.density / catalogue - 1) + ")"});

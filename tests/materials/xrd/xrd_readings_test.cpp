@@ -203,4 +203,15 @@ TEST_CASE("remarks on rows and amounts say what is there") {
     CHECK_FALSE(says("Sample;Phase;wt%\nFA1;Quartz;20\nFA1;Glass;80\nFA11;Quartz;9\n", "write \"FA1 esd\""));
 }
 
+TEST_CASE("a density far from that of the catalogue is doubtful") {
+    const auto severity = [](double density) {
+        Analysis analysis{.phases = {{.name = "Quartz", .fraction = 1, .density = density}},
+                          .amorphous = AmorphousNone{}};
+        return compose(analysis, shipped_catalogue()).notes.front().severity;
+    };
+    CHECK(severity(2600) == Severity::background);
+    CHECK(severity(1500) == Severity::doubt);
+    CHECK(severity(4000) == Severity::doubt);
+}
+
 }  // namespace ashimpact::test
