@@ -381,6 +381,25 @@ bool states_amount_added(const std::string& text) {
     return text.size() <= longest_heading && std::regex_search(text, addition);
 }
 
+/// Whether words in front of that place state what is in a sample: "with", "mit 10 %", "avec 10 wt %".
+bool stands_behind_with(const std::vector<std::string>& words, std::size_t place) {
+    static const WordLists small("words of additions");
+    while (place > 0) {
+        const std::string& word = words[--place];
+        if (small.list_of(word) == "with") return true;
+        const bool is_number = is_digit(word.front());
+        if (!is_number && word != "%" && small.list_of(word) != "between") return false;
+    }
+    return false;
+}
+
+/// Whether a text is on the instrument or the method, which a material "with" it calibrates.
+bool is_on_method(const std::vector<std::string>& words) {
+    static const WordLists small("words of additions");
+    return std::ranges::any_of(words,
+                               [](const std::string& word) { return small.list_of(word) == "of methods"; });
+}
+
 const WordLists& standard_materials() {
     static const WordLists words("internal standards", " ");
     return words;
@@ -407,11 +426,21 @@ void StandardsInTexts::take(const TextBeside& text) {
                 (words[mention.first].size() >= shortest_mark && words[mention.first] != "standard"));
     });
     const auto is_added = [&](const Mention& mention) {  // "FA1 with corundum", unlike "Corundum ash"
-        return text.is_name && mention.first > first && !mention.negated;
+        if (mention.negated) return false;
+        if (text.is_name) return mention.first > first;
+        const bool is_external =
+            std::ranges::any_of(found, [](const Mention& m) { return m.list == "none"; });
+        return !is_external && !is_on_method(words) && stands_behind_with(words, mention.first);
     };
     if (!is_mark && !states_amount_added(text.text) && !std::ranges::any_of(mentioned, is_added)) return;
     for (const Mention& mention : mentioned) materials_.insert(mention.list);
     any_ = any_ || (mentioned.empty() && (text.is_name || is_of_any));  // "FA1 spiked"
+}
+
+void StandardsInTexts::take_named(const TextBeside& text) {
+    const bool before = any_;
+    take(text);
+    any_ = before;
 }
 
 bool StandardsInTexts::hold(std::string_view phase) const {

@@ -134,6 +134,8 @@ struct UncertaintyName {
 class StandardsInTexts {
   public:
     void take(const TextBeside& text);
+    /// The same for a text that counts for the materials which it names alone.
+    void take_named(const TextBeside& text);
     /// Whether a phase is one of these materials.
     [[nodiscard]] bool hold(std::string_view phase) const;
 

@@ -526,12 +526,36 @@ std::vector<TextBeside> sample_names(const Table& table) {
     return names;
 }
 
+/// The texts in columns that are not used, each once.
+std::vector<TextBeside> remarks_in_rows(const Table& table) {
+    const bool is_long = table.has(Role::phase) && names_amounts(table.headings);
+    const auto is_unused = [&](const Heading& heading) {
+        return heading.role == Role::measure ||
+               (heading.role == Role::other && (is_long || heading.written.empty()));
+    };
+    std::vector<TextBeside> remarks;
+    std::set<std::string_view> seen;
+    for (std::size_t k = 0; k < table.headings.size(); ++k) {
+        if (!is_unused(table.headings[k])) continue;
+        for (const TableRow& row : table.rows)
+            if (row.cells[k].find_first_not_of("+-.,()%<0123456789 ") != std::string::npos &&
+                seen.insert(row.cells[k]).second)
+                remarks.push_back({row.line, row.cells[k]});
+    }
+    return remarks;
+}
+
 /// Appends " (internal standard)" to the phase that a text beside the table or the name of a sample calls so,
 /// unless it is marked: "spiked with 10 % Korund".
 void take_texts_on_phases(Table& table, std::vector<TextBeside> texts) {
     StandardsInTexts standards;
     for (const TextBeside& name : sample_names(table)) texts.push_back(name);
     for (const TextBeside& text : texts) standards.take(text);
+    for (const TextBeside& remark : remarks_in_rows(table))
+        if (table.has(Role::phase))
+            standards.take_named(remark);  // "internal standard" is of the phase of its row
+        else
+            standards.take(remark);
     if (table.has(Role::standard)) return;
     const auto take = [&](std::string& name) {
         const MarkedPhase phase = read_phase_name(name);

@@ -37,7 +37,8 @@ struct TopasPattern {
 };
 
 /// The words of a file without its comments: ' to the end of the line, /* ... */ over lines.
-std::vector<Token> tokens_of(const TextLines& file) {
+/// @param comments receives them, line by line
+std::vector<Token> tokens_of(const TextLines& file, std::vector<TextBeside>& comments) {
     std::vector<Token> tokens;
     bool in_comment = false;
     std::size_t comment_line = 0;
@@ -46,6 +47,7 @@ std::vector<Token> tokens_of(const TextLines& file) {
         while (!text.empty()) {
             if (in_comment) {
                 const auto end = text.find("*/");
+                comments.push_back({.line = number, .text = std::string(text.substr(0, end))});
                 if (end == std::string_view::npos) break;
                 text.remove_prefix(end + 2);
                 in_comment = false;
@@ -54,6 +56,7 @@ std::vector<Token> tokens_of(const TextLines& file) {
                 comment_line = number;
                 text.remove_prefix(2);
             } else if (text.front() == '\'') {
+                comments.push_back({.line = number, .text = std::string(text.substr(1))});
                 break;
             } else if (text.front() == '"') {
                 const auto end = text.find('"', 1);
@@ -101,7 +104,9 @@ bool is_parameter_name(const std::string& word) {
 
 class TopasReader {
   public:
-    explicit TopasReader(const TextLines& file) : file_(file), tokens_(tokens_of(file)) {}
+    explicit TopasReader(const TextLines& file) : file_(file), tokens_(tokens_of(file, comments_)) {}
+
+    [[nodiscard]] const std::vector<TextBeside>& comments() const { return comments_; }
 
     std::vector<TopasPattern> read() {
         while (at_ < tokens_.size()) {
@@ -235,6 +240,7 @@ class TopasReader {
     }
 
     const TextLines& file_;
+    std::vector<TextBeside> comments_{};  ///< before the tokens, with which it is filled
     std::vector<Token> tokens_;
     std::vector<TopasPattern> patterns_;
     std::vector<std::string> conditions_;  ///< #ifdef and the like that are open
@@ -333,11 +339,10 @@ bool looks_like_topas(const TextLines& file) {
 
 XrdResult read_topas(const TextLines& file) {
     XrdResult result{.format = XrdFormat::topas_out, .samples = {}};
-    for (const TopasPattern& pattern : TopasReader(file).read()) result.samples.push_back(sample_of(pattern));
+    TopasReader reader(file);
+    for (const TopasPattern& pattern : reader.read()) result.samples.push_back(sample_of(pattern));
     StandardsInTexts comments;
-    for (const auto& [number, raw] : file.lines())
-        if (const auto text = trimmed(raw); text.starts_with('\''))
-            comments.take({.line = number, .text = std::string(text.substr(1))});
+    for (const TextBeside& comment : reader.comments()) comments.take(comment);
     for (XrdSample& sample : result.samples)
         for (PhaseFraction& phase : sample.analysis.phases)
             phase.is_standard = phase.is_standard || comments.hold(phase.name);

@@ -132,6 +132,8 @@ TEST_CASE("an internal standard is one in every format, by its name or a remark 
         CHECK(contains(refusal(topas("' Rietveld", name)), "is called an internal standard"));
     CHECK(contains(refusal(topas("' FA1 + 10 wt% corundum (internal standard)", "Corundum")),
                    "is called an internal standard"));
+    for (const char* comment : {"r_wp 5 ' with internal standard corundum", "/* FA1 + 10 % Korund */"})
+        CHECK(contains(refusal(topas(comment, "Corundum")), "is called an internal standard"));
     CHECK_FALSE(
         contains(refusal(topas("' no internal standard", "Corundum")), "is called an internal standard"));
     const std::string rows = "\nPhase;wt%\nMullite;60\nCorundum;40\n";
@@ -201,6 +203,38 @@ TEST_CASE("remarks on rows and amounts say what is there") {
         says(wide + "FA1;20;80\n2 sigma;1;1\nFA2;30;70\n", "line 3 is no sample and left out: \"2 sigma\""));
     CHECK(says(wide + "FA1;20;80\nFA1 mean;21;79\n", "the numbers in line 3 are not read, as \"FA1 mean\""));
     CHECK_FALSE(says("Sample;Phase;wt%\nFA1;Quartz;20\nFA1;Glass;80\nFA11;Quartz;9\n", "write \"FA1 esd\""));
+}
+
+namespace {
+
+std::string refusal_of_crystalline(const std::string& table) {
+    return input_error_of([&] {
+        Analysis analysis = read_xrd(table, "t.csv").samples.front().analysis;
+        analysis.state_amorphous(AmorphousRemainder{});
+        return compose(analysis, shipped_catalogue());
+    });
+}
+
+}  // namespace
+
+TEST_CASE("a remark beside a sample, and a title, name what was added") {
+    const auto spiked = [](const std::string& remark) {
+        return refusal_of_crystalline("Sample;Quartz;Mullite;Corundum;Remark\nFA1;33;49;18;" + remark + "\n");
+    };
+    for (const char* remark : {"with internal standard (10 % corundum)", "spiked", "FA1 + 10 % Korund"})
+        CHECK(contains(spiked(remark), "is called an internal standard"));
+    for (const char* remark : {"", "no internal standard", "wet", "corundum crucible", "external standard"})
+        CHECK(spiked(remark).empty());
+    CHECK(contains(
+        refusal_of_crystalline("Phase;wt%;Remark\nQuartz;20;spiked with 10 % corundum\nCorundum;9;\n"),
+        "\"Corundum\" is called an internal standard"));
+    const std::string rows = "\nPhase;wt%\nMullite;60\nCorundum;40\n";
+    for (const char* title : {"Mischung mit 10 % Korund", "FA1 mit Korund", "mixture with 10 wt% of corundum",
+                              "M\u00e9lange avec 10 % de corindon"})
+        CHECK(contains(refusal(title + rows), "is called an internal standard"));
+    for (const char* title : {"FA1 ohne Korund", "calibrated with corundum", "Fly ash and corundum",
+                              "RIR measured with 50 % corundum", "FA1 with quartz and corundum"})
+        CHECK_FALSE(contains(refusal(title + rows), "is called an internal standard"));
 }
 
 TEST_CASE("a density far from that of the catalogue is doubtful") {
