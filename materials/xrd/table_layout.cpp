@@ -33,6 +33,9 @@ bool may_name_sample(const Heading& heading) {
     if (heading.role == Role::measure) return false;
     if (heading.role != Role::other) return true;
     if (qualifiers.holds(heading.text)) return false;
+    const std::vector<std::string> words = words_in(heading.text);
+    const bool of_peaks = !words.empty() && (words.back() == "peak" || words.back() == "peaks");
+    if (of_peaks && heading.states == HeadingUnit::fraction) return false;  // "FA1 peak %"
     constexpr std::array<std::string_view, 15> signs{"%",  "\u2030", "\u221a", "\u00b2", "\u00b3",
                                                      "^",  "\u0394", "\u2206", "\u03c3", "\u00bd",
                                                      "1/", "\u00b0", "\u00c5", "\u03b8", "ppm"};
@@ -1038,6 +1041,65 @@ void refuse_factor(const std::string& name, const std::string& written, std::siz
                 "a name of other letters, and the amounts in [wt%]");
 }
 
+/// Refuses "STD" behind a sample where its numbers are as large as those of samples: a reference material, or
+/// standard deviations. @throws InputError
+void refuse_reference_samples(const Table& table) {
+    const auto is_large = [](double sum, double of_sample) { return sum > 0 && sum >= of_sample / 2; };
+    const auto value = [](const std::string& cell) {
+        const auto number = cell.empty() ? std::nullopt : read_number(cell, true);
+        return number ? number->value : 0;
+    };
+    const auto refuse = [](const std::string& name, std::size_t line) {
+        refuse_line(line, in_quotes(name) + " may be a standard, a sample, or hold standard deviations",
+                    "\"esd\" for standard uncertainties, else a longer name");
+    };
+    const auto label = table.column(Role::sample);
+    const auto& headings = table.headings;
+    for (std::size_t i = 1; label && !table.has(Role::phase) && i < table.rows.size(); ++i) {
+        double sum = 0;
+        double above = 0;
+        for (std::size_t k = 0; k < headings.size(); ++k) {
+            if (headings[k].role != Role::other) continue;
+            sum += value(table.rows[i].cells[k]);
+            above += value(table.rows[i - 1].cells[k]);
+        }
+        const std::string& name = table.rows[i].cells[*label];
+        if (word_key(name) == "std" && is_large(sum, above)) refuse(name, table.rows[i].line);
+    }
+    for (std::size_t k = 1; !label && k < headings.size(); ++k) {
+        double sum = 0;
+        double before = 0;
+        for (const TableRow& row : table.rows) {
+            sum += value(row.cells[k]);
+            before += value(row.cells[k - 1]);
+        }
+        if (headings[k].role == Role::uncertainty && headings[k - 1].role == Role::other &&
+            word_key(headings[k].written) == "std" && is_large(sum, before))
+            refuse(headings[k].written, table.heading_line);
+    }
+}
+
+/// Refuses the name of a sample in its cell or heading that may change its amounts: "FA1 at.%", "FA1 (x10)".
+/// @throws InputError
+void require_plain_sample(const std::string& name, std::size_t line) {
+    static const std::regex factor(
+        "(?:.*[^A-Za-z])?x *10+|.*(?:\u00d7|[*]) *10+|"
+        ".*[(\\[](?:(?:[x/]|\u00d7|\u00f7) *[0-9.,]+|[0-9.,]+ *(?:x|\u00d7))[)\\]]");
+    if (name.size() > longest_heading || name.find_first_of("%x*([\xc3") == std::string::npos) return;
+    if (std::regex_match(name, factor))
+        refuse_line(line, "the name " + in_quotes(name) + " may state a factor of the amounts of its sample",
+                    "a name of other letters, and the amounts in [wt%]");
+    if (!holds_per_cent(name)) return;
+    const Heading heading = read_heading(name);
+    const Role unit = role_of_text(heading.unit);
+    if (!heading.unit.empty() && holds_per_cent(heading.unit) &&
+        (unit == Role::measure || unit == Role::intensity))
+        refuse_line(line,
+                    "the name " + in_quotes(name) + " may state that the amounts of its sample are in " +
+                        heading.unit,
+                    "the name alone, and fractions by weight or by volume");
+}
+
 /// Refuses a heading that states one uncertainty for all numbers below it: "wt% ± 1". @throws InputError
 void require_no_common_uncertainty(std::string_view text, std::string_view written, std::size_t line) {
     if (const std::string number = number_behind_plus_minus(text); !number.empty())
@@ -1135,6 +1197,12 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
         drop_measures(table);
     }
     take_texts_on_phases(table, cut.texts);
+    refuse_reference_samples(table);
+    if (const auto label = table.column(Role::sample))
+        for (const TableRow& row : table.rows) require_plain_sample(row.cells[*label], row.line);
+    else
+        for (const Heading& each : table.headings)
+            if (each.role == Role::other && is_wide) require_plain_sample(each.text, table.heading_line);
     if (table.has(Role::sample) && !table.has(Role::phase)) {
         take_rows_of_uncertainties(table.rows, 0, *table.column(Role::sample), xrd_code, table.warnings);
         drop_summaries(table);

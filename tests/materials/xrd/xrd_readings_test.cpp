@@ -237,6 +237,18 @@ TEST_CASE("a remark beside a sample, and a title, name what was added") {
         CHECK_FALSE(contains(refusal(title + rows), "is called an internal standard"));
 }
 
+TEST_CASE("names of samples, and headings, that change what amounts are") {
+    for (const char* name : {"FA1 at.%", "FA1 (x10)", "FA1 x10", "FA1 (/2)", "FA1 mol%"})
+        CHECK_FALSE(refusal("Sample;Quartz;Glass\n" + std::string(name) + ";20;80\n").empty());
+    for (const char* name : {"FA1 x10", "FA1 (x10)", "FA1 peak %"})
+        CHECK_FALSE(refusal("Phase;" + std::string(name) + ";FA2\nQuartz;20;20\nGlass;80;80\n").empty());
+    for (const char* name : {"10", "FA 100", "Mix10", "FA 5 %", "FA1 (*)", "FA1 (2)", "FA7 5%", "Box 10"})
+        CHECK(refusal("Sample;Quartz;Glass\n" + std::string(name) + ";20;80\n").empty());
+    CHECK(contains(refusal("Sample;Quartz;Glass\nFA1;20;80\nSTD;30;70\n"), "may be a standard, a sample"));
+    CHECK(contains(refusal("Phase;FA1;STD\nQuartz;20;30\nGlass;80;70\n"), "may be a standard, a sample"));
+    CHECK(refusal("Sample;Quartz;Glass\nFA1;20;80\nSTD;1;1\n").empty());
+}
+
 TEST_CASE("a density far from that of the catalogue is doubtful") {
     const auto severity = [](double density) {
         Analysis analysis{.phases = {{.name = "Quartz", .fraction = 1, .density = density}},
