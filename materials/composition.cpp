@@ -77,6 +77,27 @@ void require_crystalline(const Analysis& analysis, const std::vector<Component>&
                 .at(analysis.phases[i].place);
 }
 
+/// Refuses crystalline phases behind a total without them. @throws InputError
+void require_within_total(const Analysis& analysis, const std::vector<Component>& components) {
+    for (std::size_t i = 0; i < components.size(); ++i)
+        if (analysis.phases[i].behind_total && !components[i].phase.amorphous)
+            throw InputError(in_quotes(components[i].name) + ", " + per_cent(analysis.phases[i].fraction) +
+                                 ", stands behind a total of the phases before it: it may be in this total, "
+                                 "or beside it",
+                             "all crystalline phases before the total, or a file without it")
+                .at(analysis.phases[i].place);
+}
+
+/// Refuses a row without amounts that names no phase, "XRF:", above others. @throws InputError
+void refuse_headed_rows(const Analysis& analysis, const PhaseCatalogue& catalogue) {
+    for (const PlacedName& row : analysis.blank_rows)
+        if (row.name.ends_with(':') || !catalogue.knows(row.name))
+            throw InputError(in_quotes(row.name) +
+                                 " has no cells: it may head the rows below it, or be a phase without amount",
+                             "a file without what such a row heads; \"n.d.\" in the cells of a phase")
+                .at(row.place);
+}
+
 Component component(const PhaseFraction& line, ResolvedPhase resolved, std::vector<Finding>& notes) {
     Component result{.name = line.name, .phase = std::move(resolved.phase)};
     if (!resolved.note.empty()) notes.push_back({phases_code, Severity::remark, resolved.note});
@@ -329,6 +350,7 @@ std::vector<double> FractionModel::fractions() const {
 
 Composition compose(const Analysis& given, const PhaseCatalogue& catalogue, const std::string& how_to_state) {
     check_fractions(given);
+    refuse_headed_rows(given, catalogue);
     auto resolved = resolved_phases(given, catalogue);
 
     Composition composition{.components = {}, .basis = given.basis};
@@ -343,6 +365,7 @@ Composition compose(const Analysis& given, const PhaseCatalogue& catalogue, cons
     for (std::size_t i = 0; i < resolved.size(); ++i)
         analysis.phases[i] = given.phases[composition.components[i].place];
     require_crystalline(analysis, composition.components);
+    require_within_total(analysis, composition.components);
     composition.model =
         Closing(analysis, amorphous_part(composition.components, analysis), how_to_state).model();
     if (composition.model.kind != FractionModel::Kind::closed) {

@@ -25,6 +25,7 @@ struct PhaseFraction {
     std::optional<double> density{};  ///< [kg/m3] the file's own x-ray density; wins over the catalogue
     std::string place{};              ///< where the file has it, "line 12"; for messages, may be empty
     bool is_standard = false;         ///< the file calls it an internal standard
+    bool behind_total = false;        ///< it stands behind a total that it is not in
 };
 
 /// How the amorphous part is given. An analysis that does not state it is refused; it is never assumed.
@@ -62,6 +63,8 @@ struct Analysis {
     void state_amorphous(Amorphous stated);
     /// What states that the fractions are those of the crystalline part, "the heading"; empty: nothing does.
     std::string of_crystalline_part{};
+    /// Rows without any cell but their name above others with amounts: "XRF:" may head these.
+    std::vector<PlacedName> blank_rows{};
 };
 
 /// How the fractions of the whole follow from independent inputs; kept for the propagation of uncertainty.

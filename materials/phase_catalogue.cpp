@@ -442,6 +442,20 @@ ResolvedPhase PhaseCatalogue::resolve(std::string_view name) const {
                      candidates.empty() ? known_phases : "nearest: " + joined(candidates));
 }
 
+bool PhaseCatalogue::knows(std::string_view name) const {
+    const auto is_group = [&](const PhaseSet& set) {
+        return std::ranges::any_of(set.phases, [&](const Phase& phase) {
+            return !phase.group.empty() && phase_key(phase.group) == phase_key(name);
+        });
+    };
+    if (lacking(name) != nullptr || std::ranges::any_of(sets_, is_group)) return true;
+    try {
+        return known(name, name) || by_parts(name) || of_group(name) || by_stem(name);
+    } catch (const InputError&) {
+        return true;  // it names two
+    }
+}
+
 std::vector<ResolvedPhase> PhaseCatalogue::resolve_all(const std::vector<PlacedName>& names) const {
     std::vector<ResolvedPhase> resolved;
     std::string problems;

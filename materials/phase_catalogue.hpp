@@ -101,6 +101,9 @@ class PhaseCatalogue {
     /// The same for several names. Errors: one InputError for all unknown names, each with its place.
     [[nodiscard]] std::vector<ResolvedPhase> resolve_all(const std::vector<PlacedName>& names) const;
 
+    /// Whether a name is that of a phase, of a mineral group or of a phase without all its properties.
+    [[nodiscard]] bool knows(std::string_view name) const;
+
     [[nodiscard]] const std::vector<PhaseSet>& sets() const& { return sets_; }
 
   private:

@@ -488,6 +488,23 @@ void refuse_sign_of_bound(std::string_view cell, const std::string& column, std:
         .at(at_cell(line, position));
 }
 
+bool divides_otherwise(std::string_view cell, double factor) {
+    constexpr double rounding = 0.03;                                      // 2 for 1.96
+    if (const auto sign = cell.find('='); sign != std::string_view::npos)  // "k = 2"
+        cell = trimmed(cell.substr(sign + 1));
+    const auto number = cell.empty() ? std::nullopt : read_number(cell, true);
+    return number && std::abs(number->value - factor) > rounding * factor;
+}
+
+void refuse_coverage_factor(std::string_view cell, std::string_view heading, std::size_t line,
+                            std::size_t column) {
+    throw InputError("column " + in_quotes(heading) + " states the coverage factor " + std::string(cell) +
+                         ", and the uncertainties beside it are not divided by it",
+                     "standard uncertainties, divided by their factor; or (k=2) in the heading of the "
+                     "uncertainties, for all of them")
+        .at(at_cell(line, column));
+}
+
 std::map<std::string_view, TextBeside> statements_in(const std::vector<TextBeside>& texts) {
     static const WordLists words("statements", " ");
     std::map<std::string_view, TextBeside> found;

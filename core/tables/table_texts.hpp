@@ -158,6 +158,14 @@ void refuse_two_methods(const std::vector<std::string>& names, std::size_t line)
 void refuse_sign_of_bound(std::string_view cell, const std::string& column, std::size_t line,
                           std::size_t position);
 
+/// Whether the cell of a coverage factor holds another number than the uncertainties of its row are divided
+/// by.
+[[nodiscard]] bool divides_otherwise(std::string_view cell, double factor);
+
+/// Refuses a coverage factor in a column of its own. @throws InputError at its cell
+[[noreturn]] void refuse_coverage_factor(std::string_view cell, std::string_view heading, std::size_t line,
+                                         std::size_t column);
+
 /// What texts state of all numbers of a table, as the vocabulary lists it: "crystalline part", "ignited
 /// sample", "means", "tangential". The first text of each.
 [[nodiscard]] std::map<std::string_view, TextBeside> statements_in(const std::vector<TextBeside>& texts);

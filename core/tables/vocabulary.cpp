@@ -212,20 +212,23 @@ std::string unknown_behind_plus_minus(std::string_view heading) {
     return {};
 }
 
+/// Whether the key of a text begins as a word for a mean does.
+bool begins_as_mean(const std::string& key) {
+    constexpr std::array means{"mean", "aver", "avg",  "arith", "mittel", "mw",     "schnitt", "durchschnitt",
+                               "moy",  "medi", "prom", "gem",   "sredni", "prumer", "ortalama"};
+    return std::ranges::any_of(means, [&](const char* mean) { return key.starts_with(mean); });
+}
+
 /// What a heading names in brackets, "RSD" of "FA1 (RSD) [wt%]", if that is a statistic other than a standard
 /// uncertainty or a mean. The cells below may hold it in brackets behind their values.
 std::string statistic_in_brackets(std::string_view heading) {
-    constexpr std::array means{"mean", "aver", "avg",  "arith", "mittel", "mw",     "schnitt", "durchschnitt",
-                               "moy",  "medi", "prom", "gem",   "sredni", "prumer", "ortalama"};
     for (auto open = heading.find('('); open != std::string_view::npos; open = heading.find('(', open + 1)) {
         const auto close = heading.find(')', open);
         if (close == std::string_view::npos) return {};
         const std::string_view inside = trimmed(heading.substr(open + 1, close - open - 1));
         const std::string_view word =
             trimmed(inside.substr(std::min(inside.find_first_not_of("0123456789"), inside.size())));
-        const std::string key = word_key(word);
-        const bool is_mean =
-            std::ranges::any_of(means, [&](const char* mean) { return key.starts_with(mean); });
+        const bool is_mean = begins_as_mean(word_key(word));
         const bool is_count = inside.find('=') != std::string_view::npos;  // "n = 3"
         if (word.empty() || is_mean || is_count || is_total(word) || read_unit(ascii_unit(word))) continue;
         if (word == "U" || (!is_uncertainty_word(word) && (names_spread(word) || is_summary(word))))
@@ -384,6 +387,18 @@ bool is_summary(std::string_view text) {
     constexpr std::size_t shortest_word = 4;
     const bool numbered = !rest.empty() && (is_digit(rest.front()) || rest.starts_with("of "));
     return numbered && (word.size() >= shortest_word || !is_ascii(word)) && words.holds(word);
+}
+
+bool names_mean(std::string_view text) {
+    return is_summary(text) && begins_as_mean(word_key(text));
+}
+
+bool names_coverage_factor(std::string_view heading) {
+    static const WordLists words("coverage factors");
+    const auto is_listed = [&](std::string_view marks) {  // "k [-]", "k (95 %)", "coverage factor (k)"
+        return words.holds(trimmed(heading.substr(0, heading.find_first_of(marks))));
+    };
+    return is_listed("[") || is_listed("[(");
 }
 
 const WordLists& uncertainty_words() {

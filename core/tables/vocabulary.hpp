@@ -59,6 +59,12 @@ inline constexpr std::string_view all_marks = " !\"#$%&'()*+,-./:;<=>?@[\\]^_`{|
 /// Whether a cell names the sum of other rows: "Total", "Summe".
 [[nodiscard]] bool is_total(std::string_view text);
 
+/// Whether a cell names a mean: "Mittelwert", "average".
+[[nodiscard]] bool names_mean(std::string_view text);
+
+/// Whether a heading names coverage factors: "coverage factor k", "k", "Erweiterungsfaktor [-]".
+[[nodiscard]] bool names_coverage_factor(std::string_view heading);
+
 /// The words of a text as word_key() writes them; "%" is one. "FA1Vol" and "FA1_Vol" are two.
 [[nodiscard]] std::vector<std::string> words_in(std::string_view text);
 

@@ -479,6 +479,20 @@ class OxideTable {
         }
         if (!unused.empty()) note("columns not used: " + joined(unused));
         mark_thousands();
+        refuse_coverage_factors(next);
+        bool amounts_follow = false;
+        for (std::size_t r = rows_.size(); r-- > next;) {
+            const std::string text = only_text(rows_[r]);
+            const xrd::Heading as_heading = xrd::read_heading(text);
+            const bool heads = text.ends_with(':') || (text.size() > 1 && is_summary(text)) ||
+                               as_heading.states == xrd::HeadingUnit::other;
+            if (amounts_follow && heads && !xrd::heads_alike(text, "oxides"))
+                refuse_line(
+                    rows_[r].line,
+                    in_quotes(text) + " has no amounts: it may head the rows below it, or be a sample",
+                    "a file without what such a row heads");
+            amounts_follow = amounts_follow || xrd::holds_numbers(rows_[r], label);
+        }
         xrd::take_rows_of_uncertainties(rows_, next, label, glass_code, warnings);
         for (std::size_t r = next; r < rows_.size(); ++r) add_row(rows_[r], names, label);
         if (label < headings_.size() && samples.size() > 1 && samples.front().sample.empty())
@@ -594,6 +608,13 @@ class OxideTable {
         };
         std::size_t first = oxide;  // of the rows: others than oxides may stand before these
         while (first > 0 && !is_heading(rows_[first - 1])) --first;
+        const auto texts_in = [](const TableRow& row) {
+            return std::ranges::count_if(row.cells, [](const std::string& cell) { return !cell.empty(); });
+        };
+        while (first > 1 && names < rows_[first - 1].cells.size() &&  // "Leachate:;" below the heading
+               only_text(rows_[first - 1]) == rows_[first - 1].cells[names] && is_heading(rows_[first - 2]) &&
+               texts_in(rows_[first - 2]) > 1)
+            --first;
         const bool has_heading = first > 0;
         if (!has_heading) first = oxide;
         const std::size_t width = rows_[first].cells.size();
@@ -615,6 +636,8 @@ class OxideTable {
         }
         drop_errors_of_unused(amounts, names);
         errors_ = error_columns(amounts, rows_[has_heading ? first - 1 : first].line);
+        refuse_headed_rows(first, names);
+        refuse_coverage_factors(first);
         std::vector<OxideLine> lines;
         for (std::size_t r = first; r < rows_.size(); ++r) lines.push_back(line_of(rows_[r], names));
         mark_thousands(std::ranges::any_of(
@@ -738,6 +761,50 @@ class OxideTable {
         if (names >= row.cells.size() || row.cells[names].empty()) return {};
         const bool has_unit = units_ < row.cells.size() && !row.cells[units_].empty();
         return read_line(row.cells[names] + (has_unit ? " [" + row.cells[units_] + "]" : ""));
+    }
+
+    /// Whether a row has no cell but that of its name, and names nothing that is in the table itself.
+    [[nodiscard]] static bool may_head_rows(const TableRow& row, std::size_t names) {
+        const std::string text = only_text(row);
+        if (names >= row.cells.size() || row.cells[names].empty() || text != row.cells[names]) return false;
+        static const std::regex element("[A-Z][a-z]?");
+        return read_line(text).role == OxideRole::other && !xrd::heads_alike(text, "oxides") &&
+               !std::regex_match(text.substr(0, longest_name), element);
+    }
+
+    /// Refuses rows that may head the amounts below them, "Leachate [mg/l]". @throws InputError
+    void refuse_headed_rows(std::size_t first, std::size_t names) const {
+        bool amounts_follow = false;
+        for (std::size_t r = rows_.size(); r-- > first;) {
+            if (amounts_follow && may_head_rows(rows_[r], names))
+                refuse_line(rows_[r].line,
+                            in_quotes(rows_[r].cells[names]) +
+                                " has no cells: it may head the rows below it, or be a quantity without "
+                                "amount",
+                            "a file without what such a row heads");
+            const bool is_amount =
+                names < rows_[r].cells.size() && is_content(read_line(rows_[r].cells[names]).role);
+            amounts_follow = amounts_follow || (is_amount && xrd::holds_numbers(rows_[r], names));
+        }
+    }
+
+    /// Refuses coverage factors in a column of their own beside uncertainties of another factor.
+    /// @throws InputError
+    void refuse_coverage_factors(std::size_t first) const {
+        std::vector<double> divided;
+        for (const OxideLine& line : headings_)
+            if (is_uncertainty_column(line.heading.written, line) && line.heading.coverage.problem.empty())
+                divided.push_back(line.heading.coverage.factor);
+        for (std::size_t k = 0; k < headings_.size(); ++k) {
+            const std::string& heading = headings_[k].heading.written;
+            if (word_key(heading).size() == 1 && headings_[k].role != OxideRole::other) continue;
+            if (!names_coverage_factor(heading)) continue;
+            for (std::size_t r = first; r < rows_.size(); ++r)
+                if (k < rows_[r].cells.size() && std::ranges::any_of(divided, [&](double factor) {
+                        return divides_otherwise(rows_[r].cells[k], factor);
+                    }))
+                    refuse_coverage_factor(rows_[r].cells[k], heading, rows_[r].line, k);
+        }
     }
 
     void add_oxide_row(const TableRow& row, std::size_t names, const std::vector<std::size_t>& amounts,

@@ -159,12 +159,17 @@ void check_total(double sum, double stated, const Entry& entry) {
 }
 
 /// Fractions of one sample. A stated total is checked; a stated crystalline total gives the amorphous part.
-XrdSample sample_of_fractions(const Group& group, double scale) {
+/// @param blank_rows those that may head the rows below them
+XrdSample sample_of_fractions(const Group& group, double scale, const BlankRows& blank_rows) {
     XrdSample sample{.name = group.sample};
     std::string whole;  // name of a crystalline total of 100 %
     double sum = 0;
+    std::size_t in_total = 0;  // phases before the last total
+    bool has_total = false;
     for (const Entry& entry : group.entries) {
         if (!entry.amount) {
+            if (const auto row = blank_rows.find(entry.line); row != blank_rows.end())
+                sample.analysis.blank_rows.push_back({.name = row->second, .place = at_line(entry.line)});
             sample.warnings.push_back(
                 {xrd_code, Severity::remark,
                  fmt::format("{}{} has no amount (line {}{}) and is left out", in_quotes(entry.phase),
@@ -195,6 +200,8 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
         const RowMeaning meaning = meaning_of_row(entry.phase);
         if (meaning == RowMeaning::total) {
             check_total(sum, fraction, entry);
+            has_total = true;
+            in_total = sample.analysis.phases.size();
             if (uncertainty)
                 sample.warnings.push_back(
                     {xrd_code, Severity::remark, "the uncertainty of the total is not used"});
@@ -224,6 +231,10 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
                                           .density = entry.density,
                                           .place = at_line(entry.line),
                                           .is_standard = entry.mark == PhaseMark::standard});
+    }
+    for (std::size_t i = in_total; has_total && i < sample.analysis.phases.size(); ++i) {
+        PhaseFraction& phase = sample.analysis.phases[i];
+        phase.behind_total = phase.fraction > 0 && !phase.is_standard;
     }
     if (sample.analysis.phases.empty())
         refuse_line(group.entries.front().line, sample_named(group.sample) + " has no phase with an amount",
@@ -403,8 +414,8 @@ XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) 
     refuse_oxides(entries, table.heading_line);
     for (const Group& group : groups_of(std::move(entries))) {
         refuse_repeated(group.entries);
-        XrdSample sample =
-            layout == Layout::peaks ? sample_of_peaks(group) : sample_of_fractions(group, scale);
+        XrdSample sample = layout == Layout::peaks ? sample_of_peaks(group)
+                                                   : sample_of_fractions(group, scale, table.blank_rows);
         if (volumes) sample.analysis.basis = FractionBasis::volume;
         if (!table.crystalline.empty()) take_crystalline_part(sample, table.crystalline);
         result.samples.push_back(standardised(sample, group, table, scale));

@@ -493,6 +493,21 @@ void take_rows_of_uncertainties(std::vector<TableRow>& rows, std::size_t first, 
     rows.resize(first + coverages.size());
 }
 
+bool heads_alike(std::string_view label, std::string_view kind) {
+    static const WordLists words("headings of rows");
+    const std::vector<std::string> all = words_in(label);
+    return !all.empty() && std::ranges::all_of(all, [&](const std::string& word) {
+        const auto list = words.list_of(word);
+        return list == "common" || list == kind;
+    });
+}
+
+bool holds_numbers(const TableRow& row, std::size_t label) {
+    for (std::size_t k = 0; k < row.cells.size(); ++k)
+        if (k != label && !row.cells[k].empty() && read_number(row.cells[k], true)) return true;
+    return false;
+}
+
 bool looks_like_table(const TextLines& file) {
     return find_heading(lines_with_content(file)).has_value();
 }
@@ -848,6 +863,22 @@ void require_owners_of_uncertainties(const Table& table) {
     }
 }
 
+/// Refuses uncertainties that are of the mean before them, "wt%;Mittelwert;SD", beside amounts that are read.
+/// @throws InputError
+void refuse_uncertainties_of_means(const Table& table) {
+    if (!table.has(Role::phase) || !names_amounts(table.headings)) return;
+    for (std::size_t k = 1; k < table.headings.size(); ++k) {
+        const Heading& heading = table.headings[k];
+        const Heading& before = table.headings[k - 1];
+        if (heading.role == Role::uncertainty && heading.coverage.problem.empty() &&
+            before.role == Role::measure && names_mean(before.text))
+            refuse_line(table.heading_line,
+                        "the uncertainties in column " + in_quotes(heading.written) + " may be of " +
+                            in_quotes(before.written) + ", which is not read, or of the amounts",
+                        "one column of amounts, and their uncertainties behind it");
+    }
+}
+
 /// Of several columns of uncertainties beside phases that behind the amounts counts, and the others are not
 /// used. @throws InputError where none stands there
 void choose_uncertainties(Table& table) {
@@ -873,6 +904,70 @@ void choose_uncertainties(Table& table) {
     }
     for (Heading& heading : table.headings)
         if (&heading != &*chosen && is_read(heading)) leave_out(heading);
+}
+
+/// Finds the rows that may head those below them: all their cells but the name are blank. @throws InputError
+/// for one that names another quantity, "Detection limits:"
+void find_blank_rows(Table& table) {
+    const std::size_t label = *table.column(Role::phase);
+    const auto sample = table.column(Role::sample);
+    bool amounts_follow = false;
+    bool with_colon = false;  // "Quartz:;20"
+    for (std::size_t i = table.rows.size(); i-- > 0;) {
+        const TableRow& row = table.rows[i];
+        const std::string& name = row.cells[label];
+        bool is_blank = !name.empty();
+        for (std::size_t k = 0; k < row.cells.size(); ++k)
+            is_blank = is_blank && (k == label || k == sample || row.cells[k].empty());
+        const bool heads = is_blank && amounts_follow && !heads_alike(name, "phases") && !names_loss(name) &&
+                           meaning_of_row(name) == RowMeaning::phase &&
+                           read_phase_name(name).mark == PhaseMark::none;
+        if (heads) {
+            const Heading as_heading = read_heading(name);
+            if (as_heading.role == Role::measure &&
+                (name.ends_with(':') || !as_heading.unit.empty() || is_summary(name)))
+                refuse_line(row.line,
+                            in_quotes(name) + " has no cells: the rows below it may be of that quantity",
+                            "a file without these rows");
+            const bool is_plain = with_colon && name.ends_with(':');
+            table.blank_rows.emplace(row.line, is_plain ? name.substr(0, name.size() - 1) : name);
+        }
+        amounts_follow = amounts_follow || holds_numbers(row, label);
+        with_colon = with_colon || (name.ends_with(':') && !is_blank);
+    }
+}
+
+/// Whether the numbers of a column "k" can be coverage factors; it may be a sample.
+bool may_be_coverage_factors(const Table& table, std::size_t column) {
+    constexpr double largest = 13;  // of 95 % by two measurements
+    return std::ranges::all_of(table.rows, [&](const TableRow& row) {
+        const std::string& cell = row.cells[column];
+        const auto number = cell.empty() ? std::nullopt : read_number(cell, true);
+        return !number || (number->value >= 1 && number->value <= largest);
+    });
+}
+
+/// Refuses coverage factors in a column of their own beside uncertainties that are not divided by them.
+/// @throws InputError
+void refuse_coverage_factors(const Table& table) {
+    std::vector<const Heading*> errors;
+    for (const Heading& heading : table.headings)
+        if (is_uncertainty(heading) && heading.coverage.problem.empty()) errors.push_back(&heading);
+    for (std::size_t k = 0; k < table.headings.size(); ++k) {
+        const Heading& heading = table.headings[k];
+        const bool is_other = heading.role == Role::other || heading.role == Role::measure;
+        if (!is_other || !names_coverage_factor(heading.written)) continue;
+        if (word_key(heading.text).size() == 1 && !may_be_coverage_factors(table, k)) continue;
+        for (const TableRow& row : table.rows) {
+            const bool is_used = std::ranges::any_of(errors, [&](const Heading* error) {
+                return divides_otherwise(row.cells[k], error->coverage.factor);
+            });
+            const bool in_cells = std::ranges::any_of(
+                row.cells, [](const std::string& cell) { return !number_behind_plus_minus(cell).empty(); });
+            if (is_used || (in_cells && errors.empty() && divides_otherwise(row.cells[k], 1)))
+                refuse_coverage_factor(row.cells[k], heading.written, row.line, k);
+        }
+    }
 }
 
 /// Removes rows of figures of merit and of other quantities among phases, such as "Rwp" and "LOI".
@@ -1165,6 +1260,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     check_units_of_uncertainties(table);
     require_owners_of_uncertainties(table);
     choose_uncertainties(table);
+    refuse_uncertainties_of_means(table);
     for (const Heading& each : table.headings)
         if (each.role != Role::measure)
             require_no_common_uncertainty(each.coverage.rest, each.written, table.heading_line);
@@ -1192,8 +1288,10 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     }
     if (table.rows.empty())
         refuse_line(file.last_line(), "there are no lines below the heading", "one line a phase or a sample");
+    refuse_coverage_factors(table);
     if (table.has(Role::phase)) {
         take_notes_on_phases(table, cut.notes);
+        find_blank_rows(table);
         drop_measures(table);
     }
     take_texts_on_phases(table, cut.texts);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,9 @@ struct Entry {
     std::string without_number{};  ///< the cell of an amount that states none: "< 3", "traces"
 };
 
+/// Names of rows with no other cell above rows with numbers, "XRF:", by their lines.
+using BlankRows = std::map<std::size_t, std::string>;
+
 /// A table cut into cells.
 struct Table {
     std::size_t heading_line = 0;  ///< number of the line in the file
@@ -40,6 +44,7 @@ struct Table {
     std::string crystalline{};  ///< what states that the amounts are of the crystalline part; empty: nothing
     std::vector<Finding> warnings{};
     std::vector<TextBeside> texts{};  ///< titles, comments and notes
+    BlankRows blank_rows{};
 
     /// Index of the first column of a role.
     [[nodiscard]] std::optional<std::size_t> column(Role role) const {
@@ -65,6 +70,13 @@ enum class Layout {
 /// cells above them. @param label column of the names of the samples
 void take_rows_of_uncertainties(std::vector<TableRow>& rows, std::size_t first, std::size_t label,
                                 std::string_view code, std::vector<Finding>& warnings);
+
+/// Whether a row without amounts in a table of phases or oxides heads those below it without another meaning:
+/// "Crystalline phases", "Major oxides:". @param kind "phases" or "oxides"
+[[nodiscard]] bool heads_alike(std::string_view label, std::string_view kind);
+
+/// Whether one number or more stands in a row beside its name.
+[[nodiscard]] bool holds_numbers(const TableRow& row, std::size_t label);
 
 /// Refuses an uncertainty without a sign beside an amount with one, "0.012" beside "21.3 %", that may be a
 /// fraction or per cent: a spreadsheet shows cells in the format of per cent a hundred times larger.

@@ -80,6 +80,28 @@ TEST_CASE("uncertainties of oxides may stand behind other columns, and marks bes
         CHECK_FALSE(only("oxide;" + std::string(heading) + "\nSiO2;60\nAl2O3;40\n").analysis.ignited.empty());
 }
 
+TEST_CASE("rows without cells above oxides, and coverage factors beside them, are refused") {
+    const auto refused = [](const std::string& text) {
+        return input_error_of([&] { static_cast<void>(read_oxides(text, "xrf.csv")); });
+    };
+    const std::string head = "Oxide;FA1;FA2\n";
+    for (const char* row : {"Leachate [mg/l];;\n", "Detection limits:;;\n", "water-soluble:;;\n"}) {
+        const std::string rows = "SiO2;60;50\nAl2O3;30;40\n";
+        CHECK(contains(refused(head + rows + row + "CaO;4;5\n"), "has no cells: it may head the rows below"));
+        CHECK(contains(refused(head + row + rows), "has no cells: it may head the rows below"));
+        CHECK(refused(head + rows + row).empty());
+        CHECK(contains(refused("Sample;SiO2;Al2O3\nFA1;60;40\n" + std::string(row) + "FA2;50;50\n"),
+                       "it may head the rows below it, or be a sample"));
+    }
+    for (const char* row : {"K2O;;\n", "Major oxides:;;\n", "As;;\n", "LOI;;\n", "Leachate;-;-\n"})
+        CHECK(refused(head + "SiO2;60;50\nAl2O3;30;40\n" + row + "CaO;4;5\n").empty());
+    CHECK(refused("XRF of FA1;;\nSiO2;60\nAl2O3;40\n").empty());
+    CHECK(refused("Sample;SiO2;Al2O3\nFA1;60;40\nFA2;;\nFA3;50;50\n").empty());
+    CHECK(contains(refused("Oxide;wt%;u;k\nSiO2;60;1;2\nAl2O3;40;1;2\n"), "states the coverage factor 2"));
+    CHECK(refused("Oxide;wt%;u;k\nSiO2;60;1;1\nAl2O3;40;1;1\n").empty());
+    CHECK(contains(refused("Sample;SiO2;u;Al2O3;u;k\nFA1;60;1;40;1;2\n"), "states the coverage factor 2"));
+}
+
 TEST_CASE("oxides in columns: two samples, units in the headings, below them and not at all") {
     for (const char* text :
          {"Sample,SiO2 [wt%],Al2O3 [wt%],Fe2O3 (%),LOI [wt%]\nFA1,60,30,8,2\nFA2,50,40,8,2\n",

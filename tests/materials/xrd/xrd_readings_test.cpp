@@ -217,6 +217,53 @@ std::string refusal_of_crystalline(const std::string& table) {
 
 }  // namespace
 
+TEST_CASE("a crystalline phase behind a total may be in it or beside it") {
+    const std::string rows = "Phase;FA1 [wt%]\nQuartz;12.3\nMullite;28.4\nHematite;2.1\nTotal;42.8\n";
+    CHECK(contains(refusal_of_crystalline(rows + "Free lime;4.0\nCalcite;3.0\n"),
+                   "line 6: \"Free lime\", 4 %, stands behind a total of the phases before it: it may be in "
+                   "this total, or beside it"));
+    for (const char* table : {"Sample;Quartz;Mullite;Total;Lime\nFA1;12.3;28.4;40.7;4\n",
+                              "Sample;Phase;wt%\nFA1;Quartz;12.3\nFA1;Total;12.3\nFA1;Lime;4\n",
+                              "Phase;wt%\nQuartz;20\nGlass;80\nTotal;100\nLime;0.4\n"})
+        CHECK(contains(refusal_of_crystalline(table), "stands behind a total of the phases before it"));
+    CHECK(refusal_of_crystalline(rows + "Lime;0\nCalcite;n.d.\n").empty());
+    CHECK(refusal(rows + "Amorphous;57.2\n").empty());
+    CHECK(refusal(rows + "R\u00f6ntgenamorph;57.2\nSum;100\n").empty());
+    CHECK(refusal_of_crystalline(rows + "Lime;4\nSum;46.8\n").empty());
+}
+
+TEST_CASE("a row without cells may head the rows below it") {
+    const std::string head = "Phase;FA1 [wt%];FA2 [wt%]\nQuartz;12.3;10.1\nMullite;28.4;30.0\n";
+    for (const char* row : {"XRF:;;\n", "FA2;;\n", "Peak positions;;\n", "Glass:;;\n", "Oxides:;;\n"})
+        CHECK(contains(refusal_of_crystalline(head + row + "Al2O3;26.1;27.0\nCaO;4.1;5.0\n"),
+                       "has no cells: it may head the rows below it, or be a phase without amount"));
+    CHECK(contains(refusal_of_crystalline(head + "Detection limits:;;\nLime;0.1;0.1\n"),
+                   "line 4: \"Detection limits:\" has no cells: the rows below it may be of that quantity"));
+    CHECK(contains(refusal_of_crystalline("Phase;wt%\nFA1;\nQuartz;12.3\nFA2;\nLime;3\n"),
+                   "line 2: \"FA1\" has no cells"));
+    for (const char* row : {"Gypsum;;\n", "Anatase;;\n", "Feldspar;;\n", "XRF:;-;-\n", "Unknown;n.d.;n.d.\n",
+                            "Crystalline phases:;;\n", "Minor phases;;\n", "Total;;\n", "LOI;;\n"})
+        CHECK(refusal_of_crystalline(head + row + "Hematite;2.1;1.9\n").empty());
+    CHECK(refusal_of_crystalline("Phase;wt%\nQuartz:;12\nGypsum:;\nLime:;3\n").empty());
+    CHECK(contains(refusal_of_crystalline("Phase;wt%\nQuartz:;12\nXRF:;\nLime:;3\n"), "has no cells"));
+    CHECK(refusal_of_crystalline(head + "Xyz;;\n").empty());  // the last row heads none
+}
+
+TEST_CASE("coverage factors in a column of their own are refused") {
+    for (const char* heading : {"coverage factor k", "k", "k-factor", "Erweiterungsfaktor", "k [-]",
+                                "Coverage factor (k)", "facteur d'\u00e9largissement"}) {
+        const std::string table = std::string("Phase;wt%;uncertainty;") + heading + "\nQuartz;20;1.2;";
+        CHECK(contains(refusal(table + "2\nGlass;80;2;2\n"), "states the coverage factor 2"));
+        CHECK(contains(refusal(table + "k = 2\nGlass;80;2;2\n"), "not divided by it"));
+        CHECK(refusal(table + "1\nGlass;80;2;1\n").empty());
+    }
+    CHECK(contains(refusal("Phase;wt%;k\nQuartz;20 \u00b1 1;2\nGlass;80;2\n"), "states the coverage factor"));
+    CHECK(contains(refusal("Phase;FA1;esd;k\nQuartz;20;1;2\nGlass;80;1;2\n"), "states the coverage factor"));
+    CHECK(refusal("Phase;wt%;k\nQuartz;20;2\nGlass;80;2\n").empty());
+    CHECK(refusal("Phase;wt%;U (k=2);k\nQuartz;20;2;2\nGlass;80;2;2\n").empty());
+    CHECK(refusal("Phase;FA1;\u00b1;K;\u00b1\nQuartz;20;1;30;1\nGlass;80;1;70;1\n").empty());
+}
+
 TEST_CASE("a remark beside a sample, and a title, name what was added") {
     const auto spiked = [](const std::string& remark) {
         return refusal_of_crystalline("Sample;Quartz;Mullite;Corundum;Remark\nFA1;33;49;18;" + remark + "\n");
@@ -247,6 +294,11 @@ TEST_CASE("names of samples, and headings, that change what amounts are") {
     CHECK(contains(refusal("Sample;Quartz;Glass\nFA1;20;80\nSTD;30;70\n"), "may be a standard, a sample"));
     CHECK(contains(refusal("Phase;FA1;STD\nQuartz;20;30\nGlass;80;70\n"), "may be a standard, a sample"));
     CHECK(refusal("Sample;Quartz;Glass\nFA1;20;80\nSTD;1;1\n").empty());
+    CHECK(contains(refusal("Phase;wt%;Mittelwert;SD\nQuartz;20;21;1\nGlass;80;79;2\n"),
+                   "the uncertainties in column \"SD\" may be of \"Mittelwert\""));
+    CHECK(refusal("Phase;wt%;SD;Mittelwert;SD\nQuartz;20;1;21;1\nGlass;80;2;79;2\n").empty());
+    CHECK(first_of("Phase;wt%;n;SD\nQuartz;20;3;1\n").analysis.phases[0].standard_uncertainty.value() ==
+          doctest::Approx(0.01));
 }
 
 TEST_CASE("a density far from that of the catalogue is doubtful") {
