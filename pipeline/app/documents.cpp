@@ -290,7 +290,7 @@ void run_report_command(const CommandOptions& options, std::ostream& out) {
     const std::filesystem::path first(folders.front());
     std::filesystem::path output = options["--output"];
     if (const std::string ending = lower_case(output.extension().string());
-        !ending.empty() && ending != ".html" && ending != ".htm")
+        !std::filesystem::exists(output) && !ending.empty() && ending != ".html" && ending != ".htm")
         throw InputError("a report is an HTML file, not " + in_quotes(ending), "a name that ends in .html")
             .at("-o");
     const auto finish = [&](const std::filesystem::path& standard, const std::string& page) {
