@@ -411,6 +411,8 @@ void require_one_reading(std::string_view unit) {
         std::string_view part, both, allowed;
     };
     constexpr std::array two{Readings{"gr", "gram and grain", "\"g\" or \"grain\""},
+                             Readings{"ton", "metric and short ton", "\"t\" or \"short_ton\""},
+                             Readings{"tons", "metric and short ton", "\"t\" or \"short_ton\""},
                              Readings{"grad", "degree and gradian", "\"deg\"; 100 gradians are 90 deg"}};
     for (std::size_t i = 0; i < unit.size();) {
         std::size_t end = i;

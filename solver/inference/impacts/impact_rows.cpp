@@ -365,6 +365,7 @@ struct Block {
 
     void take(const MeasuredRow& row) {
         for (std::size_t k = 0; k < values.size(); ++k) {
+            if (std::isnan(row.values[k])) continue;
             const Moments one{
                 .count = 1, .mean = row.values[k], .minimum = row.values[k], .maximum = row.values[k]};
             values[k].merge(one);
@@ -406,7 +407,8 @@ bool all_sum_up(std::span<const MeasuredRow> rows, const Block& block) {
 bool holds_medians(const MeasuredRow& row, std::span<const MeasuredRow> others) {
     for (std::size_t k = 0; k < row.values.size(); ++k) {
         std::vector<double> values;
-        for (const MeasuredRow& other : others) values.push_back(other.values[k]);
+        for (const MeasuredRow& other : others)
+            if (!std::isnan(other.values[k])) values.push_back(other.values[k]);
         if (!is_rounded(row.values[k], gsl::quantiles(values, std::array{0.5})[0])) return false;
     }
     return true;

@@ -95,7 +95,7 @@ class RowLabels {
     std::size_t footer_ = std::numeric_limits<std::size_t>::max();
 };
 
-/// The two numbers of a row, of which the second is 0 for a capture.
+/// The two numbers of a row, of which the second is 0 for a capture, and not a number where it is not known.
 struct MeasuredRow {
     std::size_t line;
     std::array<double, 2> values;

@@ -797,6 +797,19 @@ std::optional<Finding> blank_line_among(std::span<const TextLine> rows, const Te
     return std::nullopt;
 }
 
+/// The numbers of a row in the units of its columns, with the digits of the file.
+MeasuredRow as_written(const MeasurementHeading& heading, MeasuredRow row) {
+    const auto& reading = heading.reading();
+    const std::array units{heading.of(MeasuredQuantity::velocity)->to_si,
+                           reading.is_fraction ? 1.0 : reading.to_si};
+    constexpr int digits = 12;
+    for (std::size_t k = 0; k < units.size(); ++k)
+        row.values[k] = read_number(fmt::format("{:.{}g}", row.values[k] / units[k], digits))
+                            .value_or(PrintedNumber{.value = row.values[k]})
+                            .value;
+    return row;
+}
+
 /// The doubt that readings so near to 0 that noise explains them are rebounds.
 /// @param lowest reading below zero; 0 without one [m/s]
 std::optional<Finding> uncertain_rebounds(const MeasurementSet& set, double lowest) {
@@ -852,6 +865,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
     StatedUncertainties stated;
     SignsOfReadings signs;
     RepeatedRows repeated;
+    std::vector<MeasuredRow> unknown;
     for (const TextLine& line : rows) {
         TableRow row = cut_row(line, table.separator);
         at_place(at_line(row.line), [&] {
@@ -875,6 +889,9 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
             } else {
                 ++set.unknown;
                 unread.take_unknown(row);
+                unknown.push_back(as_written(
+                    heading, {row.line,
+                              {cells.normal_velocity(row).value, std::numeric_limits<double>::quiet_NaN()}}));
             }
         });
     }
@@ -893,10 +910,16 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
     if (!labels.number_rows()) {
         std::vector<MeasuredRow> measured;
         for (const Measurement& point : set.points)
-            measured.push_back(
+            measured.push_back(as_written(
+                heading,
                 {point.line,
-                 {point.velocity, heading.reading().is_fraction ? point.restitution() : point.rebound}});
+                 {point.velocity, heading.reading().is_fraction ? point.restitution() : point.rebound}}));
         refuse_summaries(measured, set.warnings);
+        if (!unknown.empty()) {  // the mean of v_in may be that of all rows
+            std::ranges::move(unknown, std::back_inserter(measured));
+            std::ranges::sort(measured, {}, &MeasuredRow::line);
+            refuse_summaries(measured, set.warnings);
+        }
     }
     repeated.refuse();
     if (heading.correlation && !set.has_noise())

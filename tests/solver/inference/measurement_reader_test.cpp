@@ -829,6 +829,25 @@ TEST_CASE("a label without a number below numbered ones may sum up, in any langu
               .points.size() == 5);
 }
 
+TEST_CASE("means below a table are found in any unit, and beside readings that are not known") {
+    const auto refusal = [](const std::string& text) {
+        return input_error_of([&] { static_cast<void>(read_measurements(text, "t.csv")); });
+    };
+    const std::string rows = "863;0\n940;7\n1159;66\n1436;170\n1975;428\n2071;461\n2640;749\n3067;1009\n";
+    for (const char* unit : {"mm/s", "cm/s"})
+        for (const char* sums : {"1768.9;361.2\n", "807.8;371.1\n", "14151;2890\n"}) {
+            CAPTURE(sums);
+            CHECK(contains(refusal(fmt::format("v_in [{0}];v_r [{0}]\n{1}{2}", unit, rows, sums)),
+                           "it may be a measurement, or sum up others"));
+        }
+    for (const char* cell : {"", "n.a.", "unknown"})
+        CHECK(
+            contains(refusal(fmt::format("v_in [m/s];v_r [m/s]\n0.863;0\n0.940;0.007\n1.159;{}\n1.436;0.170\n"
+                                         "1.975;0.428\n2.640;0.749\n1.5022;0.2708\n",
+                                         cell)),
+                     "the row holds the means"));
+}
+
 TEST_CASE("a last row without a label that holds the means of the others is refused") {
     const std::string rows = "v_in;v_r\n1,52;0,48\n2,51;0,93\n3,03;1,22\n3,91;1,70\n";
     for (const char* sums : {"\n2,74;1,08\n", "2,7425;1,0825\n1,0;0,5\n"})
