@@ -50,7 +50,7 @@ using Amorphous =
     std::variant<AmorphousNotStated, AmorphousNone, AmorphousFraction, CrystallineTotal, AmorphousRemainder>;
 
 /// The largest gap by which rounded fractions may miss their sum [1]; six phases to 0.1 % miss it by 0.003.
-inline constexpr double default_closure_tolerance = 0.005;
+inline constexpr double default_closure_tolerance = 0.005 * (1 + 1e-9);  // and the rounding of a sum
 
 /// What is known of a sample. The phases may include the amorphous one; then `amorphous` must not be stated.
 struct Analysis {
