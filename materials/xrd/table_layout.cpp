@@ -641,6 +641,11 @@ void require_units_at_amounts(const Table& table) {
     const auto label = table.column(table.has(Role::phase) ? Role::phase : Role::sample);
     if (!label) return;
     const Heading& heading = table.headings[*label];
+    if (!heading.coverage.stated.empty())  // "Phase (Fehler 2s)"
+        refuse_line(table.heading_line,
+                    "the heading " + in_quotes(heading.written) +
+                        " of the names states the coverage of uncertainties",
+                    "it in the headings of the uncertainties: " + in_quotes("Fehler (2s)"));
     const bool of_volume = heading.states == HeadingUnit::volume;
     const auto bracket = heading.written.find_first_of("([");
     const bool of_areas =  // "Phase (area)"

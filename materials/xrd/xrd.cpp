@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <set>
 
 #include <fmt/format.h>
@@ -171,6 +173,15 @@ XrdSample with_internal_standard(const XrdSample& sample, std::string_view stand
     if (!(measured.fraction > 0))
         throw InputError("the internal standard " + in_quotes(standard) + " has no measured fraction",
                          "a fraction above zero");
+    const double total = std::transform_reduce(phases.begin(), phases.end(), 0.0, std::plus(),
+                                               [](const PhaseFraction& phase) { return phase.fraction; });
+    const double closure = result.analysis.closure_tolerance;
+    if (std::abs(total - 1) > closure && std::abs(measured.fraction - added_fraction) > closure)
+        throw InputError("with the internal standard the fractions add up to " +
+                             shortest(std::round(total * 1e4) / 100) + " %, and a refinement gives 100 %",
+                         "100 % within 0.5 %; or fractions of the whole mixture, of which " +
+                             shortest(std::round(added_fraction * 1e4) / 100) + " % are " +
+                             std::string(standard));
     phases.erase(found);
     const double scale = added_fraction / (measured.fraction * (1 - added_fraction));
     double crystalline = 0;

@@ -253,7 +253,12 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
                 }
             });
         if (relative) *sized.uncertainty *= sized.velocity;
-        measured.push_back({row.line, {sized.diameter, sized.velocity}});
+        const auto written = [&](double value, SizeColumn column) {
+            return as_written(value, headings[place_of(headings, column)].unit);
+        };
+        measured.push_back(
+            {row.line,
+             {written(sized.diameter, SizeColumn::diameter), written(sized.velocity, SizeColumn::velocity)}});
         repeated.take(row, place_of(headings, SizeColumn::diameter),
                       place_of(headings, SizeColumn::velocity));
         found.push_back(sized);

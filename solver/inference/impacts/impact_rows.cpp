@@ -58,6 +58,17 @@ bool is_sign(std::string_view label) {
     return signs.holds(label) || (label.size() == 1 && is_summary(label));
 }
 
+/// Whether a label with a number in front is that of a statistic, "25 %" or "2s", or a range, "1-4".
+bool is_of_several(std::string_view label) {
+    if (label.empty() || !is_digit(label.front())) return false;
+    if (label.find('%') != std::string_view::npos || label.find("\u03c3") != std::string_view::npos)
+        return true;
+    const std::string_view behind =
+        label.substr(std::min(label.find_first_not_of("0123456789"), label.size()));
+    const bool is_range = behind.size() > 1 && behind.front() == '-' && is_digit(behind[1]);
+    return is_range || !read_coverage(label).stated.empty();
+}
+
 bool is_blank(std::string_view cell) {
     return outcome_word(cell) == OutcomeWord::unknown;
 }
@@ -315,7 +326,7 @@ void RowLabels::refuse_named_summary(const Column& column, const TableRow& row) 
 void RowLabels::require_number(const Column& column, const TableRow& row) {
     if (column.numbers_labels() && !column.is_remark) {
         const std::string& label = row.cells[column.column.position];
-        if (is_blank(label) || std::ranges::any_of(label, is_digit)) return;
+        if (is_blank(label) || (std::ranges::any_of(label, is_digit) && !is_of_several(label))) return;
         throw InputError(in_quotes(label) + " is in " + name_of(column.column) + ", where the others have " +
                              in_quotes(column.stem) +
                              " and a number: the row may be a measurement, or sum up others",
@@ -334,7 +345,7 @@ void RowLabels::require_number(const Column& column, const TableRow& row) {
                          allowed)
             .at(at_cell(row.line, column.column.position));
     }
-    if (is_digit(cell.front()) || cell.front() == '#') return;  // "7a", "#7"
+    if ((is_digit(cell.front()) && !is_of_several(cell)) || cell.front() == '#') return;  // "7a", "#7"
     throw InputError(in_quotes(cell) + " is in " + where +
                          ", where the others have a number: the row may be a measurement, or sum up others",
                      allowed)
@@ -470,6 +481,12 @@ void refuse_means_of_groups(std::span<const MeasuredRow> rows) {
 }
 
 }  // namespace
+
+double as_written(double value, double unit) {
+    constexpr int digits = 12;
+    const auto number = read_number(fmt::format("{:.{}g}", value / unit, digits));
+    return number ? number->value : value;
+}
 
 void refuse_summaries(std::span<const MeasuredRow> rows, std::vector<Finding>& findings) {
     refuse_summary_at_end(rows);

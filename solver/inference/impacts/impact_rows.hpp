@@ -101,6 +101,9 @@ struct MeasuredRow {
     std::array<double, 2> values;
 };
 
+/// A number in its unit, with the digits of the file, which rounding by the unit would change.
+[[nodiscard]] double as_written(double value, double unit);
+
 /// Refuses a row that holds what sums up others. @throws InputError at its line
 [[noreturn]] void refuse_summary_row(std::size_t line, const std::string& holds,
                                      const std::string& where = "above");

@@ -797,17 +797,13 @@ std::optional<Finding> blank_line_among(std::span<const TextLine> rows, const Te
     return std::nullopt;
 }
 
-/// The numbers of a row in the units of its columns, with the digits of the file.
-MeasuredRow as_written(const MeasurementHeading& heading, MeasuredRow row) {
+/// The numbers of a row as in the file. @param values v_in and v_r, of fractions their ratio [SI]
+MeasuredRow row_as_written(const MeasurementHeading& heading, std::size_t line,
+                           const std::array<double, 2>& values) {
     const auto& reading = heading.reading();
-    const std::array units{heading.of(MeasuredQuantity::velocity)->to_si,
-                           reading.is_fraction ? 1.0 : reading.to_si};
-    constexpr int digits = 12;
-    for (std::size_t k = 0; k < units.size(); ++k)
-        row.values[k] = read_number(fmt::format("{:.{}g}", row.values[k] / units[k], digits))
-                            .value_or(PrintedNumber{.value = row.values[k]})
-                            .value;
-    return row;
+    return {line,
+            {as_written(values[0], heading.of(MeasuredQuantity::velocity)->to_si),
+             as_written(values[1], reading.is_fraction ? 1.0 : reading.to_si)}};
 }
 
 /// The doubt that readings so near to 0 that noise explains them are rebounds.
@@ -889,9 +885,9 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
             } else {
                 ++set.unknown;
                 unread.take_unknown(row);
-                unknown.push_back(as_written(
-                    heading, {row.line,
-                              {cells.normal_velocity(row).value, std::numeric_limits<double>::quiet_NaN()}}));
+                unknown.push_back(row_as_written(
+                    heading, row.line,
+                    {cells.normal_velocity(row).value, std::numeric_limits<double>::quiet_NaN()}));
             }
         });
     }
@@ -910,10 +906,9 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
     if (!labels.number_rows()) {
         std::vector<MeasuredRow> measured;
         for (const Measurement& point : set.points)
-            measured.push_back(as_written(
-                heading,
-                {point.line,
-                 {point.velocity, heading.reading().is_fraction ? point.restitution() : point.rebound}}));
+            measured.push_back(row_as_written(
+                heading, point.line,
+                {point.velocity, heading.reading().is_fraction ? point.restitution() : point.rebound}));
         refuse_summaries(measured, set.warnings);
         if (!unknown.empty()) {  // the mean of v_in may be that of all rows
             std::ranges::move(unknown, std::back_inserter(measured));

@@ -143,6 +143,20 @@ TEST_CASE("an internal standard is one in every format, by its name or a remark 
         CHECK_FALSE(contains(refusal(title + rows), "is called an internal standard"));
 }
 
+TEST_CASE("with an internal standard a refinement adds up to 100 %, or the standard is as it was added") {
+    const auto told_of = [](const std::string& rows, double added) {
+        return input_error_of([&] {
+            static_cast<void>(with_internal_standard(first_of("Phase;wt%\n" + rows), "corundum", added, {}));
+        });
+    };
+    CHECK(contains(told_of("Quartz;12.5\nMullite;5.13\nHematite;6.2\nCorundum;30\n", 0.2),
+                   "with the internal standard the fractions add up to 53.83 %"));
+    CHECK(told_of("Quartz;12.5\nMullite;51.3\nHematite;6.2\nCorundum;30\n", 0.2).empty());
+    CHECK(told_of("Quartz;8.3\nMullite;34.2\nHematite;4.1\nCorundum;20\n", 0.2).empty());
+    CHECK(contains(refusal("Phase (Fehler 2s);wt%;\u00b1\nQuartz;20;1\nGlass;80;2\n"),
+                   "of the names states the coverage"));
+}
+
 TEST_CASE("SEM beside the name of another method has two readings") {
     for (const char* table :
          {"Phase;XRD wt%;SEM wt%\nQuartz;20;21\nGlass;80;79\n", "Phase;Rietveld [wt%];SEM\nQuartz;20;1\n",

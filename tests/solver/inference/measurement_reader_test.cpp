@@ -783,6 +783,8 @@ TEST_CASE("a row among numbered ones that has another label is no impact, or is 
     CHECK(contains(input_error_of([&] { static_cast<void>(of("", "")); }),
                    "the row has no number in the column without a heading"));
     for (const char* label : {"4", "4a", "4*", "7", "#4"}) CHECK(of(label).points.size() == 4);
+    for (const char* label : {"25%", "2s", "3\u03c3", "2 SD", "95 %", "1-3"})
+        CHECK(contains(input_error_of([&] { static_cast<void>(of(label)); }), "sum up others"));
     // The number of a particle above its impacts, and a column of another quantity, are no numbers of
     // impacts.
     CHECK(read_measurements(
