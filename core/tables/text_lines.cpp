@@ -76,6 +76,10 @@ bool joins(std::string_view before, std::string_view line) {
     constexpr std::string_view separators = "\t;,";
     const auto open = before.rfind('"');
     const auto close = line.find('"');
+    const char separator = separator_of(before);  // a ditto mark has one behind it, or nothing
+    if (trimmed(before.substr(open + 1)).empty() || before.find(separator, open) != std::string_view::npos ||
+        line.substr(0, close).find(separator) != std::string_view::npos)
+        return false;
     return (open == 0 || separators.find(before[open - 1]) != std::string_view::npos) &&
            (close + 1 == line.size() || separators.find(line[close + 1]) != std::string_view::npos);
 }
