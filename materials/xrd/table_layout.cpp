@@ -635,9 +635,9 @@ void find_amounts_with_uncertainties(Table& table) {
     }
 }
 
-/// Refuses a unit of amounts in the heading of the names, "Phase [vol%]", unless a heading of amounts states
-/// it as well. @throws InputError
-void require_units_at_amounts(const Table& table) {
+/// Refuses a unit of amounts or a coverage in the heading of the names, "Phase [vol%]", unless a heading of
+/// amounts states it as well. @throws InputError
+void require_units_at_amounts(Table& table) {
     const auto label = table.column(table.has(Role::phase) ? Role::phase : Role::sample);
     if (!label) return;
     const Heading& heading = table.headings[*label];
@@ -652,6 +652,20 @@ void require_units_at_amounts(const Table& table) {
         bracket != std::string::npos && !table.has(Role::intensity) &&
         bases_in(heading.written.substr(bracket), false).contains("intensity");
     const bool in_other_unit = heading.states == HeadingUnit::other && heading.scale != Scale::not_stated;
+    const bool of_other_scale =  // "Sample [g/kg];Quartz [wt%]"
+        heading.scale != Scale::not_stated && std::ranges::any_of(table.headings, [&](const Heading& each) {
+            return &each != &heading && each.scale != Scale::not_stated && each.scale != heading.scale &&
+                   (each.states == HeadingUnit::weight || each.states == HeadingUnit::fraction);
+        });
+    if (of_other_scale)
+        refuse_line(table.heading_line,
+                    "the heading " + in_quotes(heading.written) +
+                        " of the names states another unit than the amounts",
+                    "the unit of each amount in its own heading");
+    if (bracket != std::string::npos && heading.states == HeadingUnit::none)
+        table.warnings.push_back(
+            {xrd_code, Severity::remark,
+             "of the heading " + in_quotes(heading.written) + " the brackets are not read"});
     if (!of_volume && !of_areas && !in_other_unit) return;
     for (const Heading& each : table.headings)
         if (&each != &heading && each.states == heading.states && !of_areas) return;
