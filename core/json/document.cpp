@@ -307,7 +307,12 @@ std::size_t JsonLines::line_of(std::string pointer) const {
 
 Json as_read_back(Json document) {
     if (document.is_structured())
-        for (Json& element : document) element = as_read_back(std::move(element));
+        for (auto it = document.begin(); it != document.end(); ++it) {
+            if (it->is_number_float() && !std::isfinite(it->get<double>()))
+                throw std::logic_error("a result holds a number that is not finite" +
+                                       (document.is_object() ? ", " + it.key() : std::string()));
+            *it = as_read_back(std::move(*it));
+        }
     if (!document.is_number_float()) return document;
     const std::string text = json_number(document.get<double>(), Digits::shortest);
     return text.find_first_of(".e") == std::string::npos ? Json::parse(text) : document;

@@ -310,7 +310,7 @@ TEST_CASE("a unit of two readings is refused with both") {
     CHECK_THROWS_WITH_AS(static_cast<void>(parse_quantity("2.3 gr/cm3", Dimension::density)),
                          "the unit \"gr/cm3\" has two readings, gram and grain; allowed: \"g\" or \"grain\"",
                          InputError);
-    for (const char* text : {"2.3 ton/m3", "2.3 tons/m3"})
+    for (const char* text : {"2.3 ton/m3", "2.3 tons/m3", "2.3 Ton/m3", "8 lb/gallon"})
         CHECK_THROWS_AS(static_cast<void>(parse_quantity(text, Dimension::density)), InputError);
     CHECK(parse_quantity("2.3 t/m3", Dimension::density) == 2300);
     CHECK(parse_quantity("1 short_ton", Dimension::mass) == doctest::Approx(907.18474));

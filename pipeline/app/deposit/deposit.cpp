@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include "core/plausibility.hpp"
@@ -21,6 +22,7 @@
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/report/deposition/deposition_page.hpp"
+#include "pipeline/present/text/result_text.hpp"
 #include "pipeline/run/deposition.hpp"
 #include "pipeline/run/rebounds.hpp"
 #include "pipeline/run/sizes.hpp"
@@ -211,6 +213,16 @@ DepositSource source_of_run(const CommandOptions& options, const TubeConditions&
     // The run has said which of its laws suits the contacts, not what the speed of this gas does.
     if (const auto impact_of = assumed_impacts(run, source.ash.assumptions.front().basis))
         note_regimes(source, impact_of, tube.velocity, Severity::remark);
+    for (const SampleComparison& sample : run.comparison.samples) {
+        const LawComparison* of = sample.laws.find(source.ash.law);
+        if (of == nullptr || !of->check) continue;
+        if (of->check->verdict == CriticalVelocityVerdict::model_too_low ||
+            of->check->verdict == CriticalVelocityVerdict::model_too_high)
+            source.notes.push_back(
+                {"contradicts-outcomes", Severity::doubt,
+                 fmt::format("v_c of {} in the run is {} for the captures and rebounds measured there",
+                             in_quotes(sample.name), verdict_words(of->check))});
+    }
     for (const std::string& shared : shared_sizes(run.comparison))
         source.notes.push_back({"shared-size", Severity::doubt, shared});
     return source;

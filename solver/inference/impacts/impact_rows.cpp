@@ -369,10 +369,19 @@ void refuse_summary_row(std::size_t line, const std::string& holds, const std::s
 
 namespace {
 
+/// Whether a number is the other one, rounded to its digits; with more digits than the numbers it sums up,
+/// whose last is @p finest, it may be that of numbers which were not rounded.
+bool is_rounded(double value, double exact, double finest) {
+    if (is_rounded(value, exact)) return true;
+    return last_digit(value) < 0.5 * finest && std::abs(value - exact) <= 0.5 * finest;
+}
+
 /// Rows that another one may sum up.
 struct Block {
-    std::array<Moments, 2> values{};    ///< of all rows
-    std::array<Moments, 2> rebounds{};  ///< of those without the captures
+    std::array<Moments, 2> values{};  ///< of all rows
+    std::array<double, 2> finest{std::numeric_limits<double>::infinity(),
+                                 std::numeric_limits<double>::infinity()};  ///< last digits
+    std::array<Moments, 2> rebounds{};                                      ///< of those without the captures
 
     void take(const MeasuredRow& row) {
         for (std::size_t k = 0; k < values.size(); ++k) {
@@ -380,6 +389,7 @@ struct Block {
             const Moments one{
                 .count = 1, .mean = row.values[k], .minimum = row.values[k], .maximum = row.values[k]};
             values[k].merge(one);
+            if (row.values[k] > 0.0) finest[k] = std::min(finest[k], last_digit(row.values[k]));
             if (row.values[1] > 0.0) rebounds[k].merge(one);
         }
     }
@@ -397,7 +407,8 @@ struct Block {
             if (moments[0].count < fewest) continue;
             for (const auto& [name, of] : summaries)
                 if (moments[0].maximum > (1.0 + least_spread) * moments[0].minimum &&
-                    is_rounded(row.values[0], of(moments[0])) && is_rounded(row.values[1], of(moments[1])))
+                    is_rounded(row.values[0], of(moments[0]), finest[0]) &&
+                    is_rounded(row.values[1], of(moments[1]), finest[1]))
                     return name;
         }
         return std::nullopt;
@@ -448,9 +459,10 @@ void refuse_summary_at_end(std::span<const MeasuredRow> rows) {
 }
 
 /// Whether a number may be a mean, written with any number of digits.
-bool may_be_mean(double value, double mean, double velocity) {
+bool may_be_mean(double value, double mean, double velocity, double finest) {
     constexpr double shown = 0.01;  // of the velocity; a smaller mean may be written as 0
-    return value == 0 ? mean < shown * velocity : is_rounded_to_digits(value, mean);
+    if (value == 0) return mean < shown * velocity;
+    return is_rounded_to_digits(value, mean) || is_rounded(value, mean, finest);
 }
 
 /// Whether a row behind each whole group of so many holds their means.
@@ -463,9 +475,10 @@ bool holds_means_of_groups(std::span<const MeasuredRow> rows, std::size_t group,
         const MeasuredRow& row = rows[first + group];
         for (std::size_t k = 0; k < row.values.size(); ++k) {
             const Moments& moments = block.values[k];
-            if (!may_be_mean(row.values[k], moments.mean, block.values[0].mean)) return false;
+            if (!may_be_mean(row.values[k], moments.mean, block.values[0].mean, block.finest[k]))
+                return false;
             const bool varies = moments.maximum > moments.minimum;
-            evidence += varies && is_rounded(row.values[k], moments.mean) ? 1 : 0;
+            evidence += varies && is_rounded(row.values[k], moments.mean, block.finest[k]) ? 1 : 0;
         }
     }
     constexpr std::size_t enough = 4;
