@@ -186,6 +186,8 @@ class DampingLawFit {
         FittedDamping result{.law = damping_law_};
         const Eigen::ArrayXd differences = differences_of(nearby.at(shift));
         result.misfit = std::sqrt((weights_ * differences.square()).sum() / weights_.sum());
+        if (!std::isfinite(result.misfit))
+            throw ConvergenceError("the misfit of a damping law is not finite");
         set_constants(nearby, shift, reach, constants, result);
         if (!result.constants.empty())
             result.evidence = is_scatter(differences, nearby.slope.size()) ? DampingEvidence::explains
@@ -275,6 +277,7 @@ class DampingLawFit {
         for (std::size_t i = 0; i < impacts_.size(); ++i)
             all[static_cast<Eigen::Index>(i)] =
                 tables[impacts_[i].sample].energy_ratio(impacts_[i].log_velocity);
+        if (!all.isFinite().all()) throw ConvergenceError("an impact has no finite restitution");
         return all;
     }
 
