@@ -474,7 +474,7 @@ std::optional<Finding> kept_properties_finding(const ContactResult& contacts) {
         return std::ranges::any_of(sample.parameters,
                                    [](const auto& each) { return each.first.name == "tabor"; });
     };
-    if (std::ranges::none_of(contacts.samples, has_tabor)) return std::nullopt;
+    if (!std::ranges::any_of(contacts.samples, has_tabor)) return std::nullopt;
     return Finding{
         "kept-over-sizes", Severity::doubt,
         "other sizes have the Tabor parameter of the nearest sample, although it goes with the size"};
