@@ -641,11 +641,6 @@ void require_units_at_amounts(Table& table) {
     const auto label = table.column(table.has(Role::phase) ? Role::phase : Role::sample);
     if (!label) return;
     const Heading& heading = table.headings[*label];
-    if (!heading.coverage.stated.empty())  // "Phase (Fehler 2s)"
-        refuse_line(table.heading_line,
-                    "the heading " + in_quotes(heading.written) +
-                        " of the names states the coverage of uncertainties",
-                    "it in the headings of the uncertainties: " + in_quotes("Fehler (2s)"));
     const bool of_volume = heading.states == HeadingUnit::volume;
     const auto bracket = heading.written.find_first_of("([");
     const bool of_areas =  // "Phase (area)"
@@ -654,15 +649,21 @@ void require_units_at_amounts(Table& table) {
     const bool in_other_unit = heading.states == HeadingUnit::other && heading.scale != Scale::not_stated;
     const bool of_other_scale =  // "Sample [g/kg];Quartz [wt%]"
         heading.scale != Scale::not_stated && std::ranges::any_of(table.headings, [&](const Heading& each) {
-            return &each != &heading && each.scale != Scale::not_stated && each.scale != heading.scale &&
-                   (each.states == HeadingUnit::weight || each.states == HeadingUnit::fraction);
+            return &each != &heading && each.scale != Scale::not_stated && each.scale != heading.scale;
         });
     if (of_other_scale)
         refuse_line(table.heading_line,
                     "the heading " + in_quotes(heading.written) +
                         " of the names states another unit than the amounts",
                     "the unit of each amount in its own heading");
-    if (bracket != std::string::npos && heading.states == HeadingUnit::none)
+    const bool is_unread = heading.states == HeadingUnit::none ||
+                           (heading.states == HeadingUnit::other && heading.scale == Scale::not_stated);
+    if (is_unread && heading.coverage.stated.empty() && !read_coverage(heading.unit).stated.empty())
+        refuse_line(table.heading_line,  // "Phase (Fehler 2s)"
+                    "the heading " + in_quotes(heading.written) +
+                        " of the names states the coverage of uncertainties",
+                    "it in the headings of the uncertainties: " + in_quotes("Fehler (2s)"));
+    if (bracket != std::string::npos && is_unread)
         table.warnings.push_back(
             {xrd_code, Severity::remark,
              "of the heading " + in_quotes(heading.written) + " the brackets are not read"});
