@@ -637,7 +637,7 @@ void find_amounts_with_uncertainties(Table& table) {
 
 /// Refuses a unit of amounts or a coverage in the heading of the names, "Phase [vol%]", unless a heading of
 /// amounts states it as well. @throws InputError
-void require_units_at_amounts(Table& table) {
+void require_units_at_amounts(const Table& table) {
     const auto label = table.column(table.has(Role::phase) ? Role::phase : Role::sample);
     if (!label) return;
     const Heading& heading = table.headings[*label];
@@ -656,17 +656,6 @@ void require_units_at_amounts(Table& table) {
                     "the heading " + in_quotes(heading.written) +
                         " of the names states another unit than the amounts",
                     "the unit of each amount in its own heading");
-    const bool is_unread = heading.states == HeadingUnit::none ||
-                           (heading.states == HeadingUnit::other && heading.scale == Scale::not_stated);
-    if (is_unread && heading.coverage.stated.empty() && !read_coverage(heading.unit).stated.empty())
-        refuse_line(table.heading_line,  // "Phase (Fehler 2s)"
-                    "the heading " + in_quotes(heading.written) +
-                        " of the names states the coverage of uncertainties",
-                    "it in the headings of the uncertainties: " + in_quotes("Fehler (2s)"));
-    if (bracket != std::string::npos && is_unread)
-        table.warnings.push_back(
-            {xrd_code, Severity::remark,
-             "of the heading " + in_quotes(heading.written) + " the brackets are not read"});
     if (!of_volume && !of_areas && !in_other_unit) return;
     for (const Heading& each : table.headings)
         if (&each != &heading && each.states == heading.states && !of_areas) return;
