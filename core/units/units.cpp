@@ -410,25 +410,28 @@ void require_one_reading(std::string_view unit) {
     struct Readings {
         std::string_view part, both, allowed;
     };
-    constexpr std::array two{
+    constexpr std::array symbols{
         Readings{"gr", "gram and grain", "\"g\" or \"grain\""},
         Readings{"ppt", "parts per thousand and per trillion", "\"per mille\" or a number"},
         Readings{"grad", "degree and gradian", "\"deg\"; 100 gradians are 90 deg"}};
-    constexpr std::array american{Readings{"ton", "metric and short ton", "\"t\" or \"short_ton\""},
-                                  Readings{"gallon", "American and imperial gallon", "\"l\""},
-                                  Readings{"pint", "American and imperial pint", "\"l\""}};
+    constexpr std::array names{// in any case, one or several
+                               Readings{"ton", "metric and short ton", "\"t\" or \"short_ton\""},
+                               Readings{"gallon", "American and imperial gallon", "\"l\""},
+                               Readings{"pint", "American and imperial pint", "\"l\""}};
     for (std::size_t i = 0; i < unit.size();) {
         std::size_t end = i;
         while (end < unit.size() && is_letter(unit[end])) ++end;
-        const std::string name = lower_case(unit.substr(i, end - i));
-        for (const auto& [part, both, allowed] : american)
-            if (name == part || name == std::string(part) + "s")
-                throw InputError("the unit " + in_quotes(unit) + " has two readings, " + std::string(both),
-                                 std::string(allowed));
-        for (const auto& [part, both, allowed] : two)
-            if (unit.substr(i, end - i) == part)
-                throw InputError("the unit " + in_quotes(unit) + " has two readings, " + std::string(both),
-                                 std::string(allowed));
+        const std::string_view word = unit.substr(i, end - i);
+        const std::string name = lower_case(word);
+        const auto refuse_if = [&](bool is_part, const Readings& readings) {
+            if (is_part)
+                throw InputError(
+                    "the unit " + in_quotes(unit) + " has two readings, " + std::string(readings.both),
+                    std::string(readings.allowed));
+        };
+        for (const Readings& each : symbols) refuse_if(word == each.part, each);
+        for (const Readings& each : names)
+            refuse_if(name == each.part || name == std::string(each.part) + "s", each);
         i = std::max(end, i + 1);
     }
 }

@@ -635,8 +635,8 @@ void find_amounts_with_uncertainties(Table& table) {
     }
 }
 
-/// Refuses a unit of amounts or a coverage in the heading of the names, "Phase [vol%]", unless a heading of
-/// amounts states it as well. @throws InputError
+/// Refuses a unit of amounts in the heading of the names, "Phase [vol%]", unless a heading of amounts states
+/// it as well. @throws InputError
 void require_units_at_amounts(const Table& table) {
     const auto label = table.column(table.has(Role::phase) ? Role::phase : Role::sample);
     if (!label) return;

@@ -75,7 +75,7 @@ void take_rows_of_uncertainties(std::vector<TableRow>& rows, std::size_t first, 
 /// "Crystalline phases", "Major oxides:". @param kind "phases" or "oxides"
 [[nodiscard]] bool heads_alike(std::string_view label, std::string_view kind);
 
-/// Whether one number or more stands in a row beside its name.
+/// Whether a cell of a row other than its name holds a number.
 [[nodiscard]] bool holds_numbers(const TableRow& row, std::size_t label);
 
 /// Refuses an uncertainty without a sign beside an amount with one, "0.012" beside "21.3 %", that may be a

@@ -527,7 +527,7 @@ std::optional<Measurement> measurement_of(const MeasurementHeading& heading, con
     if (outcome != NotedOutcome::from_reading) {
         const bool captured = outcome == NotedOutcome::capture;
         if (remark == (captured ? OutcomeWord::rebound : OutcomeWord::capture))
-            throw InputError(fmt::format("the outcome is a {}, and a remark tells of a {}",
+            throw InputError(fmt::format("the outcome is a {}, but a remark records a {}",
                                          captured ? "capture" : "rebound", captured ? "rebound" : "capture"),
                              "one of them");
         remark = OutcomeWord::none;

@@ -738,7 +738,7 @@ TEST_CASE("rows behind each group that a short word calls their mean are no impa
         refusal("v_in;v_r;;Statistik;Wert\n0.7;0;;;\n1.1;0.1;;Mittelwert;1.5\n1.6;0.3;;;\n2.1;0.5;;;\n"),
         "\"Mittelwert\" stands before 1.5: the row may sum up others"));
     CHECK(contains(refusal("v_in;v_r;outcome;remark\n1.1;0.1;rebound;\n0.5;0;rebound;haftet\n"),
-                   "line 3: the outcome is a rebound, and a remark tells of a capture"));
+                   "line 3: the outcome is a rebound, but a remark records a capture"));
     CHECK(read_measurements("run;v_in;v_r\nMW 1;1.4;0.1\nMW 2;1.6;0.2\nMW 3;1.8;0.3\n", "t.csv")
               .points.size() == 3);
     const MeasurementSet both = read_measurements(
