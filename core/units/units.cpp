@@ -368,7 +368,10 @@ std::optional<OwnUnit> angle_unit(std::string_view text) {
     const std::string name = lower_case(trimmed(text));
     if (name == "\u00b0" || name == "\u00ba" || text == "Grad" || contains_word("deg degree degrees", name))
         return OwnUnit{std::numbers::pi / 180};
-    return contains_word("rad radian radians", name) ? std::optional(OwnUnit{1}) : std::nullopt;
+    const auto known = read_unit(ascii_unit(trimmed(text)));  // "mrad", "milliradian"
+    const bool is_radian = name.ends_with("rad") || name.ends_with("radian") || name.ends_with("radians");
+    return known && is_radian && known->powers == Unit{}.powers ? std::optional(OwnUnit{known->factor})
+                                                                : std::nullopt;
 }
 
 /// Revolutions are not radians: Hz has both readings and is none.

@@ -318,6 +318,9 @@ TEST_CASE("a unit of two readings is refused with both") {
                          "the unit \"grad\" has two readings, degree and gradian; allowed: \"deg\"; 100 "
                          "gradians are 90 deg",
                          InputError);
+    for (const char* angle : {"500 mrad", "500 milliradians", "0.5 rad"})
+        CHECK(parse_quantity(angle, Dimension::angle) == doctest::Approx(0.5));
+    CHECK_THROWS_AS(static_cast<void>(parse_quantity("50 %", Dimension::angle)), InputError);
     CHECK(parse_quantity("30 Grad", Dimension::angle) == parse_quantity("30 deg", Dimension::angle));
     CHECK(parse_quantity("900 deg C", Dimension::temperature) == doctest::Approx(1173.15));
     CHECK(parse_quantity("0.005 Ns/m", Dimension::damping) == 0.005);
