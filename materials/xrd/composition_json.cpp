@@ -87,6 +87,9 @@ void read_list(const View& list, Analysis& analysis) {
 PeakIntensity read_peak(const View& node) {
     node.require_keys({"name", "intensity", "rir"});
     require_plain_name(node.at("name").text(), node);
+    if (!node.has("rir"))
+        node.fail("the peak of " + in_quotes(node.at("name").text()) + " has no \"rir\"",
+                  "its reference intensity ratio I/Ic, \"rir\": 3.4; without it \"weight_fractions\"");
     for (const char* key : {"intensity", "rir"}) {
         const View number = node.at(key);
         const bool in_per_cent = number.is_string() && number.text().find('%') != std::string::npos;
@@ -235,7 +238,16 @@ std::string without_basis(const std::string& text, FractionBasis basis) {
         throw InputError(fmt::format("{} is by {}, and the phases are by {}", in_quotes(text),
                                      *stated.rbegin() == own ? *stated.begin() : *stated.rbegin(), own),
                          fmt::format("a fraction by {}", own));
-    return text.substr(0, text.find_last_of("0123456789)") + 1) + " %";
+    std::string plain;  // "47 ± 2 %" of "47 wt% ± 2 wt%"
+    std::string_view rest = text;
+    for (auto sign = rest.find('%'); sign != std::string_view::npos; sign = rest.find('%')) {
+        const std::size_t end = rest.substr(0, sign).find_last_of("0123456789)") + 1;
+        const bool has_basis = !trimmed(rest.substr(end, sign - end)).empty();
+        if (has_basis && plain.ends_with(" %")) plain.resize(plain.size() - 2);  // both of the whole
+        (plain += rest.substr(0, end)) += " %";
+        rest.remove_prefix(sign + 1);
+    }
+    return rest.find_first_of("0123456789") == std::string_view::npos ? plain : plain.append(rest);
 }
 
 Analysis read_fractions_json(const View& node) {

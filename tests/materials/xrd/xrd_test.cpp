@@ -1176,6 +1176,7 @@ TEST_CASE("fractions in JSON: an object, a list, any form of a number, and the a
          R"("phases": [{"name": "quartz", "weight_fraction": "10 %"},
                         {"name": "mullite", "weight_fraction": 0.5}], "amorphous": {"weight_fraction": "40 %"})",
          R"("weight_fractions": {"quartz": 0.1, "mullite": 0.5}, "amorphous": {"crystalline_total": "60 %"})",
+         R"("weight_fractions": {"quartz": 0.1, "mullite": 0.5}, "amorphous": "40 wt% +- 2 wt%")",
          R"("weight_fractions": {"quartz": 0.1, "mullite": 0.5, "glass": 0.4})",
          R"("weight_fractions": {"quartz": 0.1, "mullite": 0.5}, "amorphous": {"remainder_scale": 1})"}) {
         CAPTURE(keys);
@@ -1237,6 +1238,18 @@ TEST_CASE("per cent in the peaks of JSON are refused where they have two reading
     CHECK(contains(refusal("753", "3.41 +- 5 %"), "or its uncertainty per cent of it"));
     CHECK(contains(refusal("753 +- 20 %", "3.41"), "or its uncertainty per cent of it"));
     CHECK(refusal("753 +- 20", "3.41 +- 0.2").empty());
+    CHECK(contains(input_error_of([] {
+                       return read_xrd(R"({"samples": [{"name": "a", "peaks": [{"name": "quartz",
+                                           "intensity": 753}], "amorphous": "50 %"}]})",
+                                       "a.json");
+                   }),
+                   "the peak of \"quartz\" has no \"rir\""));
+    CHECK(contains(input_error_of([] {
+                       return read_xrd(R"({"samples": [{"name": "a", "weight_fractions": {"quartz": 0.5},
+                                           "amorphous": "50 wt% +- 2"}]})",
+                                       "a.json");
+                   }),
+                   "the uncertainty of \"50 % +- 2\" has no unit"));
 }
 
 TEST_CASE("intensities and ratios that make no sense are refused") {
