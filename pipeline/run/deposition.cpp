@@ -373,13 +373,15 @@ std::optional<Finding> temperature_finding(const Run& run, Law law, double gas_t
         least = std::min(least.value_or(*of->giordano2008.elastic_up_to), *of->giordano2008.elastic_up_to);
     }
     const auto& stated = run.data.temperature.particle;
-    if (!least && gas_temperature > (stated ? stated->value() : warmest_room))
+    constexpr double same = 1;  // [K]
+    const bool is_colder = stated && gas_temperature < stated->value() - same;
+    if (is_colder || (!least && gas_temperature > (stated ? stated->value() + same : warmest_room)))
         return Finding{
             "deposition", Severity::remark,
-            fmt::format("the gas has {}, and v_c is that of contacts {}: softer or sticky surfaces "
-                        "are not in it",
+            fmt::format("the gas has {}, and v_c is that of contacts {}: {} surfaces are not in it",
                         readable(gas_temperature, "K"),
-                        stated ? "at " + readable(stated->value(), "K") : "at room temperature")};
+                        stated ? "at " + readable(stated->value(), "K") : "at room temperature",
+                        is_colder ? "harder, less sticky" : "softer or sticky")};
     if (!least || gas_temperature <= *least) return std::nullopt;
     return Finding{
         "deposition", Severity::doubt,

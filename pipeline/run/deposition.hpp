@@ -55,7 +55,8 @@ struct DepositingAsh {
                                        const std::optional<SizeBasis>& basis, double fastest);
 
 /// The doubt about v_c at the temperature of the gas [K], from the glass of the samples; none where it stays
-/// elastic during contacts. Without its chemistry a remark that the gas is hotter than the contacts were.
+/// elastic during contacts. A remark where the gas is colder than the contacts were, and without its
+/// chemistry also where it is hotter.
 [[nodiscard]] std::optional<Finding> temperature_finding(const Run& run, Law law, double gas_temperature);
 
 /// What stays on a tube. The span of what stays reaches over all assumptions but that of adhesion alone,

@@ -338,6 +338,20 @@ TEST_CASE("a made-up laboratory of three sizes: the run finds its damping law an
     CHECK(v.upper[1] == 1.8);
 }
 
+TEST_CASE("a gas of another temperature than the contacts of the run is said") {
+    Run run;
+    const auto said = [&](double gas) {
+        const auto finding = temperature_finding(run, Law::of<Dmt>(), gas);
+        return finding ? finding->text : "";
+    };
+    CHECK(said(300).empty());
+    CHECK(said(1173.15).find("at room temperature: softer") != std::string::npos);
+    run.data.temperature.particle = Stated{.quantity = make_quantity(1173.15, Dimension::temperature)};
+    CHECK(said(1173).empty());
+    CHECK(said(1400).find("softer or sticky") != std::string::npos);
+    CHECK(said(600).find("harder, less sticky") != std::string::npos);
+}
+
 TEST_CASE("the sentence on other sizes names what they rest on") {
     ComparisonResult result;
     CHECK(sizes_sentence(result).empty());
