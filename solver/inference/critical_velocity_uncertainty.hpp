@@ -148,6 +148,11 @@ struct Names<CriticalVelocityVerdict> {
 struct CriticalVelocityCheck {
     CriticalVelocityVerdict verdict;
     std::optional<double> deviation;  ///< model less measurement, in joint standard uncertainties
+
+    [[nodiscard]] bool contradicts() const {
+        return verdict == CriticalVelocityVerdict::model_too_low ||
+               verdict == CriticalVelocityVerdict::model_too_high;
+    }
 };
 [[nodiscard]] CriticalVelocityCheck check(const Interval& model, const MeasuredCriticalVelocity& measured,
                                           bool same_impacts = false);

@@ -138,7 +138,7 @@ TEST_CASE("remarks that differ in sample, law and numbers alone are one line") {
          note("", {}, Severity::background, "Tabor parameter 2 is between both: neither holds")}};
     const auto lines = remark_lines(remarks, 2);
     REQUIRE(lines.size() == 3);
-    CHECK(lines[0].text == "2 x 5-damping.json (all samples; dmt, jkr): 1 outliers of 20 impacts");
+    CHECK(lines[0].text == "2 x 5-damping.json (all samples; dmt, jkr), the first: 1 outliers of 20 impacts");
     CHECK(lines[1].text == "1 x 6-fit.json (fine): v_c over that of the other: 1.21");
     CHECK(lines[2].text == "1 x 6-fit.json: Tabor parameter 2 is between both");
     CHECK(lines[0].decides);

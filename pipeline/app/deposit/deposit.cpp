@@ -215,9 +215,7 @@ DepositSource source_of_run(const CommandOptions& options, const TubeConditions&
         note_regimes(source, impact_of, tube.velocity, Severity::remark);
     for (const SampleComparison& sample : run.comparison.samples) {
         const LawComparison* of = sample.laws.find(source.ash.law);
-        if (of == nullptr || !of->check) continue;
-        if (of->check->verdict == CriticalVelocityVerdict::model_too_low ||
-            of->check->verdict == CriticalVelocityVerdict::model_too_high)
+        if (of != nullptr && of->check && of->check->contradicts())
             source.notes.push_back(
                 {"contradicts-outcomes", Severity::doubt,
                  fmt::format("v_c of {} in the run is {} for the captures and rebounds measured there",

@@ -15,6 +15,7 @@
 #include "pipeline/document/artifact.hpp"
 #include "pipeline/document/edits.hpp"
 #include "pipeline/document/results_json.hpp"
+#include "pipeline/present/text/result_text.hpp"
 #include "pipeline/run/comparison/temperature.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/inference/calibration/published_damping.hpp"
@@ -371,6 +372,10 @@ ExportSubject subject_of_run(const RunChoice& choice) {
         subject.sizes.push_back(size_with_damping(sample, subject));
         subject.laboratory.push_back(laboratory_of(sample, subject.sizes.back().diameter));
         add_temperature_doubts(run, law.law, i, subject.doubts);
+        if (const auto& check = sample.headline.check; check && check->contradicts())
+            subject.doubts.push_back(
+                fmt::format("{}: v_c of the run is {} for the captures and rebounds measured there",
+                            as_text(sample.name), verdict_words(check)));
         if (const auto& partner = sample.contact.partner)
             subject.partner = {partner->radius.value, partner->mass.value};
     }

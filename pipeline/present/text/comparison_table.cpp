@@ -260,6 +260,7 @@ struct Kind {
     std::string file;
     std::string kind;
     std::string first;
+    bool differs = false;  ///< others of the kind have other numbers
     NameList samples{};
     NameList laws{};
     Severity severity = Severity::remark;
@@ -376,14 +377,15 @@ std::vector<RemarkLine> remark_lines(const std::vector<Remark>& remarks, std::si
                 kinds.end(),
                 {.file = remark.file, .kind = kind, .first = note.text, .severity = note.severity});
         ++found->count;
+        found->differs = found->differs || statement_of(note.text) != statement_of(found->first);
         found->samples.add(note.sample);
         if (note.law) found->laws.add(std::string(note.law->name()));
     }
     std::vector<RemarkLine> lines;
     lines.reserve(kinds.size());
     for (const Kind& kind : kinds)
-        lines.push_back({.text = fmt::format("{} x {}{}: {}", kind.count, kind.file, of_what(kind, samples),
-                                             statement_of(kind.first)),
+        lines.push_back({.text = fmt::format("{} x {}{}{}: {}", kind.count, kind.file, of_what(kind, samples),
+                                             kind.differs ? ", the first" : "", statement_of(kind.first)),
                          .decides = kind.severity != Severity::background});
     return lines;
 }

@@ -113,8 +113,8 @@ struct RemarkLine {
 };
 
 /// Remarks of a run, one line a kind: "2 x 6-fit.json (fine; dmt, jkr): ...", without reasons. Remarks of one
-/// artifact that differ in sample, law and numbers alone are of one kind. @param samples their number in the
-/// run
+/// artifact that differ in sample, law and numbers alone are of one kind, of which the first is shown. @param
+/// samples their number in the run
 [[nodiscard]] std::vector<RemarkLine> remark_lines(const std::vector<Remark>& remarks, std::size_t samples);
 
 /// How much of a result is shown.

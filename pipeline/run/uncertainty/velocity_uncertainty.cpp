@@ -113,10 +113,7 @@ void check_without_interval(const VelocityTask& task, LawCriticalVelocity& veloc
     const double value = velocity.velocity->value;
     velocity.check = checked({.value = value, .standard_uncertainty = 0, .lower = value, .upper = value},
                              *task.measured, false);
-    const auto verdict = velocity.check->verdict;
-    if (verdict != CriticalVelocityVerdict::model_too_low &&
-        verdict != CriticalVelocityVerdict::model_too_high)
-        return;
+    if (!velocity.check->contradicts()) return;
     const MeasuredCriticalVelocity& measured = *task.measured;
     findings.push_back({"contradicts-outcomes", Severity::doubt,
                         "v_c of " + readable_number(value) +
