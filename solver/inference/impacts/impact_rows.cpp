@@ -76,7 +76,7 @@ bool is_blank(std::string_view cell) {
 /// The list of words that judge an impact which holds a cell: "good", "bad", "yes", "no", or "mark".
 std::optional<std::string_view> verdict_of(std::string_view cell) {
     static const WordLists words("verdicts", all_marks);
-    return words.list_of(trimmed(cell));
+    return words.list_of(as_flag(trimmed(cell)));
 }
 
 std::string name_of(const TextColumn& column) {
@@ -242,7 +242,7 @@ void RowLabels::require_one_verdict(std::span<const TextLine> lines, char separa
         const TableRow row = cut_row(line, separator);
         if (position >= row.cells.size() || sums_up(row)) continue;
         const std::string& cell = row.cells[position];
-        if (cell.size() > 1 && read_number(cell)) return;  // a measured quality
+        if (as_flag(cell).size() > 1 && read_number(cell, true)) return;  // a measured quality
         if (!first) {
             first = cell;
             line_of_first = row.line;

@@ -435,9 +435,15 @@ void LabelColumns::take(TextColumn column, std::string_view name) {
     (announces_remarks(name) ? remarks : unused).push_back(std::move(column));
 }
 
+std::string_view as_flag(std::string_view cell) {
+    const auto number = read_number(cell, true);
+    if (!number || number->per_cent || number->standard_uncertainty) return cell;
+    return number->value == 0 ? "0" : number->value == 1 ? "1" : cell;
+}
+
 OutcomeWord capture_flag(std::string_view cell) {
     static const WordLists flags("flags");
-    return meaning<OutcomeWord>(flags, cell).value_or(outcome_word(cell));
+    return meaning<OutcomeWord>(flags, as_flag(cell)).value_or(outcome_word(cell));
 }
 
 OutcomeWord outcome_word(std::string_view cell) {

@@ -24,6 +24,9 @@ struct Names<OutcomeWord> {
     static constexpr std::array<std::string_view, 4> all{"none", "capture", "rebound", "unknown"};
 };
 
+/// "0" or "1" of a cell that holds this number, such as "1.0" or "0,00"; other cells as they are.
+[[nodiscard]] std::string_view as_flag(std::string_view cell);
+
 /// The meaning of a cell of a column that holds yes for a capture.
 [[nodiscard]] OutcomeWord capture_flag(std::string_view cell);
 

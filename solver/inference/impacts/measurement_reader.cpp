@@ -687,7 +687,7 @@ class Unread {
     /// @throws InputError
     void refuse_flags(const TextColumn& column, const std::map<std::string, std::size_t>& values) const {
         static const WordLists flags("flags");
-        const auto is_flag = [](const auto& value) { return flags.holds(value.first); };
+        const auto is_flag = [](const auto& value) { return flags.holds(as_flag(value.first)); };
         if (heading_.outcome || !std::ranges::all_of(values, is_flag)) return;
         throw InputError(
             "column " + in_quotes(column.name) + " has " + in_quotes(values.begin()->first) + " and " +

@@ -631,6 +631,24 @@ TEST_CASE("the usual headings of impacts are known, in English, German and Frenc
 
 using namespace ashimpact::test;
 
+TEST_CASE("columns of 0 and 1 are read or refused, however their numbers are written") {
+    for (const char* one : {"1", "1.0", "1,0", "1.00"})
+        for (const char* zero : {"0", "0.0", "0,0"}) {
+            CAPTURE(one);
+            CAPTURE(zero);
+            const auto table = [&](const std::string& heading) {
+                return fmt::format("v_in [m/s];v_r [m/s];{0}\n1.2;0;{1}\n2.1;0.9;{2}\n3.2;1.9;{2}\n", heading,
+                                   one, zero);
+            };
+            for (const char* heading : {"captured", "stuck"})
+                CHECK(read_measurements(table(heading), "t.csv").points[1].outcome == NotedOutcome::rebound);
+            for (const char* heading : {"valid", "use", "exclude", "contact"})
+                CHECK(contains(input_error_of([&] { return read_measurements(table(heading), "t.csv"); }),
+                               "allowed"));
+        }
+    CHECK(read_measurements("v_in;v_r;quality\n1.2;0;0,95\n2.1;0.9;1,0\n", "t.csv").points.size() == 2);
+}
+
 TEST_CASE("a heading of a square, a root or a difference is not the quantity") {
     for (const char* heading : {"e\u00b2", "COR^2", "\u221ae_n", "\u0394e_n", "v_r\u00b2", "v_r**2"}) {
         CAPTURE(heading);
