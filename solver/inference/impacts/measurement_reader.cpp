@@ -824,6 +824,30 @@ std::optional<Finding> uncertain_rebounds(const MeasurementSet& set, double lowe
                     count, set.points.size())};
 }
 
+/// A remark on readings of exactly 0 above an impact whose rebound is so slow that noise may have put others
+/// below 0, where the table states neither outcomes nor uncertainties.
+std::optional<Finding> clipped_readings(const MeasurementSet& set) {
+    if (set.has_noise()) return std::nullopt;
+    const auto from_reading = [](const Measurement& point) {
+        return point.outcome == NotedOutcome::from_reading;
+    };
+    double slowest = std::numeric_limits<double>::infinity();
+    for (const Measurement& point : set.points)
+        if (from_reading(point) && point.rebound > 0 && point.rebound < reach_of(point))
+            slowest = std::min(slowest, point.velocity);
+    std::vector<std::size_t> lines;
+    for (const Measurement& point : set.points)
+        if (from_reading(point) && point.captured() && point.velocity > slowest) lines.push_back(point.line);
+    if (lines.empty()) return std::nullopt;
+    return Finding{
+        impacts_code, Severity::remark,
+        fmt::format("{} of 0 ({}) above {} m/s, where an impact rebounds slowly, {} as captured, but "
+                    "readings below 0 may have been set to 0: v_c is lower then; a column "
+                    "\"outcome\" states which",
+                    counted(lines.size(), "reading"), numbered("line", lines), shortest(slowest),
+                    lines.size() == 1 ? "counts" : "count")};
+}
+
 MeasurementSet read_table(const TextLines& file, std::string_view name, std::optional<DecimalMark> decimal) {
     auto lines = lines_with_content(file);
     if (lines.empty()) throw InputError("the file holds no table", "a heading and one line an impact");
@@ -923,6 +947,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
             "columns u(v_in) and u(v_r) beside it")
             .at(heading_line);
     add_implausible(*heading.of(MeasuredQuantity::velocity), set);
+    if (auto remark = clipped_readings(set)) set.warnings.push_back(*std::move(remark));
     if (auto doubt = uncertain_rebounds(set, signs.lowest())) set.warnings.push_back(*std::move(doubt));
     if (set.points.empty() && set.unknown > 0)
         throw InputError("the outcome of every impact is unknown", "rebounds or captures");

@@ -649,6 +649,19 @@ TEST_CASE("columns of 0 and 1 are read or refused, however their numbers are wri
     CHECK(read_measurements("v_in;v_r;quality\n1.2;0;0,95\n2.1;0.9;1,0\n", "t.csv").points.size() == 2);
 }
 
+TEST_CASE("readings of 0 above a slow rebound may be clipped, which is said") {
+    const auto said = [](const std::string& rows, const std::string& more = "") {
+        return contains(warnings_of(read_measurements("v_in [m/s];v_r [m/s]" + more + "\n" + rows, "t.csv")),
+                        "readings below 0 may have been set to 0");
+    };
+    CHECK(said("0.5;0\n0.8;0.03\n0.9;0\n1.1;0.3\n"));
+    CHECK_FALSE(said("0.5;0\n0.7;0\n0.8;0.03\n1.1;0.3\n"));  // below all rebounds
+    CHECK_FALSE(said("0.5;0\n0.8;0.4\n0.9;0\n1.1;0.6\n"));   // no rebound is near 0
+    CHECK_FALSE(said("0.5;haftet\n0.8;0.03\n0.9;haftet\n1.1;0.3\n"));
+    CHECK_FALSE(said("0.5;0;c\n0.8;0.03;r\n0.9;0;c\n1.1;0.3;r\n", ";outcome"));
+    CHECK_FALSE(said("0.5;0;.1;.1\n0.8;0.03;.1;.1\n0.9;0;.1;.1\n1.1;0.3;.1;.1\n", ";u(v_in);u(v_r)"));
+}
+
 TEST_CASE("a heading of a square, a root or a difference is not the quantity") {
     for (const char* heading : {"e\u00b2", "COR^2", "\u221ae_n", "\u0394e_n", "v_r\u00b2", "v_r**2"}) {
         CAPTURE(heading);
