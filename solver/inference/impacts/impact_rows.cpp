@@ -156,6 +156,7 @@ bool names_summary(std::string_view label) {
 
 void RowLabels::Column::take(std::string_view cell) {
     named_summaries += names_summary(label_in(cell)) ? 1 : 0;
+    with_digit += std::ranges::any_of(cell, is_digit) ? 1 : 0;
     if (const auto number = row_number(cell)) {
         in_order = in_order && (numbers == 0 || *number == last_number + 1);
         ++numbers;
@@ -328,8 +329,8 @@ void RowLabels::require_number(const Column& column, const TableRow& row) {
         const std::string& label = row.cells[column.column.position];
         if (is_blank(label) || (std::ranges::any_of(label, is_digit) && !is_of_several(label))) return;
         throw InputError(in_quotes(label) + " is in " + name_of(column.column) + ", where the others have " +
-                             in_quotes(column.stem) +
-                             " and a number: the row may be a measurement, or sum up others",
+                             (column.stemmed == column.with_digit ? in_quotes(column.stem) + " and " : "") +
+                             "a number: the row may be a measurement, or sum up others",
                          "a label with a number, or a file without this row")
             .at(at_cell(row.line, column.column.position));
     }

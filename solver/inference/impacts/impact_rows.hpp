@@ -50,6 +50,7 @@ class RowLabels {
         std::size_t inner_empty = 0;  ///< before the last number
         std::string stem{};           ///< of numbered labels, "P" of "P1": that of the first
         std::size_t stemmed = 0;      ///< labels with it
+        std::size_t with_digit = 0;   ///< cells with any number, "P1", "2b", "7"
         bool has_marks = false;       ///< "no" or "x" in some cell
         std::size_t marks = 0;        ///< of the texts, "x"
         /// Rows with one label that may say that they sum up others.
@@ -66,9 +67,12 @@ class RowLabels {
         [[nodiscard]] bool counts_rows() const {
             return numbers >= 2 && numbers > texts + measures && (column.position == 0 || in_order);
         }
-        /// Whether nearly all rows have labels that differ by a number, "P1" and "P2".
+        /// Whether nearly all rows have labels that differ by a number, "P1" and "P2"; in the first column
+        /// any labels with a number, "1a" and "B2".
         [[nodiscard]] bool numbers_labels() const {
             constexpr std::size_t fewest = 4;
+            if (column.position == 0)
+                return with_digit >= fewest && with_digit > 2 * (texts + numbers + measures - with_digit);
             return stemmed >= fewest && stemmed > 2 * (texts - stemmed) && numbers + measures == 0;
         }
         /// Whether the words of the column can be labels of rows, and not a quantity of each.

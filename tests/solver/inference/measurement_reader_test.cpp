@@ -854,6 +854,16 @@ TEST_CASE("a label without a number below numbered ones may sum up, in any langu
     for (const char* label : {"ET", "Dev. st.", "Std. sapma", "\u5e73\u5747\u5024", "Mean rebounds"})
         CHECK(contains(input_error_of([&] { static_cast<void>(of(label)); }),
                        "is in column \"Particella\", where the others have \"P\" and a number"));
+    const auto mixed = [](const std::string& label) {
+        return read_measurements(
+            "Nr;v_in [m/s];v_r [m/s]\n1a;1.1;0.1\n1b;1.5;0.3\n2;1.9;0.5\nB7;2.4;0.8\n"
+            "3;2.2;0.6\n" +
+                label + ";1.8;0.4\n",
+            "t.csv");
+    };
+    CHECK(contains(input_error_of([&] { static_cast<void>(mixed("Keskim.")); }), "have a number"));
+    for (const char* label : {"Moy.", "gemittelt", "moyenne", "media", "promedio"})
+        CHECK(mixed(label).points.size() == 5);
     for (const char* label : {"P11", "Q1", "P11*"}) CHECK(of(label).points.size() == 5);
     CHECK(read_measurements(
               "v_in;v_r;Remark\n1.1;0.1;camera 1\n1.5;0.3;camera 2\n1.9;0.5;camera 2\n2.4;0.8;camera 1\n"
