@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <regex>
@@ -247,6 +248,26 @@ std::string problem_of_coverage(const std::string& rest, bool is_known) {
     return {};
 }
 
+/// The factor of a coverage in per cent; none if it is not known here.
+std::optional<double> factor_of_coverage(std::string_view per_cent) {
+    const auto* const known = std::ranges::find(coverages, per_cent, &Coverage::per_cent);
+    return known == coverages.end() ? std::nullopt : std::optional(known->factor);
+}
+
+/// Takes "95 %" beside "k=2" from the rest of a heading; another coverage beside it is a problem.
+void take_second_statement(StatedCoverage& coverage) {
+    constexpr double rounding = 0.03;  // 2 is written for 1.96
+    const auto multiple = multiple_in(coverage.rest);
+    const auto second = multiple ? multiple : coverage_in(coverage.rest);
+    if (!second) return;
+    const auto factor = multiple ? whole_decimal(second->number) : factor_of_coverage(second->number);
+    const std::string other = coverage.rest.substr(second->begin, second->length);
+    if (!factor || std::abs(*factor - coverage.factor) > rounding * coverage.factor)
+        coverage.problem = in_quotes(coverage.stated) + " and " + in_quotes(other) +
+                           " are not the same coverage (" + remedy + ")";
+    coverage.rest = without(coverage.rest, *second);
+}
+
 }  // namespace
 
 namespace vocabulary {
@@ -433,6 +454,7 @@ StatedCoverage read_coverage(std::string_view heading) {
     coverage.rest = std::regex_replace(coverage.rest, twice, "2 ");
     if (const auto multiple = multiple_in(coverage.rest)) {
         coverage.stated = coverage.rest.substr(multiple->begin, multiple->length);
+        coverage.stated_first = multiple->begin == 0;
         coverage.factor = whole_decimal(multiple->number).value_or(1);
         if (!(coverage.factor >= 0.5 && coverage.factor <= 10))
             coverage.problem = std::string("such a multiple is not plausible (") + remedy + ")";
@@ -441,14 +463,15 @@ StatedCoverage read_coverage(std::string_view heading) {
         for (const std::string_view sign : plus_minus)
             if (coverage.rest.size() > sign.size() && coverage.rest.ends_with(sign))
                 coverage.rest = trimmed(coverage.rest.substr(0, coverage.rest.size() - sign.size()));
+        take_second_statement(coverage);
         return coverage;
     }
     if (const auto per_cent = coverage_in(coverage.rest)) {
         coverage.stated = coverage.rest.substr(per_cent->begin, per_cent->length);
-        const auto* const known = std::ranges::find(coverages, per_cent->number, &Coverage::per_cent);
-        if (known != coverages.end()) coverage.factor = known->factor;
+        const auto known = factor_of_coverage(per_cent->number);
+        coverage.factor = known.value_or(1);
         coverage.rest = without(coverage.rest, *per_cent);
-        coverage.problem = problem_of_coverage(coverage.rest, known != coverages.end());
+        coverage.problem = problem_of_coverage(coverage.rest, known.has_value());
         return coverage;
     }
     const auto is_expanded = [](const std::string& word) {

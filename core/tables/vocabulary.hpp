@@ -84,9 +84,10 @@ struct Mention {
 /// The coverage of uncertainties that the heading of a column states, as in "Unsicherheit (2s)", "U (k=2)",
 /// "error (95 %)" or "v_in ± 2 sigma [m/s]".
 struct StatedCoverage {
-    std::string rest;    ///< the heading without the statement, "Unsicherheit"
-    double factor = 1;   ///< numbers of the column over standard uncertainties: 2, and 1.96 for 95 %
-    std::string stated;  ///< "2s"; empty if nothing is stated
+    std::string rest;           ///< the heading without the statement, "Unsicherheit"
+    double factor = 1;          ///< numbers of the column over standard uncertainties: 2, and 1.96 for 95 %
+    std::string stated;         ///< "2s"; empty if nothing is stated
+    bool stated_first = false;  ///< before the name, "2s v_in"
     /// Why the uncertainties cannot be read, with the remedy; empty if they can.
     std::string problem;
 };

@@ -174,7 +174,7 @@ std::optional<Meaning> meaning_in(const MeasurementHeading& heading, std::string
     }
     auto meaning = meaning_of(name);
     if (meaning && !meaning->is_uncertainty && !coverage.stated.empty())
-        meaning->is_uncertainty = heading.of(meaning->quantity).has_value();
+        meaning->is_uncertainty = coverage.stated_first || heading.of(meaning->quantity).has_value();
     const bool bare = is_uncertainty_word(name) || !coverage.stated.empty();
     if (meaning || !bare || position == 0) return meaning;
     const auto before = value_at(heading, position - 1);

@@ -662,6 +662,23 @@ TEST_CASE("readings of 0 above a slow rebound may be clipped, which is said") {
     CHECK_FALSE(said("0.5;0;.1;.1\n0.8;0.03;.1;.1\n0.9;0;.1;.1\n1.1;0.3;.1;.1\n", ";u(v_in);u(v_r)"));
 }
 
+TEST_CASE("two statements of one coverage count once, and others are no coverage") {
+    for (const char* of : {"u({}) (95%, k=1.96) [m/s]", "2\u03c3 {} [m/s]", "u({}) [m/s] (k=2, 95 %)",
+                           "u({}) (2 sigma, k=2) [m/s]"}) {
+        CAPTURE(of);
+        const std::string v_in = fmt::format(fmt::runtime(of), "v_in");
+        const std::string v_r = fmt::format(fmt::runtime(of), "v_r");
+        for (const std::string& heading :
+             {"v_in [m/s];v_r [m/s];" + v_in + ";" + v_r, v_in + ";v_in [m/s];" + v_r + ";v_r [m/s]"}) {
+            const bool first = heading.starts_with("v_in");
+            const std::string table = heading + (first ? "\n2;0.5;0.2;0.2\n" : "\n0.2;2;0.2;0.5\n");
+            CHECK(noise_of_incident(table) == doctest::Approx(0.1).epsilon(0.03));
+        }
+    }
+    CHECK(contains(warnings_of(read_measurements("v_in;v_r;u(v_in) (95 %, k=3)\n2;0.5;0.2\n", "t.csv")),
+                   "are not the same coverage"));
+}
+
 TEST_CASE("a heading of a square, a root or a difference is not the quantity") {
     for (const char* heading : {"e\u00b2", "COR^2", "\u221ae_n", "\u0394e_n", "v_r\u00b2", "v_r**2"}) {
         CAPTURE(heading);
