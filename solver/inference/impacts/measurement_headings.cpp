@@ -118,7 +118,8 @@ NameAndUnit split(std::string_view cell) {
         const auto open = cell.rfind(pair[0]);
         if (open == std::string_view::npos) continue;
         const std::string_view name = trimmed(cell.substr(0, open));
-        const std::string_view inside = trimmed(cell.substr(open + 1, cell.size() - open - 2));
+        std::string_view inside = trimmed(cell.substr(open + 1, cell.size() - open - 2));
+        if (inside.starts_with("in ")) inside = trimmed(inside.substr(3));
         const bool is_named = meaning_of(name) || is_uncertainty_word(name) || is_sideways(name);
         if (pair == "[]" || (is_named && !meaning_of(inside))) return {name, inside};
     }
@@ -349,6 +350,12 @@ bool is_angle_unit(std::string_view unit) {
     }
 }
 
+/// Whether a unit is none of a fraction, as of "E* [GPa]", a modulus, or "E [J]", an energy.
+bool is_of_other_dimension(std::string_view unit) {
+    const auto known = read_unit(ascii_unit(unit));
+    return known && known->powers != Unit{}.powers;
+}
+
 /// The coverage in a heading. A capital U beside a velocity is an expanded uncertainty: "U_v_in", "v_in U".
 StatedCoverage coverage_in(const std::string& cell) {
     StatedCoverage coverage = read_coverage(cell);
@@ -367,6 +374,9 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
     const auto [name, unit] = split(coverage.rest);
     if (take_sideways(heading, cell, name, unit, position) || take_other(heading, name, position)) return;
     auto meaning = meaning_in(heading, name, coverage, position);
+    if (meaning && meaning->quantity == MeasuredQuantity::restitution && name.starts_with('E') &&
+        is_of_other_dimension(unit))
+        meaning.reset();
     if (!meaning) {
         const auto list = column_words().list_of(key_of(name));
         if ((is_angle_unit(unit) || names_angle(name)) && list != "other angle")
@@ -383,6 +393,12 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
             heading.LabelColumns::take({position, cell}, name);
         return;
     }
+    if (constexpr std::string_view marks = "*'`\"!?#^";
+        !name.empty() && marks.find(name.back()) != std::string_view::npos)
+        throw InputError("column " + in_quotes(cell) + " has the mark " +
+                             in_quotes(name.substr(name.size() - 1)) +
+                             " behind its name: it may hold another quantity, or have a footnote",
+                         "the name alone if it is that quantity; another name for what is not read");
     if (const std::string_view change = change_in(name); !change.empty())
         throw InputError(
             "column " + in_quotes(cell) + " holds " + with_article(change) + ", not the quantity",

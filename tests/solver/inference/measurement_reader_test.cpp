@@ -662,6 +662,17 @@ TEST_CASE("readings of 0 above a slow rebound may be clipped, which is said") {
     CHECK_FALSE(said("0.5;0;.1;.1\n0.8;0.03;.1;.1\n0.9;0;.1;.1\n1.1;0.3;.1;.1\n", ";u(v_in);u(v_r)"));
 }
 
+TEST_CASE("marks in a heading that are not understood are refused, another quantity is not read") {
+    const auto refused = [](const std::string& heading) {
+        return input_error_of([&] { return read_measurements(heading + "\n2;0.5;0.4\n", "t.csv"); });
+    };
+    CHECK(contains(refused("v_in;e*;x"), "column \"e*\" has the mark \"*\" behind its name"));
+    CHECK(contains(refused("v_in [m/s];v_r' [m/s];x"), "has the mark \"'\""));
+    for (const char* heading : {"v_in;v_r;E* [GPa]", "v_in;v_r;E [J]"})
+        CHECK(read_measurements(std::string(heading) + "\n2;0.5;40\n", "t.csv").points.size() == 1);
+    CHECK(read_measurements("v_in;e_n (in %)\n2;50\n", "t.csv").points[0].rebound == doctest::Approx(1));
+}
+
 TEST_CASE("two statements of one coverage count once, and others are no coverage") {
     for (const char* of : {"u({}) (95%, k=1.96) [m/s]", "2\u03c3 {} [m/s]", "u({}) [m/s] (k=2, 95 %)",
                            "u({}) (2 sigma, k=2) [m/s]"}) {
