@@ -232,14 +232,25 @@ std::optional<PrintedNumber> NumberMarks::read(std::string_view cell, std::size_
                          "one form in all cells: \"12.3 (1.0)\"");
     std::string plain;
     std::size_t done = 0;
+    bool has_point = false;  // "1,091 ± 0,020": the one number decides for the other
+    bool has_comma = false;
+    for_each_number(text, [&](std::size_t first, std::size_t count) {
+        const Marks marks = marks_of(text.substr(first, count));
+        has_point = has_point || marks == Marks::decimal_point;
+        has_comma = has_comma || marks == Marks::decimal_comma;
+    });
+    const auto separates = [&](char mark, const std::string& number) {
+        if (has_point != has_comma && !decimal_) return (mark == '.') == has_point;
+        return is_decimal(mark, number, column);
+    };
     for_each_number(text, [&](std::size_t first, std::size_t count) {
         plain += text.substr(done, first - done);
         done = first + count;
         std::string number(text.substr(first, count));
         const Marks marks = marks_of(number);
         const bool is_point = marks == Marks::decimal_point ||
-                              (marks == Marks::point_may_group && is_decimal('.', number, column)) ||
-                              (marks == Marks::comma_may_group && !is_decimal(',', number, column));
+                              (marks == Marks::point_may_group && separates('.', number)) ||
+                              (marks == Marks::comma_may_group && !separates(',', number));
         if (decimal_ && !of_sheet_ &&
             marks == (*decimal_ == DecimalMark::point ? Marks::decimal_comma : Marks::decimal_point))
             throw InputError(fmt::format("{} has no decimal {}, which is stated for the table",

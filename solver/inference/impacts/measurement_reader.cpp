@@ -27,6 +27,11 @@ namespace ashimpact {
 
 namespace {
 
+/// Whether a cell states that there is no number, or that it is not known: "-", "n.b.".
+bool says_nothing(std::string_view cell) {
+    return says_no_number(cell) || outcome_word(cell) == OutcomeWord::unknown;
+}
+
 /// A number of the table in SI.
 struct Entry {
     double value;
@@ -117,7 +122,7 @@ class TableCells {
         const MeasuredColumn& column = *heading_.of(quantity);
         Entry entry = read(row, column);
         if (const auto& uncertainty = heading_.uncertainty_of(quantity);
-            uncertainty && !says_no_number(row.cells[uncertainty->position])) {
+            uncertainty && !says_nothing(row.cells[uncertainty->position])) {
             if (entry.standard_uncertainty) fail(*uncertainty, row, "is given twice", "one uncertainty");
             require_same_sign(row, column, *uncertainty);
             const double stated = read(row, *uncertainty).value / uncertainty->coverage;
@@ -135,7 +140,7 @@ class TableCells {
     [[nodiscard]] Entry uncertainty(const TableRow& row, MeasuredQuantity quantity) const {
         Entry entry{0.0, std::nullopt};
         const auto& column = heading_.uncertainty_of(quantity);
-        if (column && !column->is_relative && !says_no_number(row.cells[column->position]))
+        if (column && !column->is_relative && !says_nothing(row.cells[column->position]))
             entry.standard_uncertainty = read(row, *column).value / column->coverage;
         return entry;
     }

@@ -605,14 +605,31 @@ TEST_CASE("impacts of a sample of another name are told") {
 
 TEST_CASE("the usual headings of impacts are known, in English, German and French") {
     for (const char* heading :
-         {"v_in [m/s];v_r [m/s]", "Einfallsgeschwindigkeit [m/s];Rückprall [m/s]",
+         {"v_in [m/s];v_r [m/s]",
+          "Einfallsgeschwindigkeit [m/s];Rückprall [m/s]",
           "Aufprall [m/s];Rueckprall [m/s]",
           "Einfallsgeschwindigkeit v_ein in m/s;R\u00fcckprallgeschwindigkeit, v_aus in m/s",
-          "Einfall (m/s);Abprall (m/s)", "Anfluggeschwindigkeit;v_Rückprall",
-          "impact speed [m/s];rebound speed [m/s]", "incoming velocity;outgoing velocity",
-          "v_impact;v_rebound", "vitesse d'impact;rebond", "U_in [m/s];U_out [m/s]", "v_0 [m/s];v_1 [m/s]",
-          "v\u1d62 [m/s];v\u1d63 [m/s]", "v_{in} [ms-1];v_r [ms\u207b\u00b9]", "vel in;vel out",
-          "pre-impact velocity;post-impact velocity", "\"v_in\n[m/s]\";v_r"}) {
+          "Einfall (m/s);Abprall (m/s)",
+          "Anfluggeschwindigkeit;v_Rückprall",
+          "impact speed [m/s];rebound speed [m/s]",
+          "incoming velocity;outgoing velocity",
+          "v_impact;v_rebound",
+          "vitesse d'impact;rebond",
+          "U_in [m/s];U_out [m/s]",
+          "v_0 [m/s];v_1 [m/s]",
+          "v\u1d62 [m/s];v\u1d63 [m/s]",
+          "v_{in} [ms-1];v_r [ms\u207b\u00b9]",
+          "vel in;vel out",
+          "pre-impact velocity;post-impact velocity",
+          "\"v_in\n[m/s]\";v_r",
+          "v vorher;v nachher",
+          "v vor (m/s);v nach (m/s)",
+          "Aufprallgeschw. [m/s];Abprallgeschw. [m/s]",
+          "Aufprallgeschwindigkeit in m/s;R\u00fcckprallgeschw. in m/s",
+          "vitesse incidente;vitesse de rebond",
+          "velocit\u00e0 d'impatto [m/s];velocit\u00e0 di rimbalzo [m/s]",
+          "v_in (in m/s);v_r (in m/s)",
+          "velocidad de impacto (m/s);velocidad de rebote (m/s)"}) {
         CAPTURE(heading);
         const MeasurementSet set = read_measurements(std::string(heading) + "\n2,1;0,4\n", "t.csv");
         REQUIRE(set.points.size() == 1);
@@ -688,6 +705,17 @@ TEST_CASE("two statements of one coverage count once, and others are no coverage
     }
     CHECK(contains(warnings_of(read_measurements("v_in;v_r;u(v_in) (95 %, k=3)\n2;0.5;0.2\n", "t.csv")),
                    "are not the same coverage"));
+}
+
+TEST_CASE("what is not determined is left out, and a number of a cell decides the mark of the other") {
+    for (const char* cell : {"n.b.", "n. b.", "k.A.", "nicht bestimmt"}) {
+        const MeasurementSet set =
+            read_measurements(fmt::format("v_in;v_r;Ausgang\n2;0.5;bounce\n1;{};\n", cell), "t.csv");
+        CHECK(set.points.size() == 1);
+        CHECK(set.unknown == 1);
+    }
+    const MeasurementSet set = read_measurements("v_in;v_r\n2.5;1,091 \u00b1 0,020\n", "t.csv");
+    CHECK(set.points[0].rebound == 1.091);
 }
 
 TEST_CASE("a heading of a square, a root or a difference is not the quantity") {
