@@ -110,7 +110,7 @@ std::optional<Statement> multiple_in(const std::string& heading) {
         "*(?:esd|e\\.s\\.d\\.?))(?![a-z])",
         flags);
     static const std::regex alone(R"(^( *)((\d(?:[.,]\d+)?) *s)(?= *(?:$|[(\[])))", flags);
-    static const std::regex after_word(R"(([^ _()\[\],;]+)[ _,]+((\d(?:[.,]\d+)?) *s)(?= *(?:$|[(\[])))",
+    static const std::regex after_word(R"(([^ _()\[\],;]+)[ _,]+((\d(?:[.,]\d+)?) *s)(?= *(?:$|[(\[)\]])))",
                                        flags);
     for (const std::regex* expression : {&factor, &sigmas, &behind, &marked, &esds, &alone})
         if (auto statement = found(heading, *expression)) return statement;

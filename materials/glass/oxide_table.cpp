@@ -364,8 +364,11 @@ class OxideTable {
         std::vector<TextBeside> texts = texts_beside(file, table);
         refuse_loss_within(texts);
         refuse_factors(texts);
+        if (label < headings_.size())
+            texts.push_back({heading.value_or(1), headings_[label].heading.written});
         std::set<xrd::Scale> scales;
-        for (const OxideLine& each : headings_) scales.insert(each.heading.scale);
+        for (std::size_t k = 0; k < headings_.size(); ++k)
+            if (k != label) scales.insert(headings_[k].heading.scale);
         for (const OxideColumn& sample : samples)
             for (const OxideCell& cell : sample.cells) scales.insert(cell.what.heading.scale);
         scales.erase(xrd::Scale::not_stated);
@@ -376,9 +379,7 @@ class OxideTable {
         UncertainColumns columns(headings_.size());
         for (std::size_t k = 0; k < headings_.size(); ++k) {
             const xrd::Heading& each = headings_[k].heading;
-            if (k == label)
-                texts.push_back({heading.value_or(1), each.written});
-            else
+            if (k != label)
                 columns[k] = {each.written, each.coverage, is_uncertainty_column(each.written, headings_[k])};
         }
         std::vector<TextBeside> bases;           // "wt% (ignited)"; a title may be "LOI: ignited at 950 C"
@@ -391,6 +392,8 @@ class OxideTable {
                 ignited = in_quotes(found.at(statement).text);
         texts.insert(texts.end(), labels.begin(), labels.end());
         check_coverage(glass_code, texts, columns, table, separator_, warnings);
+        if (label < headings_.size())
+            xrd::refuse_unread_heading(headings_[label].heading, heading.value_or(1));
     }
 
     /// Refuses amounts of the crystalline part, "SiO2 crystalline" or "wt% (crystalline)".

@@ -502,6 +502,26 @@ bool heads_alike(std::string_view label, std::string_view kind) {
     });
 }
 
+void refuse_unread_heading(const Heading& heading, std::size_t line) {
+    static const WordLists beside("headings of names");
+    static const WordLists methods("methods");
+    const auto open = heading.text.find_first_of("([");
+    std::string said = heading.states == HeadingUnit::other ? heading.unit : std::string();
+    if (open != std::string::npos) said = heading.text.substr(open) + said;
+    const auto is_known = [&](const std::string& word) {
+        const Role role = role_of_text(word);
+        return role == Role::phase || role == Role::sample || beside.holds(word) || methods.holds(word) ||
+               std::ranges::all_of(word, is_digit);
+    };
+    if (said.empty() || beside.holds(said) || read_phase_name("x " + said).mark != PhaseMark::none ||
+        (!holds_per_cent(said) && std::ranges::all_of(words_in(said), is_known)))
+        return;
+    refuse_line(line,
+                "of the heading " + in_quotes(heading.written) + " of the names " + in_quotes(said) +
+                    " is not understood: it may change the amounts",
+                "the name of the column alone; units and coverages in the headings of the numbers");
+}
+
 bool holds_numbers(const TableRow& row, std::size_t label) {
     for (std::size_t k = 0; k < row.cells.size(); ++k)
         if (k != label && !row.cells[k].empty() && read_number(row.cells[k], true)) return true;
@@ -642,11 +662,6 @@ void require_units_at_amounts(const Table& table) {
     if (!label) return;
     const Heading& heading = table.headings[*label];
     const bool of_volume = heading.states == HeadingUnit::volume;
-    const auto bracket = heading.written.find_first_of("([");
-    const bool of_areas =  // "Phase (area)"
-        bracket != std::string::npos && !table.has(Role::intensity) &&
-        bases_in(heading.written.substr(bracket), false).contains("intensity");
-    const bool in_other_unit = heading.states == HeadingUnit::other && heading.scale != Scale::not_stated;
     const bool of_other_scale =  // "Sample [g/kg];Quartz [wt%]"
         heading.scale != Scale::not_stated && std::ranges::any_of(table.headings, [&](const Heading& each) {
             return &each != &heading && each.scale != Scale::not_stated && each.scale != heading.scale;
@@ -656,9 +671,9 @@ void require_units_at_amounts(const Table& table) {
                     "the heading " + in_quotes(heading.written) +
                         " of the names states another unit than the amounts",
                     "the unit of each amount in its own heading");
-    if (!of_volume && !of_areas && !in_other_unit) return;
+    if (!of_volume) return;
     for (const Heading& each : table.headings)
-        if (&each != &heading && each.states == heading.states && !of_areas) return;
+        if (&each != &heading && each.states == heading.states) return;
     refuse_line(table.heading_line,
                 "the heading " + in_quotes(heading.written) + " of the names states a unit of amounts",
                 "the unit in the headings of the amounts: " + in_quotes("FA1 [vol%]"));
@@ -1123,6 +1138,9 @@ void require_agreeing_texts(Table& table, std::vector<TextBeside> texts, std::sp
             unused_statement(xrd_code, found->second, "the fractions are taken as those of the sample"));
     if (!table.has(Role::intensity)) require_basis(texts, stated_basis(table));
     check_coverage(xrd_code, texts, columns, rows, table.separator, table.warnings);
+    for (const Heading& each : table.headings)
+        if (each.role == Role::phase || each.role == Role::sample)
+            refuse_unread_heading(each, table.heading_line);
 }
 
 /// Refuses amounts of an added standard that are no fractions by weight. @throws InputError

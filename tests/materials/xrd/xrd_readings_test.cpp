@@ -316,6 +316,21 @@ TEST_CASE("names of samples, and headings, that change what amounts are") {
           doctest::Approx(0.01));
 }
 
+TEST_CASE("what the heading of the names says is read, or refused") {
+    const std::string rows = ";wt%;\u00b1\nQuartz;20;1\nGlass;80;2\n";
+    for (const char* heading :
+         {"Phase (Fehler 2s)", "Phase (2 sigma)", "Phase (\u00b1 2\u03c3)", "Phase [Fehler 2s]",
+          "Mineral [Vol.-%]", "Phase (area)", "Phase (values / 10)", "Phase [scaled]", "Phase (estimated)",
+          "Phase (cation %)"})
+        CHECK_MESSAGE(!refusal(heading + rows).empty(), heading);
+    CHECK(contains(
+        refusal("Phase (values / 10)" + rows),
+        "line 1: of the heading \"Phase (values / 10)\" of the names \"(values / 10)\" is not understood"));
+    for (const char* heading : {"Phase (ICSD)", "Mineral (PDF no.)", "Phase [Rietveld]", "Phase (Mineral)",
+                                "Phase [wt%]", "Phase (n=3)", "Phase (Name, Formel)"})
+        CHECK_MESSAGE(refusal(heading + rows).empty(), heading);
+}
+
 TEST_CASE("a density far from that of the catalogue is doubtful") {
     const auto severity = [](double density) {
         Analysis analysis{.phases = {{.name = "Quartz", .fraction = 1, .density = density}},
