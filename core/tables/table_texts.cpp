@@ -2,6 +2,7 @@
 #include "core/tables/table_texts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -273,6 +274,23 @@ void require_coverage_in_headings(const std::vector<TextBeside>& texts, const Un
 
 }  // namespace
 
+void take_coverage_of_amounts(const UncertainColumn& amounts, const std::string& heading,
+                              StatedCoverage& coverage, std::size_t line) {
+    const StatedCoverage& of = amounts.coverage;
+    const bool is_standard = of.factor == 1 && of.problem.empty();
+    if (is_standard || of.stated.empty() || !coverage.stated.empty() || !coverage.problem.empty()) return;
+    const std::string key = word_key(heading);
+    const auto is_named = [&](const char* word) { return key.find(word) != std::string::npos; };
+    if (std::ranges::any_of(std::array{"sd", "std", "stand", "sem", "stabw", "sigma"}, is_named))
+        refuse_line(line,
+                    fmt::format("{} states {}, and {} behind it names standard uncertainties",
+                                in_quotes(amounts.heading), in_quotes(of.stated), in_quotes(heading)),
+                    "the coverage behind that name: " + in_quotes(heading + " (" + of.stated + ")"));
+    coverage.factor = of.factor;
+    coverage.stated = of.stated;
+    coverage.problem = of.problem;
+}
+
 void check_coverage(std::string_view code, const std::vector<TextBeside>& texts,
                     const UncertainColumns& columns, std::span<const TextLine> rows, char separator,
                     std::vector<Finding>& findings) {
@@ -290,6 +308,10 @@ void check_coverage(std::string_view code, const std::vector<TextBeside>& texts,
     for (const auto& column : stated) {
         if (!column) continue;
         const StatedCoverage& coverage = column->coverage;
+        const std::size_t next = static_cast<std::size_t>(&column - stated.data()) + 1;
+        const bool is_of_next = next < stated.size() && stated[next] &&
+                                stated[next]->coverage.stated == coverage.stated;  // "wt% (2s);error"
+        if (!column->is_uncertainty && is_of_next) continue;
         if (!column->is_uncertainty)
             findings.push_back({code, Severity::remark,
                                 fmt::format("column {} states a coverage and holds no uncertainties",

@@ -97,6 +97,11 @@ void check_coverage(std::string_view code, const std::vector<TextBeside>& texts,
                     const UncertainColumns& columns, std::span<const TextLine> rows, char separator,
                     std::vector<Finding>& findings);
 
+/// Gives uncertainties without a coverage that in the heading of their amounts: "wt% (2s);error". @throws
+/// InputError for "wt% (2s);SD", which names standard ones
+void take_coverage_of_amounts(const UncertainColumn& amounts, const std::string& heading,
+                              StatedCoverage& coverage, std::size_t line);
+
 /// A column of a quantity in a unit.
 struct ColumnUnit {
     std::string heading;

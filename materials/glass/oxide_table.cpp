@@ -508,13 +508,18 @@ class OxideTable {
     void read_headings(const TableRow& row) {
         refuse_two_methods(row.cells, row.line);
         std::string name;
-        for (const std::string& cell : row.cells) {
+        for (std::size_t k = 0; k < row.cells.size(); ++k) {
+            const std::string& cell = row.cells[k];
             const auto beside = uncertainty_beside(cell, name);
             headings_.push_back(beside ? OxideLine{.role = OxideRole::uncertainty,
                                                    .heading = xrd::read_heading_beside(cell, name)}
                                        : read_line(cell));
-            if (!beside && headings_.back().role != OxideRole::uncertainty)
-                name = headings_.back().heading.text;
+            const OxideLine& line = headings_.back();
+            if (!beside && line.role != OxideRole::uncertainty) name = line.heading.text;
+            if (k > 0 && line.role == OxideRole::uncertainty)
+                take_coverage_of_amounts(
+                    {headings_[k - 1].heading.written, headings_[k - 1].heading.coverage}, cell,
+                    headings_[k].heading.coverage, row.line);
         }
     }
 

@@ -1288,6 +1288,15 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     require_owners_of_uncertainties(table);
     choose_uncertainties(table);
     refuse_uncertainties_of_means(table);
+    const Heading* amounts = nullptr;
+    for (Heading& each : table.headings) {
+        if (each.role == Role::uncertainty && amounts != nullptr)
+            take_coverage_of_amounts({amounts->written, amounts->coverage}, each.written, each.coverage,
+                                     table.heading_line);
+        if (each.role == Role::weight || each.role == Role::volume || each.role == Role::intensity ||
+            (each.role == Role::other && !each.text.empty()))
+            amounts = &each;
+    }
     for (const Heading& each : table.headings)
         if (each.role != Role::measure)
             require_no_common_uncertainty(each.coverage.rest, each.written, table.heading_line);

@@ -331,6 +331,20 @@ TEST_CASE("what the heading of the names says is read, or refused") {
         CHECK_MESSAGE(refusal(heading + rows).empty(), heading);
 }
 
+TEST_CASE("a coverage in the heading of the amounts is that of the uncertainties behind them") {
+    for (const char* heading : {"Phase;Content [wt%] (\u00b1 2\u03c3);\u00b1", "Phase;wt% (2s);error",
+                                "Phase;FA1 [wt%] (k=2);Fehler"}) {
+        const std::string table = std::string(heading) + "\nQuartz;20;1\nGlass;80;2\n";
+        CHECK(first_of(table).analysis.phases[0].standard_uncertainty.value() == doctest::Approx(0.005));
+        CHECK(contains(told(table), "are divided by 2 for standard ones"));
+        CHECK_FALSE(contains(told(table), "holds no uncertainties"));
+    }
+    CHECK(contains(refusal("Phase;wt% (2s);esd\nQuartz;20;1\nGlass;80;2\n"),
+                   "\"wt% (2s)\" states 2s, and \"esd\" behind it names standard uncertainties"));
+    CHECK(first_of("Phase;wt% (2s);1 sigma\nQuartz;20;1\n").analysis.phases[0].standard_uncertainty.value() ==
+          doctest::Approx(0.01));
+}
+
 TEST_CASE("a density far from that of the catalogue is doubtful") {
     const auto severity = [](double density) {
         Analysis analysis{.phases = {{.name = "Quartz", .fraction = 1, .density = density}},
