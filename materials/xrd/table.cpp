@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <regex>
 #include <utility>
 
 #include <fmt/format.h>
@@ -19,16 +20,26 @@ namespace ashimpact::xrd {
 
 namespace {
 
+/// Whether "%" at the end of a name may belong to a number in it: "FA 5 %".
+bool may_end_with_per_cent(const std::string& name) {
+    static const std::regex form(".*[ _(/+-][0-9][0-9.,]* *%");
+    return name.size() <= longest_heading && std::regex_match(name, form);
+}
+
 /// Factor from amounts to fractions, if headings or cells state it, else by the size of the amounts.
 double scale_of(const Table& table, const std::vector<Entry>& entries, std::vector<Finding>& warnings) {
     bool per_cent = false;
     bool fraction = false;
+    const std::string* named = nullptr;  // a sample "FA 5 %"
     for (const Heading& heading : table.headings) {
         if (heading.role == Role::standard || heading.role == Role::uncertainty || stands_beside(heading))
             continue;
         if (heading.scale == Scale::ppm) return 1e-6;  // by_volume() has refused other units beside it
         if (heading.scale == Scale::per_mille) return 1e-3;
-        per_cent = per_cent || heading.scale == Scale::per_cent;
+        if (may_end_with_per_cent(heading.written))
+            named = &heading.written;
+        else
+            per_cent = per_cent || heading.scale == Scale::per_cent;
         fraction = fraction || heading.scale == Scale::fraction;
     }
     double largest = 0;
@@ -48,6 +59,13 @@ double scale_of(const Table& table, const std::vector<Entry>& entries, std::vect
     per_cent = per_cent || signed_cell != nullptr;
     if (per_cent != fraction) return per_cent ? 0.01 : 1;
     const bool seems_per_cent = largest > 1;
+    for (const Entry& entry : entries)
+        if (may_end_with_per_cent(entry.sample)) named = &entry.sample;
+    if (named != nullptr && !per_cent && !seems_per_cent)
+        refuse_line(table.heading_line,
+                    "the sample " + in_quotes(*named) + " has amounts up to " + shortest(largest) +
+                        ": they may be fractions, or in the \"%\" of its name",
+                    "the unit of the amounts in brackets: [1], [wt%]");
     warnings.push_back(
         {xrd_code, Severity::remark,
          std::string("the table does not say whether its amounts are per cent or fractions: by their "
@@ -82,6 +100,10 @@ double scale_of_standard(const PrintedNumber& number, const Heading& heading, do
     const auto* const stated = std::ranges::find(factors, heading.scale, &std::pair<Scale, double>::first);
     if (stated != factors.end()) return stated->second;
     constexpr double per_cent = 0.01;
+    if (!number.per_cent && amounts == per_cent && number.value < 1)
+        throw InputError(fmt::format("the amount of the standard, {0}, may be {0} % or {1} %",
+                                     readable_number(number.value), readable_number(100 * number.value)),
+                         "a unit in the heading " + in_quotes(heading.written) + ": [wt%], [1]");
     if (!number.per_cent && amounts < per_cent)
         throw InputError("the amount of the standard, " + readable_number(number.value) +
                              ", may be in the unit of the amounts, or per cent or a fraction",
@@ -418,7 +440,9 @@ XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) 
                                                    : sample_of_fractions(group, scale, table.blank_rows);
         if (volumes) sample.analysis.basis = FractionBasis::volume;
         if (!table.crystalline.empty()) take_crystalline_part(sample, table.crystalline);
-        result.samples.push_back(standardised(sample, group, table, scale));
+        constexpr double not_stated = of_per_cent;  // of peaks: a number below 1 has two readings
+        result.samples.push_back(
+            standardised(sample, group, table, layout == Layout::peaks ? not_stated : scale));
     }
     std::vector<NamedSum> sums;
     if (layout == Layout::fractions || layout == Layout::peaks) return result;  // a column names the samples

@@ -345,6 +345,28 @@ TEST_CASE("a coverage in the heading of the amounts is that of the uncertainties
           doctest::Approx(0.01));
 }
 
+TEST_CASE("per cent at the end of the name of a sample may be of its name") {
+    for (const char* table :
+         {"Sample;Quartz;Glass\nFA 5 %;0.2;0.8\n", "Phase;FA 5 %;FA 10 %\nQuartz;0.2;0.3\nGlass;0.8;0.7\n",
+          "Sample;Phase;Amount\nFA-5%;Quartz;0.2\nFA-5%;Glass;0.8\n"})
+        CHECK(contains(refusal(table), "they may be fractions, or in the \"%\" of its name"));
+    for (const char* table :
+         {"Sample;Quartz;Glass\nFA 5 %;20;80\n", "Phase;FA 5 %;FA 10 %\nQuartz;20;30\nGlass;80;70\n",
+          "Sample;Quartz [1];Glass [1]\nFA 5 %;0.2;0.8\n", "Phase;FA1 %;FA2 %\nQuartz;20;30\nGlass;80;70\n"})
+        CHECK(first_of(table).analysis.phases[0].fraction == doctest::Approx(0.2));
+}
+
+TEST_CASE("the amount of a standard without a unit has two readings below 1") {
+    for (const char* table : {"Phase;wt%;standard\nQuartz;70;\nCorundum;30;0.1\n",
+                              "Phase;I;RIR;standard\nQuartz;70;1;\nCorundum;30;1;0.1\n"})
+        CHECK(contains(refusal(table), "the amount of the standard, 0.1, may be 0.1 % or 10 %"));
+    for (const char* table : {"Phase;wt%;standard\nQuartz;70;\nCorundum;30;10\n",
+                              "Phase;wt%;standard\nQuartz;70;\nCorundum;30;10 %\n",
+                              "Phase;Amount [1];standard\nQuartz;0.7;\nCorundum;0.3;0.1\n"})
+        CHECK(std::get<AmorphousRemainder>(first_of(table).analysis.amorphous).scale ==
+              doctest::Approx(0.1 / (0.3 * 0.9)));
+}
+
 TEST_CASE("a density far from that of the catalogue is doubtful") {
     const auto severity = [](double density) {
         Analysis analysis{.phases = {{.name = "Quartz", .fraction = 1, .density = density}},
