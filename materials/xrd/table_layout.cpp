@@ -259,6 +259,12 @@ void require_plain_name(const std::string& name, const Table& table, std::size_t
     static const std::regex factor("(?:[x*/]|\u00d7|\u00f7) *[0-9.,]+|[0-9.,]+ *(?:x|\u00d7)");
     static const std::regex nothing_said(".*\\([^0-9A-Za-z\\x80-\\xff]*\\)");  // "(~)", "(?)"
     if (calls_invalid(name)) refuse_invalid_row(name, "the names", line, column);
+    const auto count = [&](char c) { return std::ranges::count(name, c); };
+    if (count('(') != count(')') || count('[') != count(']') || count('"') % 2 != 0)
+        throw InputError(
+            "a bracket or quote of the name " + in_quotes(name) + " has no other: a part may be missing",
+            "the whole name, in quotes where it holds the separator")
+            .at(at_cell(line, column));
     if (has_sign_of_bound(name) || (name.size() <= longest_heading && std::regex_match(name, nothing_said)))
         throw InputError(
             "the sign in the name " + in_quotes(name) + " may make its amount a bound or doubtful",

@@ -367,6 +367,13 @@ TEST_CASE("the amount of a standard without a unit has two readings below 1") {
               doctest::Approx(0.1 / (0.3 * 0.9)));
 }
 
+TEST_CASE("a garbled name of a phase is refused") {
+    for (const char* name : {"Quartz (10", "Quartz [low", "Quartz 10)", "Qua\"rtz"})
+        CHECK(contains(refusal("Phase;wt%\n" + std::string(name) + ";20\nGlass;80\n"),
+                       "line 2, cell 1: a bracket or quote"));
+    CHECK(contains(refusal("Sample;Quartz (low;Glass\nA;20;80\n"), "line 1, cell 2: a bracket or quote"));
+}
+
 TEST_CASE("a density far from that of the catalogue is doubtful") {
     const auto severity = [](double density) {
         Analysis analysis{.phases = {{.name = "Quartz", .fraction = 1, .density = density}},
