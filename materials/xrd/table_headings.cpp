@@ -400,6 +400,15 @@ bool is_on_method(const std::vector<std::string>& words) {
                                [](const std::string& word) { return small.list_of(word) == "of methods"; });
 }
 
+/// Whether a name has a short mark of a standard apart from its words: "FA1 (IS)", "FA1+IS".
+bool has_short_mark(const std::string& name) {
+    static const WordLists marks("XRD marks");
+    static const std::regex apart("[(\\[+] *([A-Za-z.]+) *(?:[)\\]]|$)");
+    std::smatch match;
+    return name.size() <= longest_heading && std::regex_search(name, match, apart) &&
+           marks.list_of(match.str(1)) == "standard";
+}
+
 const WordLists& standard_materials() {
     static const WordLists words("internal standards", " ");
     return words;
@@ -415,16 +424,22 @@ void StandardsInTexts::take(const TextBeside& text) {
     const std::size_t first =  // word of the name
         text.text.starts_with(sheet_name_mark) ? words_in(sheet_name_mark).size() : 0;
     const auto found = mentions_in(words, marks);
-    const bool is_mark = std::ranges::any_of(found, [&](const Mention& mention) {
-        return mention.list == "standard" && !mention.negated &&
-               (text.is_name || mention.count > 1 || words[mention.first].size() >= shortest_mark);
-    });
+    const auto is_standard = [](const Mention& mention) {
+        return mention.list == "standard" && !mention.negated;
+    };
     // "ISTD 10 %", unlike "standard cell"
-    const bool is_of_any = std::ranges::any_of(found, [&](const Mention& mention) {
-        return mention.list == "standard" && !mention.negated &&
-               (mention.count > 1 ||
-                (words[mention.first].size() >= shortest_mark && words[mention.first] != "standard"));
-    });
+    const bool is_of_any = (text.is_name && has_short_mark(text.text)) ||
+                           std::ranges::any_of(found, [&](const Mention& mention) {
+                               return is_standard(mention) &&
+                                      (mention.count > 1 || (words[mention.first].size() >= shortest_mark &&
+                                                             words[mention.first] != "standard"));
+                           });
+    const bool is_mark =
+        is_of_any || (!text.is_name && std::ranges::any_of(found, [&](const Mention& mention) {
+            return is_standard(mention) && words[mention.first] == "standard";
+        }));
+    if (text.is_name && !is_mark && std::ranges::any_of(found, is_standard))
+        doubtful_ = true;                                // "is_x", "STD_3"
     const auto is_added = [&](const Mention& mention) {  // "FA1 with corundum", unlike "Corundum ash"
         if (mention.negated) return false;
         if (text.is_name) return mention.first > first;
@@ -443,17 +458,28 @@ void StandardsInTexts::take_named(const TextBeside& text) {
     any_ = before;
 }
 
+bool StandardsInTexts::may_hold(std::string_view phase) const {
+    return doubtful_ && standard_materials().holds(phase);
+}
+
 bool StandardsInTexts::hold(std::string_view phase) const {
     const auto material = standard_materials().list_of(phase);
     return material && (any_ || materials_.contains(*material));
 }
 
-void mark_standards(Analysis& analysis, const std::string& sample) {
+std::optional<Finding> mark_standards(Analysis& analysis, const std::string& sample) {
     StandardsInTexts standards;
     standards.take({.line = 0, .text = sample, .is_name = true});
-    for (PhaseFraction& phase : analysis.phases)
+    std::optional<Finding> doubt;
+    for (PhaseFraction& phase : analysis.phases) {
         phase.is_standard = phase.is_standard || standards.hold(phase.name) ||
                             read_phase_name(phase.name).mark == PhaseMark::standard;
+        if (!phase.is_standard && standards.may_hold(phase.name))
+            doubt = {xrd_code, Severity::doubt,
+                     "the name " + in_quotes(sample) + " may state an internal standard; " +
+                         in_quotes(phase.name) + " is taken as a phase of the sample"};
+    }
+    return doubt;
 }
 
 namespace {

@@ -374,6 +374,21 @@ TEST_CASE("a garbled name of a phase is refused") {
     CHECK(contains(refusal("Sample;Quartz (low;Glass\nA;20;80\n"), "line 1, cell 2: a bracket or quote"));
 }
 
+TEST_CASE("a short mark of a standard in a name is doubted, not taken") {
+    const std::string rows = "Phase;wt%\nQuartz;37\nCorundum;10\nGlass;53\n";
+    for (const char* file : {"is_x.csv", "STD_3.csv", "ref 7.csv", "Standard 3.csv"}) {
+        const XrdSample sample = read_xrd(rows, file).samples.front();
+        CHECK_FALSE(sample.analysis.phases[1].is_standard);
+        CHECK(contains(joined(texts_of(sample.warnings)), "\"Corundum\" is taken as a phase of the sample"));
+        CHECK_FALSE(
+            contains(joined(texts_of(read_xrd("Phase;wt%\nGlass;100\n", file).samples.front().warnings)),
+                     "is taken as a phase"));
+    }
+    CHECK_FALSE(first_of("Sample;Quartz;Corundum;Glass\nSTD_3;37;10;53\n").analysis.phases[1].is_standard);
+    for (const char* file : {"FA1 (IS).csv", "FA1 + IS.csv", "spiked_3.csv", "int. std. 3.csv"})
+        CHECK(read_xrd(rows, file).samples.front().analysis.phases[1].is_standard);
+}
+
 TEST_CASE("a density far from that of the catalogue is doubtful") {
     const auto severity = [](double density) {
         Analysis analysis{.phases = {{.name = "Quartz", .fraction = 1, .density = density}},
