@@ -15,6 +15,7 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "materials/xrd/readers.hpp"
+#include "materials/xrd/table_headings.hpp"
 #include "materials/xrd/xrd.hpp"
 
 namespace ashimpact::xrd {
@@ -23,14 +24,14 @@ namespace {
 
 constexpr std::array<std::string_view, 4> ways{"weight_fractions", "volume_fractions", "phases", "peaks"};
 
-/// @param basis that a text may state: "60 wt%"; none: it may not
-Quantity read_fraction(const View& node, std::optional<FractionBasis> basis = std::nullopt) {
-    const Quantity fraction =
-        basis && node.is_string()
-            ? at_place(
-                  node.pointer(),
-                  [&] { return quantity_of_text(without_basis(node.text(), *basis), Dimension::fraction); })
-            : node.quantity(Dimension::fraction);
+/// @param basis that a text may state: "60 wt%", "0.4 m3/m3"
+Quantity read_fraction(const View& node, FractionBasis basis) {
+    const Quantity fraction = at_place(node.pointer(), [&] {
+        if (node.is_string()) return quantity_of_text(without_basis(node.text(), basis), Dimension::fraction);
+        if (node.is_object() && node.has("unit"))
+            static_cast<void>(without_basis(node.at("unit").text(), basis));
+        return node.quantity(Dimension::fraction);
+    });
     if (!(fraction.value >= 0 && fraction.value <= 1))
         node.fail("the fraction is " + per_cent(fraction.value), "0 % to 100 % (0 to 1)");
     return fraction;
@@ -40,9 +41,10 @@ void require_plain_name(const std::string& name, const View& node) {
     if (has_sign_of_bound(name)) node.fail(in_quotes(name) + " has the sign of a bound", "the name alone");
 }
 
-PhaseFraction read_phase(const std::string& name, const View& node, const std::string& place) {
+PhaseFraction read_phase(const std::string& name, const View& node, FractionBasis basis,
+                         const std::string& place) {
     require_plain_name(name, node);
-    const Quantity fraction = read_fraction(node);
+    const Quantity fraction = read_fraction(node, basis);
     return {.name = name,
             .fraction = fraction.value,
             .standard_uncertainty = fraction.standard_uncertainty,
@@ -50,10 +52,10 @@ PhaseFraction read_phase(const std::string& name, const View& node, const std::s
 }
 
 /// {"quartz": "10 %", ...}
-std::vector<PhaseFraction> read_fractions(const View& node) {
+std::vector<PhaseFraction> read_fractions(const View& node, FractionBasis basis) {
     std::vector<PhaseFraction> phases;
     for (const auto& [name, value] : node.members())
-        phases.push_back(read_phase(name, value, value.pointer()));
+        phases.push_back(read_phase(name, value, basis, value.pointer()));
     return phases;
 }
 
@@ -79,7 +81,7 @@ void read_list(const View& list, Analysis& analysis) {
         analysis.basis = basis;
         analysis.phases.push_back(read_phase(node.at("name").text(),
                                              node.at(by_weight ? "weight_fraction" : "volume_fraction"),
-                                             node.pointer()));
+                                             basis, node.pointer()));
         if (const auto density = node.find("density")) analysis.phases.back().density = density_of(*density);
     }
 }
@@ -172,10 +174,11 @@ Amorphous read_amorphous(const View& node, FractionBasis basis) {
         const Quantity scale = value.quantity(Dimension::fraction);
         return AmorphousRemainder{scale.value, scale.standard_uncertainty};
     }
-    const Quantity part = read_fraction(value);
+    if (key != "crystalline_total")
+        basis = key == "weight_fraction" ? FractionBasis::weight : FractionBasis::volume;
+    const Quantity part = read_fraction(value, basis);
     if (key == "crystalline_total") return CrystallineTotal{part.value, part.standard_uncertainty};
-    return AmorphousFraction{part.value, part.standard_uncertainty,
-                             key == "weight_fraction" ? FractionBasis::weight : FractionBasis::volume};
+    return AmorphousFraction{part.value, part.standard_uncertainty, basis};
 }
 
 /// The phases without the standard, and what is amorphous by it. The older key "weight_fraction" is read too.
@@ -185,7 +188,8 @@ Analysis without_standard(const Analysis& analysis, const View& standard) {
         standard.fail("the weight of the standard over that of the mixture is not given once",
                       "phase and added_fraction");
     const Quantity added =
-        read_fraction(standard.at(standard.has("added_fraction") ? "added_fraction" : "weight_fraction"));
+        read_fraction(standard.at(standard.has("added_fraction") ? "added_fraction" : "weight_fraction"),
+                      FractionBasis::weight);
     const std::string phase = standard.at("phase").text();
     return at_place(standard.pointer(), [&] {
         const XrdSample mixture{.name = {}, .analysis = analysis};
@@ -231,13 +235,19 @@ XrdResult read_samples(const View& root) {
 }  // namespace
 
 std::string without_basis(const std::string& text, FractionBasis basis) {
-    const auto stated = bases_in(text);
-    if (stated.empty() || text.find('%') == std::string::npos) return text;
+    const auto at = std::min(text.find_first_not_of("+-.,()0123456789eE \u00b1"), text.size());
+    std::string_view unit = std::string_view(text).substr(at);
+    if (unit.ends_with(')')) unit.remove_suffix(1);
+    auto stated = bases_in(text);
+    if (unit_of(unit) == HeadingUnit::volume) stated.insert("volume");  // "0.47 m3/m3"
+    if (unit_of(unit) == HeadingUnit::weight) stated.insert("weight");
+    if (stated.empty()) return text;
     const std::string_view own = basis == FractionBasis::weight ? "weight" : "volume";
     if (stated.size() > 1 || *stated.begin() != own)
         throw InputError(fmt::format("{} is by {}, and the phases are by {}", in_quotes(text),
                                      *stated.rbegin() == own ? *stated.begin() : *stated.rbegin(), own),
                          fmt::format("a fraction by {}", own));
+    if (!holds_per_cent(text)) return text;
     std::string plain;  // "47 ± 2 %" of "47 wt% ± 2 wt%"
     std::string_view rest = text;
     for (auto sign = rest.find('%'); sign != std::string_view::npos; sign = rest.find('%')) {
@@ -254,11 +264,10 @@ Analysis read_fractions_json(const View& node) {
     Analysis analysis;
     const std::string way = way_of(node);
     const View given = node.at(way);
-    if (way == "phases")
-        read_list(given, analysis);
-    else
-        analysis.phases = way == "peaks" ? read_peaks(given) : read_fractions(given);
+    if (way == "phases") read_list(given, analysis);
     if (way == "volume_fractions") analysis.basis = FractionBasis::volume;
+    if (way != "phases")
+        analysis.phases = way == "peaks" ? read_peaks(given) : read_fractions(given, analysis.basis);
     refuse_repeated(analysis.phases);
     refuse_more_than_all(given, analysis.phases);
     return analysis;

@@ -67,7 +67,11 @@ constexpr std::array fraction_units{FractionUnit{"g/g", HeadingUnit::weight, Sca
                                     FractionUnit{"ug/g", HeadingUnit::weight, Scale::ppm},
                                     FractionUnit{"v/v", HeadingUnit::volume, Scale::not_stated},
                                     FractionUnit{"m3/m3", HeadingUnit::volume, Scale::fraction},
-                                    FractionUnit{"cm3/cm3", HeadingUnit::volume, Scale::fraction}};
+                                    FractionUnit{"cm3/cm3", HeadingUnit::volume, Scale::fraction},
+                                    FractionUnit{"mm3/mm3", HeadingUnit::volume, Scale::fraction},
+                                    FractionUnit{"l/l", HeadingUnit::volume, Scale::fraction},
+                                    FractionUnit{"ml/ml", HeadingUnit::volume, Scale::fraction},
+                                    FractionUnit{"vol/vol", HeadingUnit::volume, Scale::not_stated}};
 
 /// The unit of a text such as "g/kg" or "% (m/m)"; null if it is none of these.
 const FractionUnit* fraction_unit(std::string_view text) {

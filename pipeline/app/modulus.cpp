@@ -105,11 +105,16 @@ XrdSample completed(const XrdSample& sample, const CommandOptions& options) {
     if (options.has("--amorphous-fraction"))
         state("--amorphous-fraction", read_amorphous(options["--amorphous-fraction"], analysis.basis));
     if (options.has("--crystalline-total")) {
-        const Quantity total = read_fraction("--crystalline-total", options["--crystalline-total"]);
+        constexpr auto option = "--crystalline-total";
+        const Quantity total = read_fraction(
+            option, at_place(option, [&] { return xrd::without_basis(options[option], analysis.basis); }));
         state("--crystalline-total", CrystallineTotal{total.value, total.standard_uncertainty});
     }
     if (!options.has("--internal-standard")) return result;
-    const Quantity added = read_fraction("--added-fraction", options["--added-fraction"]);
+    const std::string by_weight = at_place("--added-fraction", [&] {
+        return xrd::without_basis(options["--added-fraction"], FractionBasis::weight);
+    });
+    const Quantity added = read_fraction("--added-fraction", by_weight);
     return at_place("--internal-standard", [&] {
         return with_internal_standard(sample, name_in(sample, options["--internal-standard"]), added.value,
                                       added.standard_uncertainty);

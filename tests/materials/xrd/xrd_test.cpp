@@ -307,6 +307,26 @@ TEST_CASE("a BGMN goal that differs from the weights is reported") {
     CHECK(contains(result.samples[0].warnings[0].text, "the goal QMullite is 0.601, GEWICHT gives 0.561"));
 }
 
+TEST_CASE("a fraction in JSON states no other basis than the phases have") {
+    for (const char* unit : {"m3/m3", "(vol/vol)", "v/v", "l/l"})
+        for (const std::string& keys :
+             {R"("weight_fractions": {"quartz": 0.1}, "amorphous": "0.47 )" + std::string(unit) + '"',
+              R"("weight_fractions": {"quartz": "0.1 )" + std::string(unit) +
+                  R"("}, "amorphous": "remainder")",
+              R"("weight_fractions": {"quartz": 0.1}, "amorphous": {"crystalline_total": "0.5 )" +
+                  std::string(unit) + "\"}"})
+            CHECK(contains(input_error_of([&] {
+                               return read_xrd(R"({"samples": [{"name": "a", )" + keys + "}]}", "a.json");
+                           }),
+                           "is by volume, and the phases are by weight"));
+    CHECK(read_xrd(R"({"samples": [{"name": "a", "volume_fractions": {"quartz": "0.53 m3/m3"},
+                       "amorphous": "0.47 m3/m3"}]})",
+                   "a.json")
+              .samples.front()
+              .analysis.phases.front()
+              .fraction == doctest::Approx(0.53));
+}
+
 TEST_CASE("a GSAS-II list with two histograms") {
     const XrdResult result = read("fa07-gsas2.lst");
     CHECK(result.format == XrdFormat::gsas2_lst);
