@@ -31,11 +31,19 @@ struct Block {
     bool has_positions = false;
 };
 
+/// Goals are written by hand: "QQuartz" is of the block "quartz".
+struct WithoutCase {
+    using is_transparent = void;
+    bool operator()(std::string_view one, std::string_view other) const {
+        return lower_case(one) < lower_case(other);
+    }
+};
+
 struct Contents {
     std::string sample;
     std::vector<Block> blocks;
-    std::map<std::string, std::size_t, std::less<>> first_lines;  ///< of the blocks, by phase
-    std::map<std::string, Value> goals;                           ///< Q-goals, without the Q
+    std::map<std::string, std::size_t, WithoutCase> first_lines;  ///< of the blocks, by phase
+    std::map<std::string, Value, WithoutCase> goals;              ///< Q-goals, without the Q
     std::vector<Finding> unused;                                  ///< other goals
 };
 
@@ -134,12 +142,20 @@ Contents scan(const TextLines& file) {
         } else if (equals != std::string_view::npos) {
             if (!contents.blocks.empty())
                 read_member(contents.blocks.back(), text.substr(0, equals), text.substr(equals + 1), number);
-            else if (in_goals && text.starts_with('Q'))
+            else if (in_goals && (text.starts_with('Q') || text.starts_with('q')))
                 add_goal(contents, std::string(text.substr(1, equals - 1)),
                          read_value(text.substr(equals + 1), number));
             else if (in_goals)
                 take_other_goal(contents, text, text.substr(0, equals), number);
         }
+    }
+    for (const Block& block :
+         contents.blocks) {  // "Quartz=0.3" of a block "quartz", without the mark of a goal
+        const bool is_bare = block.name.starts_with('Q') || block.name.starts_with('q');
+        auto goal = contents.goals.extract(is_bare ? block.name.substr(1) : std::string());
+        if (goal.empty()) continue;
+        goal.key() = block.name;
+        contents.goals.insert(std::move(goal));
     }
     return contents;
 }

@@ -307,6 +307,19 @@ TEST_CASE("a BGMN goal that differs from the weights is reported") {
     CHECK(contains(result.samples[0].warnings[0].text, "the goal QMullite is 0.601, GEWICHT gives 0.561"));
 }
 
+TEST_CASE("goals of a BGMN list name their block in any case, with the mark of a goal or without") {
+    for (const char* goal : {"Qmullite=0.6010", "QMULLITE=0.6010", "qMullite=0.6010"}) {
+        std::string text = file_text(ASHIMPACT_TEST_DATA "/xrd/fa07-corundum.lst");
+        text.replace(text.find("QMullite=0.5610"), 15, goal);
+        const XrdResult result = read_xrd(text, "fa07.lst");
+        REQUIRE(result.samples[0].warnings.size() == 1);
+        CHECK(contains(result.samples[0].warnings[0].text, "is 0.601, GEWICHT gives 0.561"));
+    }
+    std::string text = file_text(ASHIMPACT_TEST_DATA "/xrd/fa07-corundum.lst");
+    text.replace(text.find("QQuartz=0.1523"), 7, "quartz");
+    CHECK(read_xrd(text, "fa07.lst").samples[0].analysis.phases.size() == 6);
+}
+
 TEST_CASE("a fraction in JSON states no other basis than the phases have") {
     for (const char* unit : {"m3/m3", "(vol/vol)", "v/v", "l/l"})
         for (const std::string& keys :
