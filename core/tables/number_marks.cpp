@@ -75,7 +75,7 @@ std::string_view without_blanks_in_numbers(std::string_view cell, std::string& c
     text = cell;
     for (const auto& [mark, plain] :
          {std::pair{"\u00a0", " "}, std::pair{"\u202f", " "}, std::pair{"\u2009", " "},
-          std::pair{"\u2019", "'"}, std::pair{"\u2212", "-"}})
+          std::pair{"\u2019", "'"}, std::pair{"\u2212", "-"}, std::pair{"\u2013", "-"}})
         for (auto at = text.find(mark); at != std::string::npos; at = text.find(mark, at))
             text.replace(at, std::string_view(mark).size(), plain);
     for (std::size_t at = 0; at < text.size();) {

@@ -68,7 +68,9 @@ CutTable cut_table(const TextLines& file, std::vector<TextLine> lines, std::size
     table.heading = cut_row(lines[place], table.separator);
     std::size_t first = place + 1;  // of the rows
     if (first < lines.size()) {
-        const TableRow second = cut_row(lines[first], table.separator);
+        TableRow second = cut_row(lines[first], table.separator);
+        static const WordLists units("unit columns");
+        if (units.holds(second.cells.front())) second.cells.front().clear();  // "Unit;wt%;wt%"
         const auto is_unit = [](std::string_view text) { return read_unit(ascii_unit(text)).has_value(); };
         if (take_second ? take_second(table.heading, second) : take_units(table.heading, second, is_unit))
             ++first;

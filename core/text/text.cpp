@@ -372,10 +372,21 @@ std::string_view whole_end(std::string_view text, std::size_t most) {
 }
 
 std::string from_latin1(std::string_view bytes) {
+    constexpr unsigned first_of_windows = 0x80;
+    constexpr std::array<std::string_view, 32> of_windows{
+        "\u20ac", "",       "\u201a", "\u0192", "\u201e", "\u2026", "\u2020", "\u2021",
+        "\u02c6", "\u2030", "\u0160", "\u2039", "\u0152", "",       "\u017d", "",
+        "",       "\u2018", "\u2019", "\u201c", "\u201d", "\u2022", "\u2013", "\u2014",
+        "\u02dc", "\u2122", "\u0161", "\u203a", "\u0153", "",       "\u017e", "\u0178"};
     std::string text;
     for (const char c : bytes) {
         if (byte_of(c) < 0x80U) {
             text += c;
+            continue;
+        }
+        const unsigned place = byte_of(c) - first_of_windows;
+        if (place < of_windows.size() && !of_windows[place].empty()) {
+            text += of_windows[place];
             continue;
         }
         text += static_cast<char>(0xc0U | (byte_of(c) >> 6U));

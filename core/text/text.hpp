@@ -124,7 +124,7 @@ void for_each_character(std::string_view text, Each&& each) {
 [[nodiscard]] std::string_view whole_start(std::string_view text, std::size_t most);
 [[nodiscard]] std::string_view whole_end(std::string_view text, std::size_t most);
 
-/// Latin-1 bytes as UTF-8.
+/// Latin-1 bytes as UTF-8, and those that Windows puts between: "\u2013" for 0x96.
 [[nodiscard]] std::string from_latin1(std::string_view bytes);
 
 /// The text with each first of a pair replaced by its second; earlier pairs win.

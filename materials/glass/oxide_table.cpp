@@ -446,21 +446,23 @@ class OxideTable {
             .at(at_cell(row.line, column));
     }
 
+    /// Takes a row of units below a heading into it: "Unit;wt%;wt%".
+    static bool take_row_of_units(TableRow& heading, TableRow units) {
+        const auto is_unit = [](std::string_view cell) {
+            return xrd::read_heading("x [" + std::string(cell) + "]").states != xrd::HeadingUnit::other ||
+                   word_key(cell) == "mgkg" || word_key(cell, "%") == "mol%";
+        };
+        for (std::string& cell : units.cells)
+            if (names_units(cell)) cell.clear();
+        return take_units(heading, units, is_unit);
+    }
+
     /// A column for each oxide, a row for each sample. @return the column of their names
     std::size_t read_across(std::size_t first) {
         take_titles(first);
         TableRow names = rows_[first];
         std::size_t next = first + 1;
-        const auto is_unit = [](std::string_view cell) {
-            return xrd::read_heading("x [" + std::string(cell) + "]").states != xrd::HeadingUnit::other ||
-                   word_key(cell) == "mgkg" || word_key(cell, "%") == "mol%";
-        };
-        if (next < rows_.size()) {
-            TableRow units = rows_[next];
-            for (std::string& cell : units.cells)
-                if (names_units(cell)) cell.clear();
-            if (take_units(names, units, is_unit)) ++next;
-        }
+        if (next < rows_.size() && take_row_of_units(names, rows_[next])) ++next;
         read_headings(names);
         const std::size_t label = label_column(names);
         std::vector<std::string> unused;
@@ -625,6 +627,9 @@ class OxideTable {
             --first;
         const bool has_heading = first > 0;
         if (!has_heading) first = oxide;
+        if (first > 1 && names_units(rows_[first - 1].cells.front()) &&
+            take_row_of_units(rows_[first - 2], rows_[first - 1]))
+            rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(--first));
         const std::size_t width = rows_[first].cells.size();
         if (has_heading) read_headings(rows_[first - 1]);
         headings_.resize(std::max(headings_.size(), width));

@@ -123,12 +123,14 @@ std::string without_fraction_unit(const std::string& cell, HeadingUnit kind) {
     return holds_per_cent(unit) && unit_of(unit) == kind ? cell.substr(0, end) + '%' : cell;
 }
 
-bool names_loss(std::string_view text) {
+bool names_loss(std::string_view text, bool at_any_temperature) {
     static const WordLists words("oxide columns");
     constexpr std::size_t longest_name = 60;  // regular expressions recurse along it
     if (words.list_of(text) == "loss") return true;
     if (text.size() > longest_name) return false;
-    static const std::regex temperature("[ ,_(@-]*(at|bei|à)? *(1[0-9]{3}|[7-9][0-9]{2}) *(°|deg)? *C?[)]?$");
+    static const std::regex high("[ ,_(@-]*(at|bei|à)? *(1[0-9]{3}|[7-9][0-9]{2}) *(°|deg)? *C?[)]?$");
+    static const std::regex any("[ ,_(@-]*(at|bei|à)? *(1[0-9]{3}|[1-9][0-9]{2}) *(°|deg)? *C?[)]?$");
+    const std::regex& temperature = at_any_temperature ? any : high;
     return words.list_of(std::regex_replace(std::string(text), temperature, "")) == "loss";
 }
 
@@ -304,6 +306,7 @@ Heading read_heading(std::string_view text) {
         heading.role = Role::measure;
         heading.states = HeadingUnit::other;
     }
+    if (heading.role == Role::other && names_loss(heading.text, true)) heading.role = Role::measure;
     // "2 sigma" alone, or behind the name of a phase or sample, is the uncertainty of the column before it.
     if (!coverage.stated.empty() && (heading.text.empty() || heading.role == Role::other))
         heading.role = Role::uncertainty;

@@ -98,8 +98,8 @@ struct MarkedPhase {
 [[nodiscard]] HeadingUnit unit_of(std::string_view text);
 
 /// Whether a text names the loss on ignition: "LOI", "Glühverlust bei 950 °C". Below 700 °C carbonates keep
-/// their CO2: that is another quantity.
-[[nodiscard]] bool names_loss(std::string_view text);
+/// their CO2: that is another quantity, which counts at any temperature.
+[[nodiscard]] bool names_loss(std::string_view text, bool at_any_temperature = false);
 
 /// The cell "12.3 wt%" as "12.3 %", if it is in that kind of fractions.
 [[nodiscard]] std::string without_fraction_unit(const std::string& cell, HeadingUnit kind);

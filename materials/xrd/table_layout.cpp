@@ -41,9 +41,13 @@ bool may_name_sample(const Heading& heading) {
                                                      "1/", "\u00b0", "\u00c5", "\u03b8", "ppm"};
     const bool is_quotient =
         heading.text.find('/') != std::string::npos && read_unit(ascii_unit(heading.text)).has_value();
+    static const std::regex temperature("([0-9]) *\u00b0 *C");  // "FA1 900 °C"
+    const std::string name = heading.text.size() > longest_heading
+                                 ? heading.text
+                                 : std::regex_replace(heading.text, temperature, "$1");
     return heading.states != HeadingUnit::other && !is_quotient &&
            std::none_of(signs.begin(), signs.end(),
-                        [&](std::string_view sign) { return heading.text.find(sign) != std::string::npos; });
+                        [&](std::string_view sign) { return name.find(sign) != std::string::npos; });
 }
 
 constexpr std::string_view heading_help =
@@ -96,6 +100,18 @@ bool names_amounts(const std::vector<Heading>& headings) {
     });
 }
 
+/// Whether a line names the groups of columns of a heading with the amounts of several samples:
+/// "Phase;FA1;;FA2;" above "Phase;wt%;esd;wt%;esd".
+bool names_groups(const TextLine& line, const TableRow& heading, const std::vector<Heading>& headings) {
+    const auto of_role = [&](Role role) { return std::ranges::count(headings, role, &Heading::role); };
+    if (std::max(of_role(Role::weight), of_role(Role::volume)) < 2 || std::ranges::count(line.text, '"') > 0)
+        return false;
+    const std::vector<std::string> groups = cut_row(line, separator_of(line.text)).cells;
+    const auto empty = std::ranges::count(groups, std::string());
+    return groups.size() == heading.cells.size() && std::ssize(groups) > empty + 1 &&
+           (groups[0].empty() || groups[0] == heading.cells[0]);
+}
+
 /// Index of the heading line among the first lines. Titles such as "Sample;Fly ash 7" may precede it:
 /// the first line that names amounts is preferred to one that may be a title, then the one of most cells,
 /// unless there are numbers between them.
@@ -112,7 +128,8 @@ std::optional<std::size_t> find_heading(const std::vector<TextLine>& lines) {
             if (possible && holds_number) return possible;
             const auto headings = headings_of(row);
             if (!is_heading(headings)) continue;
-            if (names_amounts(headings)) return i;
+            if (names_amounts(headings))
+                return i - (i > 0 && names_groups(lines[i - 1], row, headings) ? 1 : 0);
             if (headings.size() > widest) {
                 possible = i;
                 widest = headings.size();
@@ -770,6 +787,35 @@ void mark_sums(Table& table) {
     }
 }
 
+/// Beside columns of phases "crystalline [wt%]" is their sum, not an amount of the crystalline part.
+void name_crystalline_totals(Table& table) {
+    if (table.has(Role::phase)) return;
+    for (Heading& heading : table.headings) {
+        const auto unit = heading.written.find_first_of("[(");
+        if (!heading.of_crystalline || unit == std::string::npos || unit == 0 ||
+            words_in(heading.written.substr(0, unit)).size() != 1)
+            continue;
+        const std::string written = heading.written;
+        heading = read_heading("total crystalline " + written.substr(unit));
+        heading.written = written;
+    }
+}
+
+/// Sets aside trace elements beside phases in another unit: "Cr [ppm]".
+void set_aside_traces(Table& table) {
+    static const std::regex element("[A-Z][a-z]?(?:[ ,_]*(?:in )?pp[mb])?");
+    const auto is_trace = [&](const Heading& each) {
+        return (each.scale == Scale::ppm || each.unit == "ppb") && each.text.size() <= longest_heading &&
+               std::regex_match(each.text, element);
+    };
+    const auto is_amount = [&](const Heading& each) {
+        return each.role == Role::other && !each.text.empty() && !is_trace(each);
+    };
+    if (table.has(Role::phase) || !std::ranges::any_of(table.headings, is_amount)) return;
+    for (Heading& heading : table.headings)
+        if (heading.role == Role::other && is_trace(heading)) heading.role = Role::measure;
+}
+
 /// Sets aside the columns of other names beside phases and their amounts, which are not used: their units are
 /// not those of the amounts.
 void set_aside_others(Table& table) {
@@ -949,8 +995,8 @@ void find_blank_rows(Table& table) {
         bool is_blank = !name.empty();
         for (std::size_t k = 0; k < row.cells.size(); ++k)
             is_blank = is_blank && (k == label || k == sample || row.cells[k].empty());
-        const bool heads = is_blank && amounts_follow && !heads_alike(name, "phases") && !names_loss(name) &&
-                           meaning_of_row(name) == RowMeaning::phase &&
+        const bool heads = is_blank && amounts_follow && !heads_alike(name, "phases") &&
+                           !names_loss(name, true) && meaning_of_row(name) == RowMeaning::phase &&
                            read_phase_name(name).mark == PhaseMark::none;
         if (heads) {
             const Heading as_heading = read_heading(name);
@@ -1004,8 +1050,7 @@ void refuse_coverage_factors(const Table& table) {
 void drop_measures(Table& table) {
     const std::size_t label = *table.column(Role::phase);
     std::erase_if(table.rows, [&](const TableRow& row) {
-        if (read_heading(row.cells[label]).role != Role::measure && !names_loss(row.cells[label]))
-            return false;
+        if (read_heading(row.cells[label]).role != Role::measure) return false;
         table.warnings.push_back(left_out(xrd_code, row.line, "phase", row.cells[label]));
         return true;
     });
@@ -1024,6 +1069,8 @@ bool take_second_heading(TableRow& heading, const TableRow& line,
         const std::string& below = line.cells[i];
         if (!names[i].empty()) group = names[i];
         if (below.empty()) continue;
+        if (i == 0 && names[i].empty() && role_of_text(below) == Role::phase)
+            heading.cells[i] = names[i] = below;
         if (i == 0 && below != names[i]) return false;
         const StatedCoverage coverage = read_coverage(below);
         const bool is_coverage =
@@ -1274,6 +1321,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
                 .separator = cut.separator,
                 .marks = NumberMarks(decimal, file.of_sheet())};
     refuse_two_methods(cut.heading.cells, cut.heading.line);
+    name_crystalline_totals(table);
     drop_numbers_of_phases(table, cut.rows);
     const bool is_wide = table.has(Role::phase) != table.has(Role::sample) && !names_amounts(table.headings);
     if (is_wide) {
@@ -1285,6 +1333,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     if (table.has(Role::phase) && !table.has(Role::sample)) mark_sums(table);
     if (is_wide) require_owner_of_last(table);
     set_aside_others(table);
+    set_aside_traces(table);
     for (const Heading& each : table.headings)
         if (each.of_crystalline && each.role != Role::measure) table.crystalline = "the heading";
     prefer_fractions(table);
@@ -1330,6 +1379,11 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     }
     if (table.rows.empty())
         refuse_line(file.last_line(), "there are no lines below the heading", "one line a phase or a sample");
+    for (const TableRow& row : table.rows)  // "Weight fraction;57.0 %" names a quantity, no unit
+        for (std::size_t k = 0; k < table.headings.size(); ++k)
+            if (table.headings[k].scale == Scale::fraction && table.headings[k].unit.empty() &&
+                row.cells[k].ends_with('%'))
+                table.headings[k].scale = Scale::not_stated;
     refuse_coverage_factors(table);
     if (table.has(Role::phase)) {
         take_notes_on_phases(table, cut.notes);

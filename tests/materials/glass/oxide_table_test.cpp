@@ -41,6 +41,26 @@ bool tells(const std::vector<Finding>& warnings, std::string_view text) {
 
 }  // namespace
 
+TEST_CASE("what the headings of names and amounts of oxides say counts") {
+    const auto refusal = [](const std::string& table) {
+        return input_error_of([&] { return read_oxides(table, "xrf.csv"); });
+    };
+    const std::string rows = "\nSiO2;52;1\nAl2O3;28;1\nCaO;20;1\n";
+    for (const char* heading :
+         {"Oxide;cation %;\u00b1", "Oxide (at.%);FA1;\u00b1", "Oxide (cation %);FA1;\u00b1",
+          "Oxide [cation %];FA1;esd", "Oxide [g/kg];FA1;esd", "Oxide;Kationen-%;esd"})
+        CHECK_MESSAGE(!refusal(heading + rows).empty(), heading);
+    for (const char* heading : {"Oxide [wt%];FA1;esd", "Oxide (wt%);FA1 [wt%];esd", "Oxide (XRF);FA1;esd"})
+        CHECK_MESSAGE(refusal(heading + rows).empty(), heading);
+    for (const char* heading : {"Oxide;wt% (2s);\u00b1", "Oxide;Content [wt%] (\u00b1 2\u03c3);error"})
+        CHECK(only(heading + rows).analysis.oxides[0].standard_uncertainty.value() == doctest::Approx(0.005));
+    CHECK(contains(refusal("Oxide;wt% (2s);esd" + rows), "names standard uncertainties"));
+    const OxideResult two = read_oxides("Oxide;FA1;FA2\nUnit;wt%;wt%\nSiO2;52;50\nAl2O3;48;50\n", "xrf.csv");
+    REQUIRE(two.samples.size() == 2);
+    CHECK(two.samples[1].name == "FA2");
+    CHECK(two.samples[1].analysis.oxides[0].fraction == doctest::Approx(0.5));
+}
+
 TEST_CASE("uncertainties of oxides may stand behind other columns, and marks beside amounts are refused") {
     for (const char* heading : {"oxide;Conc.;Unit;StdErr\nSiO2;60;%;2\nAl2O3;40;%;2\n",
                                 "oxide;wt%;LOD;esd\nSiO2;60;<0.05;2\nAl2O3;40;0.05;2\n",

@@ -389,6 +389,34 @@ TEST_CASE("a short mark of a standard in a name is doubted, not taken") {
         CHECK(read_xrd(rows, file).samples.front().analysis.phases[1].is_standard);
 }
 
+TEST_CASE("tables that laboratories write are read") {
+    const std::string two = "\nQuartz;20;30\nGlass;80;70\n";
+    const std::string with_esd = "\nQuartz;20;1;30;1\nGlass;80;2;70;2\n";
+    for (const std::string& table :
+         {std::string("Phase;Weight fraction\nQuartz;20.0 %\nGlass;80.0 %\n"),
+          "Phase;FA1;FA2\nUnit;wt%;wt%" + two, "Phase;FA1;FA2\nEinheit;[Gew.-%];[Gew.-%]" + two,
+          "Phase;FA1;;FA2;\n;wt%;esd;wt%;esd" + with_esd, "Phase;FA1;;FA2;\nUnits;wt%;esd;wt%;esd" + with_esd,
+          "Phase;900 \u00b0C;1000 \u00b0C" + two, "Phase;FA1;;FA2;\nPhase;wt%;esd;wt%;esd" + with_esd,
+          ";FA1;;FA2;\nPhase;wt%;esd;wt%;esd" + with_esd,
+          "Phase;FA1 900 \u00b0C [wt%];FA1 1000\u00b0C [wt%]" + two,
+          std::string("Sample;Quartz [wt%];Glass [wt%];crystalline [wt%];Total [wt%]\nA;20;80;20;100\n"),
+          std::string("Sample;Quartz [wt%];Glass [wt%];Cr [ppm];Ni (mg/kg)\nA;20;80;120;40\n"),
+          std::string("Sample;Size fraction;Quartz [wt%];Glass [wt%]\nA;<63;20;80\n"),
+          std::string("Phase;wt%;esd\nQuartz;20;\x96\nHematite;\x96;\x96\nGl\xfcshaus;80;\x96\n")}) {
+        CAPTURE(table);
+        CHECK(first_of(table).analysis.phases[0].fraction == doctest::Approx(0.2));
+    }
+    CHECK(
+        std::get<CrystallineTotal>(
+            first_of("Sample;Quartz [wt%];Mullite [wt%];crystalline [wt%]\nA;12;30;42\n").analysis.amorphous)
+            .value == doctest::Approx(0.42));
+    CHECK(contains(told("Sample;Quartz [wt%];Glass [wt%];Cr [ppm]\nA;20;80;120\n"),
+                   "column \"Cr [ppm]\" is not used"));
+    CHECK(
+        contains(told("Phase;wt%\nQuartz;20\nGlass;80\nLOI (550 \u00b0C);3\n"), "is no phase and left out"));
+    CHECK(contains(told("Sample;Quartz;Glass;LOI (550 \u00b0C)\nA;20;80;3\n"), "is not used"));
+}
+
 TEST_CASE("a density far from that of the catalogue is doubtful") {
     const auto severity = [](double density) {
         Analysis analysis{.phases = {{.name = "Quartz", .fraction = 1, .density = density}},
