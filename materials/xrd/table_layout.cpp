@@ -1331,9 +1331,9 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     require_units_at_amounts(table);
     refuse_pairs_of_bases(table);
     if (table.has(Role::phase) && !table.has(Role::sample)) mark_sums(table);
+    set_aside_traces(table);
     if (is_wide) require_owner_of_last(table);
     set_aside_others(table);
-    set_aside_traces(table);
     for (const Heading& each : table.headings)
         if (each.of_crystalline && each.role != Role::measure) table.crystalline = "the heading";
     prefer_fractions(table);

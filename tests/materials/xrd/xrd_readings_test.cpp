@@ -326,8 +326,10 @@ TEST_CASE("what the heading of the names says is read, or refused") {
     CHECK(contains(
         refusal("Phase (values / 10)" + rows),
         "line 1: of the heading \"Phase (values / 10)\" of the names \"(values / 10)\" is not understood"));
-    for (const char* heading : {"Phase (ICSD)", "Mineral (PDF no.)", "Phase [Rietveld]", "Phase (Mineral)",
-                                "Phase [wt%]", "Phase (n=3)", "Phase (Name, Formel)"})
+    for (const char* heading :
+         {"Phase (ICSD)", "Mineral (PDF no.)", "Phase [Rietveld]", "Phase (Mineral)", "Phase [wt%]",
+          "Phase (n=3)", "Phase (Name, Formel)", "Phases (Rietveld refinement)", "Mineral [ICSD no.]",
+          "Phase (\u00b0C)", "Phase name (ICDD PDF-4+)"})
         CHECK_MESSAGE(refusal(heading + rows).empty(), heading);
 }
 
@@ -340,7 +342,7 @@ TEST_CASE("a coverage in the heading of the amounts is that of the uncertainties
         CHECK_FALSE(contains(told(table), "holds no uncertainties"));
     }
     CHECK(contains(refusal("Phase;wt% (2s);esd\nQuartz;20;1\nGlass;80;2\n"),
-                   "\"wt% (2s)\" states 2s, and \"esd\" behind it names standard uncertainties"));
+                   "\"wt% (2s)\" states \"2s\", and \"esd\" behind it names standard uncertainties"));
     CHECK(first_of("Phase;wt% (2s);1 sigma\nQuartz;20;1\n").analysis.phases[0].standard_uncertainty.value() ==
           doctest::Approx(0.01));
 }
@@ -400,7 +402,7 @@ TEST_CASE("tables that laboratories write are read") {
           ";FA1;;FA2;\nPhase;wt%;esd;wt%;esd" + with_esd,
           "Phase;FA1 900 \u00b0C [wt%];FA1 1000\u00b0C [wt%]" + two,
           std::string("Sample;Quartz [wt%];Glass [wt%];crystalline [wt%];Total [wt%]\nA;20;80;20;100\n"),
-          std::string("Sample;Quartz [wt%];Glass [wt%];Cr [ppm];Ni (mg/kg)\nA;20;80;120;40\n"),
+          std::string("Sample;Quartz [wt%];Glass [wt%];Cr [ppm];Ni (mg/kg);esd\nA;20;80;120;40;3\n"),
           std::string("Sample;Size fraction;Quartz [wt%];Glass [wt%]\nA;<63;20;80\n"),
           std::string("Phase;wt%;esd\nQuartz;20;\x96\nHematite;\x96;\x96\nGl\xfcshaus;80;\x96\n")}) {
         CAPTURE(table);
