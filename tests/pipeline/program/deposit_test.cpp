@@ -115,7 +115,7 @@ TEST_CASE("a deposition conserves mass over sizes, around the tube and along its
     CHECK(succeeded(sandbox, "inspect tube/deposit.json").out == containing("deposition_flux"));
 }
 
-TEST_CASE("sizes that stick again when they are faster are refused") {
+TEST_CASE("sizes that stick again when they are faster are refused" * doctest::test_suite("long")) {
     const Sandbox sandbox;
     const std::string pair =
         " --law thornton-ning --density 2300kg/m3 --contact-modulus 90GPa --work-of-adhesion 0.3J/m2 "
@@ -285,7 +285,8 @@ TEST_CASE("what a sieve table has beside sizes and shares is said" * doctest::te
     }
 }
 
-TEST_CASE("one sieve table in the forms that laboratories write is one result") {
+TEST_CASE("one sieve table in the forms that laboratories write is one result" *
+          doctest::test_suite("long")) {
     const Sandbox sandbox;
     const auto captured = [&](const std::string& table) {
         sandbox.write("sieve.csv", table);

@@ -336,7 +336,8 @@ TEST_CASE("no output on the built-in case is wider than 80 columns" * doctest::s
     check_fits(sandbox, "report results -o a.html");
 }
 
-TEST_CASE("init, run and inspect, as the help says, in no line wider than 80 columns") {
+TEST_CASE("init, run and inspect, as the help says, in no line wider than 80 columns" *
+          doctest::test_suite("long")) {
     const Sandbox sandbox;
     for (const std::string command : {"init mine", "run mine/case.json -o r"}) check_fits(sandbox, command);
     CHECK(ashimpact_program(sandbox, "init mine").status == 2);

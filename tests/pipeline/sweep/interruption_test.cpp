@@ -105,7 +105,8 @@ TEST_CASE("a sweep killed at random moments and run again leaves the bytes of an
     MESSAGE(kills << " sweeps were killed");
 }
 
-TEST_CASE("the program itself, killed and run again with other ranks and threads, leaves the same bytes") {
+TEST_CASE("the program itself, killed and run again with other ranks and threads, leaves the same bytes" *
+          doctest::test_suite("long")) {
     const auto command = [](int ranks, int threads) {
         const std::vector<std::string> plain{
             ASHIMPACT_PROGRAM,      "sweep", "spec.json", "-o", "out.json", "--checkpoint", "0", "--threads",
@@ -146,7 +147,8 @@ TEST_CASE("the program itself, killed and run again with other ranks and threads
     }
 }
 
-TEST_CASE("sweeps into one file exclude each other, from the checkpoint they read to the files they remove") {
+TEST_CASE("sweeps into one file exclude each other, from the checkpoint they read to the files they remove" *
+          doctest::test_suite("long")) {
     constexpr double few_samples = 6000;  // 3 chunks
     const std::vector<std::string> sweep{ASHIMPACT_PROGRAM, "sweep",        "spec.json", "-o",
                                          "out.json",        "--checkpoint", "0",         "--no-report"};
@@ -180,7 +182,8 @@ TEST_CASE("sweeps into one file exclude each other, from the checkpoint they rea
     CHECK(refused > 0);
 }
 
-TEST_CASE("a rank that dies ends the job with an error, and what is finished stays") {
+TEST_CASE("a rank that dies ends the job with an error, and what is finished stays" *
+          doctest::test_suite("long")) {
     std::minstd_rand random(3);
     std::vector<std::string> deaths{"1:5", "0:9", "2:3"};
     const std::size_t late = deaths.size();  // these die when a checkpoint is there

@@ -440,7 +440,8 @@ TEST_CASE("every parameter of a law is an input of its own, by its name") {
     }
 }
 
-TEST_CASE("any number of threads and ranks leaves the same bytes, of tables and of integration") {
+TEST_CASE("any number of threads and ranks leaves the same bytes, of tables and of integration" *
+          doctest::test_suite("long")) {
     for (const double samples : {test::many_samples, test::many_samples / 10}) {
         CAPTURE(samples);
         const auto one = left_by(with_threads(1), samples);
