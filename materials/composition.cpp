@@ -8,6 +8,7 @@
 
 #include "core/plausibility.hpp"
 #include "core/quantities/checks.hpp"
+#include "core/tables/vocabulary.hpp"
 #include "core/text/text.hpp"
 
 namespace ashimpact {
@@ -302,6 +303,18 @@ void note_listed_amorphous(const Analysis& analysis, const FractionModel& model,
                              " is not used, as none is left to it by the phases listed"});
 }
 
+/// Notes phases that laboratories weigh in as internal standards and nothing calls so: no reader knows all
+/// ways to name one.
+void note_likely_standards(Composition& composition) {
+    static const WordLists standards("internal standards");
+    constexpr double least_added = 0.03;
+    for (const Component& c : composition.components)
+        if (c.weight_fraction >= least_added && standards.holds(c.name))
+            composition.notes.push_back(
+                {phases_code, Severity::remark,
+                 in_quotes(c.name) + " counts as a phase of the ash: nothing calls it an internal standard"});
+}
+
 /// Notes the remark of the catalogue on the glass, whose modulus is the least certain input.
 void note_glass(Composition& composition) {
     for (const Component& c : composition.components)
@@ -380,6 +393,7 @@ Composition compose(const Analysis& given, const PhaseCatalogue& catalogue, cons
     note_small_remainder(analysis, composition.model, composition.notes);
     note_listed_amorphous(analysis, composition.model, composition.notes);
     fill_fractions(composition);
+    note_likely_standards(composition);
     return composition;
 }
 

@@ -276,6 +276,32 @@ void require_coverage_in_headings(const std::vector<TextBeside>& texts, const Un
 
 }  // namespace
 
+std::string coverage_in_cell(std::string_view heading, std::string_view cell) {
+    constexpr std::size_t longest = 40;
+    const bool may_state = cell.size() <= longest && cell.find_first_of("0123456789") != std::string::npos &&
+                           cell.find_first_not_of("+-.,()<0123456789 ") != std::string::npos;
+    if (!may_state) return {};
+    std::string text = fmt::format("{}: {}", heading, cell);
+    return read_coverage(text).factor != 1 ? text : std::string();
+}
+
+std::vector<std::string> texts_in_column(std::span<const TableRow> rows, std::size_t column) {
+    constexpr std::size_t most = 3;
+    std::vector<std::string> texts;
+    for (const TableRow& row : rows) {
+        const std::string& cell = row.cells[column];
+        if (cell.find_first_not_of("+-.,()<0123456789 ") == std::string::npos) continue;
+        const std::string quoted = in_quotes(cell);
+        if (std::ranges::find(texts, quoted) != texts.end()) continue;
+        if (texts.size() == most) {
+            texts.emplace_back("...");
+            break;
+        }
+        texts.push_back(quoted);
+    }
+    return texts;
+}
+
 void take_coverage_of_amounts(const UncertainColumn& amounts, const std::string& heading,
                               StatedCoverage& coverage, std::size_t line) {
     const StatedCoverage& of = amounts.coverage;

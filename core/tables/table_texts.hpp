@@ -97,6 +97,12 @@ void check_coverage(std::string_view code, const std::vector<TextBeside>& texts,
                     const UncertainColumns& columns, std::span<const TextLine> rows, char separator,
                     std::vector<Finding>& findings);
 
+/// The text "Remark: k=2" of a cell that states a coverage in a column of another name; else empty.
+[[nodiscard]] std::string coverage_in_cell(std::string_view heading, std::string_view cell);
+
+/// The texts of a column that are no numbers, in quotes, each once and some at most.
+[[nodiscard]] std::vector<std::string> texts_in_column(std::span<const TableRow> rows, std::size_t column);
+
 /// Gives uncertainties without a coverage that in the heading of their amounts: "wt% (2s);error". @throws
 /// InputError for "wt% (2s);SD", which names standard ones
 void take_coverage_of_amounts(const UncertainColumn& amounts, const std::string& heading,

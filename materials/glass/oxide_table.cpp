@@ -360,6 +360,10 @@ class OxideTable {
                     names.push_back({row.line, row.cells[k], true});
             if (row.line != heading && label < row.cells.size())
                 labels.push_back({row.line, row.cells[label]});
+            for (std::size_t k = 0; k < std::min(row.cells.size(), headings_.size()); ++k)
+                if (std::string stated = coverage_in_cell(headings_[k].heading.written, row.cells[k]);
+                    row.line != heading && headings_[k].role == OxideRole::other && !stated.empty())
+                    labels.push_back({row.line, std::move(stated)});
         }
         std::vector<TextBeside> texts = texts_beside(file, table);
         refuse_loss_within(texts);

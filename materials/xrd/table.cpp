@@ -379,8 +379,11 @@ void warn_of_ignored(const Table& table, Layout layout, std::vector<Finding>& wa
         if (nameless &&
             std::ranges::any_of(table.rows, [&](const TableRow& row) { return !row.cells[k].empty(); }))
             column = std::to_string(k + 1) + ", which has no heading,";
-        if (!column.empty())
-            warnings.push_back({xrd_code, Severity::remark, "column " + column + " is not used"});
+        if (column.empty()) continue;
+        const std::vector<std::string> texts = texts_in_column(table.rows, k);
+        warnings.push_back(
+            {xrd_code, Severity::remark,
+             "column " + column + " is not used" + (texts.empty() ? "" : ": " + joined(texts))});
     }
 }
 

@@ -445,8 +445,6 @@ void StandardsInTexts::take(const TextBeside& text) {
         is_of_any || (!text.is_name && std::ranges::any_of(found, [&](const Mention& mention) {
             return is_standard(mention) && words[mention.first] == "standard";
         }));
-    if (text.is_name && !is_mark && std::ranges::any_of(found, is_standard))
-        doubtful_ = true;                                // "is_x", "STD_3"
     const auto is_added = [&](const Mention& mention) {  // "FA1 with corundum", unlike "Corundum ash"
         if (mention.negated) return false;
         if (text.is_name) return mention.first > first;
@@ -465,28 +463,17 @@ void StandardsInTexts::take_named(const TextBeside& text) {
     any_ = before;
 }
 
-bool StandardsInTexts::may_hold(std::string_view phase) const {
-    return doubtful_ && standard_materials().holds(phase);
-}
-
 bool StandardsInTexts::hold(std::string_view phase) const {
     const auto material = standard_materials().list_of(phase);
     return material && (any_ || materials_.contains(*material));
 }
 
-std::optional<Finding> mark_standards(Analysis& analysis, const std::string& sample) {
+void mark_standards(Analysis& analysis, const std::string& sample) {
     StandardsInTexts standards;
     standards.take({.line = 0, .text = sample, .is_name = true});
-    std::optional<Finding> doubt;
-    for (PhaseFraction& phase : analysis.phases) {
+    for (PhaseFraction& phase : analysis.phases)
         phase.is_standard = phase.is_standard || standards.hold(phase.name) ||
                             read_phase_name(phase.name).mark == PhaseMark::standard;
-        if (!phase.is_standard && standards.may_hold(phase.name))
-            doubt = {xrd_code, Severity::doubt,
-                     "the name " + in_quotes(sample) + " may state an internal standard; " +
-                         in_quotes(phase.name) + " is taken as a phase of the sample"};
-    }
-    return doubt;
 }
 
 namespace {

@@ -138,13 +138,10 @@ class StandardsInTexts {
     void take_named(const TextBeside& text);
     /// Whether a phase is one of these materials.
     [[nodiscard]] bool hold(std::string_view phase) const;
-    /// The same for a mark of two meanings in a name: "is_x", "STD_3".
-    [[nodiscard]] bool may_hold(std::string_view phase) const;
 
   private:
     std::set<std::string_view> materials_{};
     bool any_ = false;
-    bool doubtful_ = false;
 };
 
 }  // namespace ashimpact::xrd

@@ -1173,6 +1173,9 @@ void require_agreeing_texts(Table& table, std::vector<TextBeside> texts, std::sp
                 refuse_other_unit(cell, "column " + in_quotes(table.headings[k].written), scale, row.number,
                                   k);
             if (is_beside(cell, k)) texts.push_back({row.number, std::string(cell), is_name});
+            if (std::string stated = coverage_in_cell(table.headings[k].written, cell);
+                !stated.empty() && is_unused(table.headings[k]))
+                texts.push_back({row.number, std::move(stated)});
         });
     UncertainColumns columns(table.headings.size());
     for (std::size_t k = 0; k < columns.size(); ++k) {

@@ -357,9 +357,7 @@ ReadAnalysis read_analysis(const View& node, const std::string& sample, InputFil
         for (const auto* key : {"xrd_sample", "xrd_sheet", "xrd_decimal"})
             if (const auto stray = node.find(key)) stray->fail("belongs to an XRD file", "xrd beside it");
     }
-    const auto doubt = xrd::mark_standards(read.analysis, sample);
-    if (doubt && std::ranges::find(read.warnings, doubt->text, &Finding::text) == read.warnings.end())
-        read.warnings.push_back(*doubt);  // the file may have said it
+    xrd::mark_standards(read.analysis, sample);
     read.analysis = xrd::completed_by_json(std::move(read.analysis), node);
     if (const auto source = node.find("source")) read.source = source->text();
     return read;

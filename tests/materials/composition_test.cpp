@@ -147,6 +147,21 @@ TEST_CASE("statements beside a listed amorphous part that count for nothing are 
     CHECK_FALSE(contains(notes(listed), "not used"));
 }
 
+TEST_CASE("a phase that laboratories weigh in counts as one of the ash, and that is said") {
+    const auto notes = [](const char* name, double fraction) {
+        const Analysis analysis{.phases = {{.name = name, .fraction = fraction},
+                                           {.name = "quartz", .fraction = 0.4 - fraction},
+                                           {.name = "glass", .fraction = 0.6}}};
+        std::string texts;
+        for (const Finding& note : compose(analysis, shipped_catalogue()).notes) texts += note.text + '\n';
+        return texts;
+    };
+    for (const char* name : {"corundum", "Korund", "Al2O3"})
+        CHECK(contains(notes(name, 0.1), "counts as a phase of the ash: nothing calls it"));
+    CHECK_FALSE(contains(notes("corundum", 0.01), "counts as a phase"));
+    CHECK_FALSE(contains(notes("mullite", 0.1), "counts as a phase"));
+}
+
 TEST_CASE("errors about phases name their place in the file") {
     const auto analysis = [](const char* second) {
         return Analysis{.phases = {{.name = "quartz", .fraction = 0.5, .place = "line 4"},

@@ -325,7 +325,9 @@ void RowLabels::refuse_named_summary(const Column& column, const TableRow& row) 
 }
 
 void RowLabels::require_number(const Column& column, const TableRow& row) {
-    if (column.numbers_labels() && !column.is_remark) {
+    const bool counts = column.counts_rows();
+    if (column.numbers_labels() && !column.is_remark &&
+        !(counts && is_blank(row.cells[column.column.position]))) {
         const std::string& label = row.cells[column.column.position];
         if (is_blank(label) || (std::ranges::any_of(label, is_digit) && !is_of_several(label))) return;
         throw InputError(in_quotes(label) + " is in " + name_of(column.column) + ", where the others have " +
@@ -334,7 +336,7 @@ void RowLabels::require_number(const Column& column, const TableRow& row) {
                          "a label with a number, or a file without this row")
             .at(at_cell(row.line, column.column.position));
     }
-    if (!column.counts_rows()) return;
+    if (!counts) return;
     const std::string& cell = row.cells[column.column.position];
     const std::string where = name_of(column.column);
     constexpr const char* allowed = "its number, or a file without this row";

@@ -869,6 +869,12 @@ TEST_CASE("a row among numbered ones that has another label is no impact, or is 
                    "the row has no number in column \"Nr.\""));
     CHECK(contains(input_error_of([&] { static_cast<void>(of("", "")); }),
                    "the row has no number in the column without a heading"));
+    const std::string six =
+        "Nr;v_in [m/s];v_r [m/s];outcome\n1;0.62;0;capture\n2;0.71;0;capture\n3;1.1;0.1;rebound\n"
+        "4;1.5;0.3;rebound\n5;1.9;0.5;rebound\n6;2.4;0.8;rebound\n";
+    CHECK(contains(
+        input_error_of([&] { static_cast<void>(read_measurements(six + ";1.372;0.283;\n", "t.csv")); }),
+        "the row has no number in column \"Nr\""));
     for (const char* label : {"4", "4a", "4*", "7", "#4"}) CHECK(of(label).points.size() == 4);
     for (const char* label : {"25%", "2s", "3\u03c3", "2 SD", "95 %", "1-3"})
         CHECK(contains(input_error_of([&] { static_cast<void>(of(label)); }), "sum up others"));
