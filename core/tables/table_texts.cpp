@@ -289,6 +289,7 @@ std::vector<std::string> texts_in_column(std::span<const TableRow> rows, std::si
     constexpr std::size_t most = 3;
     std::vector<std::string> texts;
     for (const TableRow& row : rows) {
+        if (column >= row.cells.size()) continue;
         const std::string& cell = row.cells[column];
         if (cell.find_first_not_of("+-.,()<0123456789 ") == std::string::npos) continue;
         const std::string quoted = in_quotes(cell);
@@ -548,8 +549,8 @@ bool divides_otherwise(std::string_view cell, double factor) {
 
 void refuse_coverage_factor(std::string_view cell, std::string_view heading, std::size_t line,
                             std::size_t column) {
-    throw InputError("column " + in_quotes(heading) + " states the coverage factor " + std::string(cell) +
-                         ", and the uncertainties beside it are not divided by it",
+    throw InputError("column " + in_quotes(heading) + " states a coverage, " + std::string(cell) +
+                         ", and the uncertainties beside it are not divided for it",
                      "standard uncertainties, divided by their factor; or (k=2) in the heading of the "
                      "uncertainties, for all of them")
         .at(at_cell(line, column));

@@ -484,7 +484,7 @@ class OxideTable {
                 (is_uncertainty_column(names.cells[i], headings_[i]) && i > 0 &&
                  (is_content(headings_[i - 1].role) || headings_[i - 1].role == OxideRole::trace));
             if (used) continue;
-            unused.push_back(in_quotes(names.cells[i]));
+            unused.push_back(with_texts(next, i, names.cells[i]));
         }
         if (!unused.empty()) note("columns not used: " + joined(unused));
         mark_thousands();
@@ -701,7 +701,7 @@ class OxideTable {
             else if (numbers && heading.role == xrd::Role::other && !names_other_basis(heading))
                 by_number.push_back(i);
             else if (!heading.text.empty())
-                unused.push_back(in_quotes(heading.written));
+                unused.push_back(with_texts(first + 1, i, heading.written));
         }
         if (!by_name.empty())
             for (const std::size_t i : by_number) unused.push_back(in_quotes(headings_[i].heading.text));
@@ -714,6 +714,13 @@ class OxideTable {
                         "the name of a sample above each, or one column");
         if (!unused.empty()) note("columns not used: " + joined(unused));
         return by_name.empty() ? by_number : by_name;
+    }
+
+    /// The heading of a column and the texts below it: "Remark" ("as Fe").
+    [[nodiscard]] std::string with_texts(std::size_t first, std::size_t column,
+                                         const std::string& heading) const {
+        const auto texts = texts_in_column(std::span(rows_).subspan(first), column);
+        return in_quotes(heading) + (texts.empty() ? "" : " (" + joined(texts) + ")");
     }
 
     /// Leaves out uncertainties without a name behind a column that is not used: they are of that column.

@@ -1051,6 +1051,14 @@ void drop_measures(Table& table) {
     const std::size_t label = *table.column(Role::phase);
     std::erase_if(table.rows, [&](const TableRow& row) {
         if (read_heading(row.cells[label]).role != Role::measure) return false;
+        for (std::size_t k = 0; k < row.cells.size(); ++k)
+            if (k != label &&
+                (!coverage_in_cell(row.cells[label], row.cells[k]).empty() ||
+                 (names_coverage_factor(row.cells[label]) && divides_otherwise(row.cells[k], 1))))
+                refuse_line(row.line,
+                            fmt::format("{} states a coverage, {}, in a row", in_quotes(row.cells[label]),
+                                        in_quotes(row.cells[k])),
+                            "the coverage in the heading of the uncertainties: \"esd (k=2)\"");
         table.warnings.push_back(left_out(xrd_code, row.line, "phase", row.cells[label]));
         return true;
     });
@@ -1173,6 +1181,7 @@ void require_agreeing_texts(Table& table, std::vector<TextBeside> texts, std::sp
                 refuse_other_unit(cell, "column " + in_quotes(table.headings[k].written), scale, row.number,
                                   k);
             if (is_beside(cell, k)) texts.push_back({row.number, std::string(cell), is_name});
+            if (is_unused(table.headings[k])) refuse_factors({{row.number, std::string(cell)}});
             if (std::string stated = coverage_in_cell(table.headings[k].written, cell);
                 !stated.empty() && is_unused(table.headings[k]))
                 texts.push_back({row.number, std::move(stated)});

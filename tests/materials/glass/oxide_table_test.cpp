@@ -117,9 +117,12 @@ TEST_CASE("rows without cells above oxides, and coverage factors beside them, ar
         CHECK(refused(head + "SiO2;60;50\nAl2O3;30;40\n" + row + "CaO;4;5\n").empty());
     CHECK(refused("XRF of FA1;;\nSiO2;60\nAl2O3;40\n").empty());
     CHECK(refused("Sample;SiO2;Al2O3\nFA1;60;40\nFA2;;\nFA3;50;50\n").empty());
-    CHECK(contains(refused("Oxide;wt%;u;k\nSiO2;60;1;2\nAl2O3;40;1;2\n"), "states the coverage factor 2"));
+    CHECK(contains(refused("Oxide;wt%;u;k\nSiO2;60;1;2\nAl2O3;40;1;2\n"), "states a coverage, 2"));
     CHECK(refused("Oxide;wt%;u;k\nSiO2;60;1;1\nAl2O3;40;1;1\n").empty());
-    CHECK(contains(refused("Sample;SiO2;u;Al2O3;u;k\nFA1;60;1;40;1;2\n"), "states the coverage factor 2"));
+    CHECK(contains(refused("Sample;SiO2;u;Al2O3;u;k\nFA1;60;1;40;1;2\n"), "states a coverage, 2"));
+    CHECK(contains(refused("Oxide;wt%;u;Remark\nSiO2;60;1;k=2\nAl2O3;40;1;k=2\n"), "\"Remark: k=2\" states"));
+    CHECK(tells(only("Oxide;wt%;Remark\nSiO2;60;\nAl2O3;40;as Al\n").warnings,
+                "columns not used: \"Remark\" (\"as Al\")"));
 }
 
 TEST_CASE("oxides in columns: two samples, units in the headings, below them and not at all") {

@@ -268,12 +268,12 @@ TEST_CASE("coverage factors in a column of their own are refused") {
     for (const char* heading : {"coverage factor k", "k", "k-factor", "Erweiterungsfaktor", "k [-]",
                                 "Coverage factor (k)", "facteur d'\u00e9largissement"}) {
         const std::string table = std::string("Phase;wt%;uncertainty;") + heading + "\nQuartz;20;1.2;";
-        CHECK(contains(refusal(table + "2\nGlass;80;2;2\n"), "states the coverage factor 2"));
+        CHECK(contains(refusal(table + "2\nGlass;80;2;2\n"), "states a coverage, 2"));
         CHECK(contains(refusal(table + "k = 2\nGlass;80;2;2\n"), "not divided by it"));
         CHECK(refusal(table + "1\nGlass;80;2;1\n").empty());
     }
-    CHECK(contains(refusal("Phase;wt%;k\nQuartz;20 \u00b1 1;2\nGlass;80;2\n"), "states the coverage factor"));
-    CHECK(contains(refusal("Phase;FA1;esd;k\nQuartz;20;1;2\nGlass;80;1;2\n"), "states the coverage factor"));
+    CHECK(contains(refusal("Phase;wt%;k\nQuartz;20 \u00b1 1;2\nGlass;80;2\n"), "states a coverage, 2"));
+    CHECK(contains(refusal("Phase;FA1;esd;k\nQuartz;20;1;2\nGlass;80;1;2\n"), "states a coverage, 2"));
     CHECK(refusal("Phase;wt%;k\nQuartz;20;2\nGlass;80;2\n").empty());
     CHECK(refusal("Phase;wt%;U (k=2);k\nQuartz;20;2;2\nGlass;80;2;2\n").empty());
     CHECK(refusal("Phase;FA1;\u00b1;K;\u00b1\nQuartz;20;1;30;1\nGlass;80;1;70;1\n").empty());
@@ -391,6 +391,11 @@ TEST_CASE("texts of columns that are not used are quoted, and refused where they
                       refusal(of(heading, remark)));
     CHECK(contains(refusal("Sample;Mullite;Glass;Comment\nFA1;40 \u00b1 4;60 \u00b1 4;errors 2 sigma\n"),
                    "2 sigma"));
+    CHECK(contains(refusal(of("Confidence", "0.95")), "\"Confidence\" states a coverage, 0.95"));
+    CHECK(contains(refusal(of("Remark", "multiplied by 10")), "may state a factor"));
+    for (const char* row : {"Coverage factor;;2\n", "Remark;;2 sigma\n"})
+        CHECK(contains(refusal(std::string("Phase;wt%;esd\nQuartz;12.3;0.8\nGlass;87.7;1.6\n") + row),
+                       "a coverage"));
     CHECK(contains(told(of("ICSD", "26429")), "column \"ICSD\" is not used"));
 }
 
