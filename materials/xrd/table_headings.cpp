@@ -265,7 +265,10 @@ Heading read_heading(std::string_view text) {
         heading.text = heading.written = text;
         return heading;
     }
-    StatedCoverage coverage = read_coverage(trimmed(text));
+    static const std::regex of_mean("[(\\[](?:mean|average|Mittelwert|Mittel|moyenne) *(?=\u00b1|[+]/?-)",
+                                    std::regex::icase);
+    const std::string plain = std::regex_replace(std::string(text), of_mean, "(");  // "wt% (mean ± SD)"
+    StatedCoverage coverage = read_coverage(trimmed(plain));
     heading.written = text;
     heading.coverage = coverage;
     constexpr std::array<std::pair<std::string_view, std::string_view>, 1> per_mille{{{"\u2030", "%"}}};

@@ -205,7 +205,8 @@ std::optional<PrintedNumber> number_in(const TableRow& row, std::size_t column, 
                          "a number without a unit, 0.17 for 5 % of 3.4")
             .at(at_cell(row.line, column));
     const auto states_per_cent = [](const Heading& each) { return each.scale == Scale::per_cent; };
-    if (heading.role == Role::uncertainty && number->per_cent &&
+    const bool alone = std::ranges::count_if(row.cells, holds_per_cent) == 1;  // unlike "12.3 %;0.4 %"
+    if (heading.role == Role::uncertainty && number->per_cent && alone &&
         std::ranges::any_of(table.headings, states_per_cent) && !states_per_cent(heading))
         throw InputError(in_quotes(cell) + " may be per cent of the whole, or of the value before it",
                          "the number alone, or the unit in the heading of the column")
