@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <regex>
 #include <utility>
 
 #include <fmt/format.h>
@@ -572,8 +573,11 @@ bool makes_statement(const TextBeside& text, const std::set<std::string_view>& s
 }
 
 void refuse_factors(const std::vector<TextBeside>& texts) {
+    static const std::regex alone("(?:x|\u00d7|[*]|/|\u00f7) *[0-9][0-9.,]*");  // "x10"
+    constexpr std::size_t longest = 20;
     for (const TextBeside& each : texts)
-        if (makes_statement(each, {"factor"}) && read_coverage(each.text).stated.empty())
+        if ((makes_statement(each, {"factor"}) && read_coverage(each.text).stated.empty()) ||
+            (each.text.size() <= longest && std::regex_match(each.text, alone)))
             refuse_line(each.line,
                         in_quotes(each.text) + " may state a factor of the numbers, and is not read",
                         "the numbers without a factor, and a file without this text");

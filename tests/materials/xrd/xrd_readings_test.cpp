@@ -269,7 +269,7 @@ TEST_CASE("coverage factors in a column of their own are refused") {
                                 "Coverage factor (k)", "facteur d'\u00e9largissement"}) {
         const std::string table = std::string("Phase;wt%;uncertainty;") + heading + "\nQuartz;20;1.2;";
         CHECK(contains(refusal(table + "2\nGlass;80;2;2\n"), "states a coverage, 2"));
-        CHECK(contains(refusal(table + "k = 2\nGlass;80;2;2\n"), "not divided by it"));
+        CHECK(contains(refusal(table + "k = 2\nGlass;80;2;2\n"), "k = 2"));
         CHECK(refusal(table + "1\nGlass;80;2;1\n").empty());
     }
     CHECK(contains(refusal("Phase;wt%;k\nQuartz;20 \u00b1 1;2\nGlass;80;2\n"), "states a coverage, 2"));
@@ -380,7 +380,9 @@ TEST_CASE("texts of columns that are not used are quoted, and refused where they
     const auto of = [](const std::string& heading, const std::string& remark) {
         return "Phase;wt%;esd;" + heading + "\nQuartz;12.3;0.8;\nGlass;87.7;1.6;" + remark + "\n";
     };
-    CHECK(contains(told(of("Remark", "x10")), "column \"Remark\" is not used: \"x10\""));
+    CHECK(contains(told(of("Remark", "kcounts")), "column \"Remark\" is not used: \"kcounts\""));
+    for (const char* factor : {"x10", "/10", "\u00d7 10"})
+        CHECK(contains(refusal(of("Remark", factor)), "may state a factor of the numbers"));
     CHECK(contains(told(of("Remark", "Zusatz")), "column \"Remark\" is not used: \"Zusatz\""));
     for (const auto& [heading, remark] : {std::pair{"Remark", "k=2"},
                                           {"Coverage", "95 %"},
