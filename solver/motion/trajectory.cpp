@@ -221,9 +221,9 @@ MomentumBalance momentum_balance(const Impact& impact) {
             .momentum_lost = static_cast<double>(incident - left) * scale.momentum()};
 }
 
-double attraction_impulse(const Impact& impact) {
+double attraction_impulse(const Impact& impact, Precision precision) {
     validate(impact);
-    const auto scaled = scaled_impact<Extended>(impact, Precision::extended);
+    const auto scaled = scaled_impact<Extended>(impact, precision);
     const Sampler sampler(impact, scaled.scale);
     Extended sum = 0;
     const auto add = [&](const auto& branch, const MotionExpansion<Extended>& x, Extended used) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/motion/impact.hpp"
+#include "solver/numeric/number.hpp"
 
 namespace ashimpact {
 
@@ -67,7 +68,8 @@ struct MomentumBalance {
 
 /// Time integral of |F_a| from first touch to detachment of an impact that rebounds [N s], F_a as in a
 /// trajectory: how much more the surfaces push than the momentum of the sphere changes.
+/// @param precision of a cohesive zone, which takes three times as long in the extended one
 /// @throws as momentum_balance()
-[[nodiscard]] double attraction_impulse(const Impact& impact);
+[[nodiscard]] double attraction_impulse(const Impact& impact, Precision precision = Precision::extended);
 
 }  // namespace ashimpact

@@ -149,35 +149,43 @@ Eigen::ArrayXXd attraction_at_nodes(const std::vector<Impact>& impacts, const Im
         const Impact& impact = impacts[place];
         const double captured = table.restitution(static_cast<Eigen::Index>(place / columns),
                                                   static_cast<Eigen::Index>(place % columns));
-        return captured > 0 ? attraction_impulse(impact) / (impact.contact.mass * impact.velocity) : 0;
+        return captured > 0
+                   ? attraction_impulse(impact, Precision::standard) / (impact.contact.mass * impact.velocity)
+                   : 0;
     });
     using RowMajor = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     return Eigen::Map<const RowMajor>(values.data(), table.velocity.rows(), table.velocity.cols());
+}
+
+/// The impacts at the nodes, row by row.
+std::vector<Impact> impacts_at_nodes(const ExportSubject& subject, const ImpactTable& table) {
+    std::vector<Impact> impacts;
+    for (Eigen::Index i = 0; i < table.velocity.rows(); ++i) {
+        const auto size = static_cast<std::size_t>(i);
+        for (Eigen::Index j = 0; j < table.velocity.cols(); ++j)
+            impacts.push_back(impact_above(subject, table.diameter[size], table.velocity(i, j),
+                                           table.start_velocity[size]));
+    }
+    return impacts;
 }
 
 void fill_nodes(const ExportSubject& subject, ImpactTable& table) {
     const auto rows = static_cast<Eigen::Index>(table.diameter.size());
     const auto columns = static_cast<Eigen::Index>(table.t.size());
     table.velocity.resize(rows, columns);
+    for (Eigen::Index i = 0; i < rows; ++i)
+        for (Eigen::Index j = 0; j < columns; ++j)
+            table.velocity(i, j) = velocity_at_place(table.t[static_cast<std::size_t>(j)],
+                                                     table.start_velocity[static_cast<std::size_t>(i)]);
+    const std::vector<Impact> impacts = impacts_at_nodes(subject, table);
     table.damping.resize(rows, columns);
-    std::vector<Impact> impacts;
-    for (Eigen::Index i = 0; i < rows; ++i) {
-        const auto size = static_cast<std::size_t>(i);
-        for (Eigen::Index j = 0; j < columns; ++j) {
-            const double v =
-                velocity_at_place(table.t[static_cast<std::size_t>(j)], table.start_velocity[size]);
-            const Impact impact = impact_above(subject, table.diameter[size], v, table.start_velocity[size]);
-            table.velocity(i, j) = v;
-            table.damping(i, j) = impact.damping.coefficient;
-            impacts.push_back(impact);
-        }
-    }
+    for (Eigen::Index i = 0; i < rows; ++i)
+        for (Eigen::Index j = 0; j < columns; ++j)
+            table.damping(i, j) = impacts[static_cast<std::size_t>(i * columns + j)].damping.coefficient;
     const ImpactBatchResult result = solve(impacts);
     using RowMajor = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     table.restitution = Eigen::Map<const RowMajor>(result.restitution.data(), rows, columns);
     table.contact_time = Eigen::Map<const RowMajor>(result.contact_time.data(), rows, columns);
-    if (subject.friction > 0 && subject.law.is_adhesive())
-        table.attraction = attraction_at_nodes(impacts, table);
     if (!table.captures) return;
     for (Eigen::Index i = 0; i < rows; ++i)  // damping that rises with the velocity may capture again
         if (!(table.restitution.row(i).tail(columns - 1) > 0).all())
@@ -339,7 +347,11 @@ ImpactTable make_impact_table(const ExportSubject& subject) {
         ImpactTable table = table_of(subject, division);
         const Errors errors = errors_of(subject, table);
         table.largest_error = errors.anywhere;
-        if (errors.anywhere <= aim) return table;
+        if (errors.anywhere <= aim) {
+            if (subject.friction > 0 && subject.law.is_adhesive())
+                table.attraction = attraction_at_nodes(impacts_at_nodes(subject, table), table);
+            return table;
+        }
         const double half = aim / 2;  // of the error, for each axis
         if (errors.along_sizes > half) division.sizes = 2 * division.sizes - 1;
         if (errors.along_t > half || errors.along_sizes <= half) division.nodes = 2 * division.nodes - 1;

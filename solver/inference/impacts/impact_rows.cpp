@@ -446,18 +446,19 @@ void refuse_summary_at_end(std::span<const MeasuredRow> rows) {
     constexpr std::size_t most_between = 2;  // standard deviations, least and greatest values
     for (std::size_t between = 0; between <= most_between; ++between) {
         const Block below = Block::of(rows.subspan(1 + between));
-        if (below.summed_up_in(rows.front()) == "means" && all_sum_up(rows.subspan(1, between), below))
+        if (!rows.front().noted && below.summed_up_in(rows.front()) == "means" &&
+            all_sum_up(rows.subspan(1, between), below))
             refuse_summary_row(rows.front().line, "the means", "below");
         for (const std::size_t last : {rows.size() - 1, rows.size() - 2}) {
             const Block above = Block::of(rows.first(last - between));
-            if (above.summed_up_in(rows[last]) == "means" &&
+            if (!rows[last].noted && above.summed_up_in(rows[last]) == "means" &&
                 all_sum_up(rows.subspan(last - between, between), above))
                 refuse_summary_row(rows[last].line, "the means");
         }
     }
-    if (holds_medians(rows.front(), rows.subspan(1)))
+    if (!rows.front().noted && holds_medians(rows.front(), rows.subspan(1)))
         refuse_summary_row(rows.front().line, "the medians", "below");
-    if (holds_medians(rows.back(), rows.first(rows.size() - 1)))
+    if (!rows.back().noted && holds_medians(rows.back(), rows.first(rows.size() - 1)))
         refuse_summary_row(rows.back().line, "the medians");
 }
 
@@ -517,8 +518,8 @@ void refuse_summaries(std::span<const MeasuredRow> rows, std::vector<Finding>& f
         const auto is_apart = [&](std::size_t k) { return rows[k].line > rows[k - 1].line + 1; };
         const bool at_end = i + 2 >= rows.size();
         const bool begins = i > 0 && is_apart(i);
-        const bool stands_out = at_end || begins || is_apart(i + 1);
-        const auto of_all = at_end ? all.summed_up_in(row) : std::nullopt;
+        const bool stands_out = !row.noted && (at_end || begins || is_apart(i + 1));
+        const auto of_all = at_end && !row.noted ? all.summed_up_in(row) : std::nullopt;
         const auto of_block = block.summed_up_in(row);
         if (of_all || (of_block && stands_out))
             refuse_summary_row(row.line, "the " + std::string(of_all ? *of_all : *of_block));
@@ -550,15 +551,23 @@ bool is_precise(std::string_view cell) {
     return std::ranges::count_if(number, is_digit) >= 2;
 }
 
+/// "1.72" for "1.720".
+std::string without_last_zeros(std::string cell) {
+    const auto mark = cell.find_first_of(".,");
+    if (mark != std::string::npos && cell.find_first_not_of("0123456789", mark + 1) == std::string::npos)
+        while (cell.back() == '0') cell.pop_back();
+    return cell;
+}
+
 }  // namespace
 
 void RepeatedRows::take(const TableRow& row, std::size_t first, std::size_t second) {
     std::string all;
-    for (const std::string& cell : row.cells) (all += cell) += '\n';
-    const std::hash<std::string_view> hash;
+    for (const std::string& cell : row.cells) (all += without_last_zeros(cell)) += '\n';
+    const std::hash<std::string> hash;
     auto number = read_number(row.cells[first]);
     if (!number) number = read_number(row.cells[first], true);
-    rows_.push_back({row.line, hash(all), hash(row.cells[first]),
+    rows_.push_back({row.line, hash(all), hash(without_last_zeros(row.cells[first])),
                      is_precise(row.cells[first]) && is_precise(row.cells[second]),
                      number ? number->value : std::numeric_limits<double>::quiet_NaN()});
 }

@@ -103,6 +103,7 @@ class RowLabels {
 struct MeasuredRow {
     std::size_t line;
     std::array<double, 2> values;
+    bool noted = false;  ///< its outcome, as no row does that sums up others
 };
 
 /// A number in its unit, with the digits of the file, which rounding by the unit would change.

@@ -107,7 +107,7 @@ std::optional<Finding> other_sample_finding(const MeasurementSet& set, const std
         return Finding{
             impacts_code, Severity::remark,
             "the impacts are those of the sample " + in_quotes(set.sample) + ", as its column says"};
-    if (!set.sample.empty() || !other_sheet) return std::nullopt;
+    if (!set.sample.empty() || set.sheet.empty() || !other_sheet) return std::nullopt;
     return Finding{impacts_code, Severity::remark,
                    "the impacts are those of the sheet " + in_quotes(set.sheet)};
 }

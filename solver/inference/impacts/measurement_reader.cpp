@@ -829,28 +829,34 @@ std::optional<Finding> uncertain_rebounds(const MeasurementSet& set, double lowe
                     count, set.points.size())};
 }
 
-/// A remark on readings of exactly 0 above an impact whose rebound is so slow that noise may have put others
-/// below 0, where the table states neither outcomes nor uncertainties.
+/// A remark on readings of exactly 0 beside rebounds near 0, of which noise may have made one or the other,
+/// where the table states neither outcomes nor uncertainties: readings of 0 at higher velocities than a slow
+/// rebound, or rebounds slower than a critical velocity leaves by more than one in a thousand.
 std::optional<Finding> clipped_readings(const MeasurementSet& set) {
     if (set.has_noise()) return std::nullopt;
-    const auto from_reading = [](const Measurement& point) {
-        return point.outcome == NotedOutcome::from_reading;
-    };
+    constexpr double hardly_any = 0.03;  // e grows with the root of v/v_c - 1
+    std::vector<std::size_t> zeros;
+    std::vector<std::size_t> slow;
+    double greatest_zero = 0;
     double slowest = std::numeric_limits<double>::infinity();
-    for (const Measurement& point : set.points)
-        if (from_reading(point) && point.rebound > 0 && point.rebound < reach_of(point))
+    bool is_tiny = false;
+    for (const Measurement& point : set.points) {
+        if (point.outcome != NotedOutcome::from_reading || !(point.rebound < reach_of(point))) continue;
+        (point.captured() ? zeros : slow).push_back(point.line);
+        if (point.captured())
+            greatest_zero = std::max(greatest_zero, point.velocity);
+        else
             slowest = std::min(slowest, point.velocity);
-    std::vector<std::size_t> lines;
-    for (const Measurement& point : set.points)
-        if (from_reading(point) && point.captured() && point.velocity > slowest) lines.push_back(point.line);
-    if (lines.empty()) return std::nullopt;
+        is_tiny = is_tiny || (!point.captured() && point.rebound < hardly_any * point.velocity);
+    }
+    if (zeros.empty() || slow.empty() || !(greatest_zero > slowest || is_tiny)) return std::nullopt;
     return Finding{
         impacts_code, Severity::remark,
-        fmt::format("{} of 0 ({}) above {} m/s, where an impact rebounds slowly, {} as captured, but "
-                    "readings below 0 may have been set to 0: v_c is lower then; a column "
-                    "\"outcome\" states which",
-                    counted(lines.size(), "reading"), numbered("line", lines), shortest(slowest),
-                    lines.size() == 1 ? "counts" : "count")};
+        fmt::format("{} of 0 ({}) {} as captured and {} near 0 ({}) as rebounding: where they are noise, or "
+                    "readings below 0 were set to 0, v_c is off to either side; a column \"outcome\" "
+                    "states which",
+                    counted(zeros.size(), "reading"), numbered("line", zeros),
+                    zeros.size() == 1 ? "counts" : "count", slow.size(), numbered("line", slow))};
 }
 
 MeasurementSet read_table(const TextLines& file, std::string_view name, std::optional<DecimalMark> decimal) {
@@ -934,10 +940,12 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
                                     " alone are stated: v_in and v_r are taken as equally uncertain"});
     if (!labels.number_rows()) {
         std::vector<MeasuredRow> measured;
-        for (const Measurement& point : set.points)
+        for (const Measurement& point : set.points) {
             measured.push_back(row_as_written(
                 heading, point.line,
                 {point.velocity, heading.reading().is_fraction ? point.restitution() : point.rebound}));
+            measured.back().noted = point.outcome != NotedOutcome::from_reading;
+        }
         refuse_summaries(measured, set.warnings);
         if (!unknown.empty()) {  // the mean of v_in may be that of all rows
             std::ranges::move(unknown, std::back_inserter(measured));

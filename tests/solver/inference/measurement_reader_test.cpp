@@ -666,11 +666,12 @@ TEST_CASE("columns of 0 and 1 are read or refused, however their numbers are wri
     CHECK(read_measurements("v_in;v_r;quality\n1.2;0;0,95\n2.1;0.9;1,0\n", "t.csv").points.size() == 2);
 }
 
-TEST_CASE("readings of 0 above a slow rebound may be clipped, which is said") {
+TEST_CASE("readings of 0 beside slow rebounds may be clipped, which is said") {
     const auto said = [](const std::string& rows, const std::string& more = "") {
         return contains(warnings_of(read_measurements("v_in [m/s];v_r [m/s]" + more + "\n" + rows, "t.csv")),
-                        "readings below 0 may have been set to 0");
+                        "v_c is off to either side");
     };
+    CHECK(said("0.5;0\n0.8;0.012\n0.9;0.2\n1.1;0.3\n"));  // of noise, hardly of a rebound
     CHECK(said("0.5;0\n0.8;0.03\n0.9;0\n1.1;0.3\n"));
     CHECK_FALSE(said("0.5;0\n0.7;0\n0.8;0.03\n1.1;0.3\n"));  // below all rebounds
     CHECK_FALSE(said("0.5;0\n0.8;0.4\n0.9;0\n1.1;0.6\n"));   // no rebound is near 0
@@ -887,6 +888,21 @@ TEST_CASE("a row among numbered ones that has another label is no impact, or is 
               .points.size() == 3);
     CHECK(contains(warnings_of(read_measurements("v_in [m/s];v_r [m/s];\n1,5;0,5;x\n", "t.csv")),
                    "column 3, which has no heading, is not used"));
+}
+
+TEST_CASE("a row with an outcome is an impact; equal rows are equal with other digits, too") {
+    const std::string rows =
+        "v_in [m/s];v_r [m/s];outcome\n1.10;0.12;rebound\n1.50;0.31;rebound\n"
+        "1.90;0.52;rebound\n2.30;0.81;rebound\n2.70;1.02;rebound\n3.10;1.31;rebound\n";
+    CHECK(read_measurements(rows + "2.10;0.68;rebound\n", "t.csv").points.size() == 7);  // the means
+    CHECK(contains(
+        input_error_of([&] { static_cast<void>(read_measurements(rows + "2.10;0.68;\n", "t.csv")); }),
+        "the row holds the means"));
+    const std::string again =
+        "1.1;0.120;rebound\n1.5;0.310;rebound\n1.9;0.520;rebound\n2.3;0.810;rebound\n"
+        "2.7;1.020;rebound\n3.1;1.310;rebound\n";
+    CHECK(contains(input_error_of([&] { static_cast<void>(read_measurements(rows + again, "t.csv")); }),
+                   "repeat others"));
 }
 
 TEST_CASE("rows that are equal because velocities are whole pixels are read") {

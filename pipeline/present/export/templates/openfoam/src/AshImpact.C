@@ -306,6 +306,19 @@ Foam::AshImpact<CloudType>::AshImpact(const dictionary& dict, CloudType& cloud)
         friction_ = 0;
         WarningInFunction << "mu is the old share of the tangential velocity; friction is the coefficient" << endl;
     }
+    // A parcel at a wall for which no model acts stays there, and the run never ends.
+    const bool isAlone = dict.lookupOrDefault<word>("patchInteractionModel", word::null) == typeName;
+    forAll(cloud.mesh().boundaryMesh(), i)
+    {
+        const polyPatch& patch = cloud.mesh().boundaryMesh()[i];
+        if (isAlone && !patches_.empty() && isA<wallPolyPatch>(patch) && !patches_.match(patch.name()))
+        {
+            FatalIOErrorInFunction(this->coeffDict())
+                << "patches does not name the wall " << patch.name()
+                << "; allowed: every wall named, or multiInteraction with a model for the others"
+                << exit(FatalIOError);
+        }
+    }
     const Time& time = cloud.mesh().time();
     const fileName folder(time.globalPath()/time.constant());
     if (this->coeffDict().template lookupOrDefault<bool>("solver", false)) openSolver(folder/"ashSolver");
