@@ -65,8 +65,14 @@ bool is_of_several(std::string_view label) {
         return true;
     const std::string_view behind =
         label.substr(std::min(label.find_first_not_of("0123456789"), label.size()));
-    const bool is_range = behind.size() > 1 && behind.front() == '-' && is_digit(behind[1]);
-    return is_range || !read_coverage(label).stated.empty();
+    const std::string_view to = trimmed(behind);
+    const bool is_range = to.size() > 1 && to.front() == '-' && is_digit(trimmed(to.substr(1)).front());
+    const bool is_quantile = is_summary(trimmed(behind.substr(std::min<std::size_t>(1, behind.size()))));
+    return is_range || is_quantile || !read_coverage(label).stated.empty();
+}
+
+bool has_letter(std::string_view text) {
+    return std::ranges::any_of(text, [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; });
 }
 
 bool is_blank(std::string_view cell) {
@@ -156,7 +162,10 @@ bool names_summary(std::string_view label) {
 
 void RowLabels::Column::take(std::string_view cell) {
     named_summaries += names_summary(label_in(cell)) ? 1 : 0;
-    with_digit += std::ranges::any_of(cell, is_digit) ? 1 : 0;
+    if (std::ranges::any_of(cell, is_digit)) {
+        ++with_digit;
+        lettered += has_letter(cell) ? 1 : 0;
+    }
     if (const auto number = row_number(cell)) {
         in_order = in_order && (numbers == 0 || *number == last_number + 1);
         ++numbers;
@@ -326,10 +335,14 @@ void RowLabels::refuse_named_summary(const Column& column, const TableRow& row) 
 
 void RowLabels::require_number(const Column& column, const TableRow& row) {
     const bool counts = column.counts_rows();
-    if (column.numbers_labels() && !column.is_remark &&
-        !(counts && is_blank(row.cells[column.column.position]))) {
+    if (!counts && column.numbers_labels() && !column.is_remark) {
         const std::string& label = row.cells[column.column.position];
-        if (is_blank(label) || (std::ranges::any_of(label, is_digit) && !is_of_several(label))) return;
+        const bool is_stemmed = 3 * column.stemmed > 2 * column.with_digit;  // "P1", "P2"
+        const bool is_plain = 3 * column.lettered < column.with_digit;       // "2024-05-01"
+        const bool is_other =
+            is_stemmed ? !label.starts_with(column.stem) : is_plain && has_letter(label);  // "Q1", "U95"
+        const bool has_number = std::ranges::any_of(label, is_digit) && !is_of_several(label);
+        if (is_blank(label) || (has_number && !is_other)) return;
         throw InputError(in_quotes(label) + " is in " + name_of(column.column) + ", where the others have " +
                              (column.stemmed == column.with_digit ? in_quotes(column.stem) + " and " : "") +
                              "a number: the row may be a measurement, or sum up others",
