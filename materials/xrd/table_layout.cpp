@@ -1051,7 +1051,8 @@ void refuse_coverage_factors(const Table& table) {
 void drop_measures(Table& table) {
     const std::size_t label = *table.column(Role::phase);
     std::erase_if(table.rows, [&](const TableRow& row) {
-        if (read_heading(row.cells[label]).role != Role::measure) return false;
+        if (read_heading(row.cells[label]).role != Role::measure && !names_coverage_factor(row.cells[label]))
+            return false;
         for (std::size_t k = 0; k < row.cells.size(); ++k)
             if (k != label &&
                 (!coverage_in_cell(row.cells[label], row.cells[k]).empty() ||

@@ -220,6 +220,48 @@ bool spans(const DepositingAsh& ash, const ClassVelocities& velocities) {
            velocities.basis == ash.assumptions.front().basis;
 }
 
+/// One class from its parts: means over what arrives; what belongs to one size is that of the part in the
+/// middle.
+DepositedSize whole_class(std::span<const DepositedSize> parts) {
+    DepositedSize whole = parts[parts.size() / 2];
+    whole.from = parts.front().from;
+    whole.to = parts.back().to;
+    whole.mass_fraction = 0;
+    double arrives = 0;
+    double normal = 0;
+    double rebounds = 0;
+    SpannedShare stays;
+    ReboundMeans means{.restitution = 0, .velocity = 0};
+    for (const DepositedSize& part : parts) {
+        whole.mass_fraction += part.mass_fraction;
+        const double arriving = part.mass_fraction * part.impaction_efficiency;
+        if (!(arriving > 0)) continue;
+        arrives += arriving;
+        normal += arriving * part.normal_velocity.value_or(0);
+        stays.value += arriving * part.stick_fraction.value;
+        stays.span.least += arriving * part.stick_fraction.span.least;
+        stays.span.greatest += arriving * part.stick_fraction.span.greatest;
+        if (!part.rebound.restitution || !part.rebound.velocity) continue;
+        const double rebounding = arriving * (1 - part.stick_fraction.value);
+        rebounds += rebounding;
+        *means.restitution += rebounding * *part.rebound.restitution;
+        *means.velocity += rebounding * *part.rebound.velocity;
+    }
+    if (!(arrives > 0)) return whole;
+    whole.impaction_efficiency = arrives / whole.mass_fraction;
+    whole.normal_velocity = normal / arrives;
+    whole.stick_fraction = {stays.value / arrives,
+                            {stays.span.least / arrives, stays.span.greatest / arrives}};
+    whole.rebound = {};
+    if (rebounds > 0) whole.rebound = {*means.restitution / rebounds, *means.velocity / rebounds};
+    for (auto member : {&DepositedSize::arrival_flux, &DepositedSize::deposition_flux}) {
+        if (!(whole.*member)) continue;
+        (whole.*member)->value = 0;
+        for (const DepositedSize& part : parts) (whole.*member)->value += (part.*member)->value;
+    }
+    return whole;
+}
+
 std::vector<DepositedSize> deposited_sizes(const TubeConditions& tube, const DepositingAsh& ash,
                                            const std::vector<ClassImpaction>& classes, double mean_flux) {
     std::vector<DepositedSize> sizes;
@@ -255,7 +297,11 @@ std::vector<DepositedSize> deposited_sizes(const TubeConditions& tube, const Dep
         }
         sizes.push_back(std::move(size));
     }
-    return sizes;
+    if (ash.parts == 1) return sizes;
+    std::vector<DepositedSize> whole;
+    for (std::size_t first = 0; first < sizes.size(); first += ash.parts)
+        whole.push_back(whole_class(std::span(sizes).subspan(first, ash.parts)));
+    return whole;
 }
 
 std::vector<DepositedArc> deposited_arcs(const TubeConditions& tube, const std::vector<ArcImpaction>& arcs) {

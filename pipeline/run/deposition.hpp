@@ -24,6 +24,7 @@ struct ClassVelocities {
 struct DepositingAsh {
     Law law{};
     std::vector<SizeClass> classes{};
+    std::size_t parts = 1;                       ///< consecutive classes that are one row of the result
     std::vector<double> densities{};             ///< [kg/m3]
     std::vector<ClassVelocities> assumptions{};  ///< the first is that of the answer
     std::vector<RestitutionOfVelocity>

@@ -59,11 +59,19 @@ ParticleSizes ParticleSizes::tabulated(std::vector<double> diameters, std::vecto
     return sizes;
 }
 
-std::vector<SizeClass> ParticleSizes::classes(int count, double finest) const {
+std::vector<SizeClass> ParticleSizes::classes(int count, double finest, int parts) const {
     if (from_ == to_ || finest >= to_) return {{from_, to_, 1}};
     const bool has_fines = finest > from_;
-    std::vector<double> edges = logarithmic_grid(std::max(from_, finest), to_, has_fines ? count : count + 1);
-    if (has_fines) edges.insert(edges.begin(), from_);
+    std::vector<double> bounds =
+        logarithmic_grid(std::max(from_, finest), to_, has_fines ? count : count + 1);
+    if (has_fines) bounds.insert(bounds.begin(), from_);
+    std::vector<double> edges{bounds.front()};
+    for (std::size_t i = 1; i < bounds.size(); ++i) {
+        const double ratio = bounds[i] / bounds[i - 1];
+        for (int k = 1; k < parts; ++k)
+            edges.push_back(bounds[i - 1] * std::pow(ratio, static_cast<double>(k) / parts));
+        edges.push_back(bounds[i]);
+    }
     std::vector<SizeClass> list;
     for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
         const double below = i == 0 ? 0 : finer_(edges[i]);

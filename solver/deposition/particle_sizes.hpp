@@ -34,7 +34,8 @@ class ParticleSizes {
     /// Classes that hold all mass: one of all that is finer than @p finest [m], the others of equal ratio. Of
     /// a distribution without ends 0.1 % of the mass is finer than the first class begins and 0.01 % coarser
     /// than the last one ends; they belong to these.
-    [[nodiscard]] std::vector<SizeClass> classes(int count, double finest = 0) const;
+    /// @param parts of each class, of equal ratio
+    [[nodiscard]] std::vector<SizeClass> classes(int count, double finest = 0, int parts = 1) const;
 
   private:
     std::function<double(double)> finer_{};

@@ -37,7 +37,8 @@ namespace ashimpact {
 
 namespace {
 
-constexpr int most_classes = 80;  ///< of sizes
+constexpr int most_classes = 80;   ///< of sizes
+constexpr int parts_of_class = 9;  ///< what stays may change from all to nothing within a class
 constexpr auto deposit_artifact = "deposit.json";
 constexpr double normal_temperature = 273.15;  ///< of "Nm3" [K]
 
@@ -69,7 +70,7 @@ TubeConditions read_tube(const CommandOptions& options) {
 
 /// The classes of sizes, fine ones that cannot arrive as one. @param density of the particles [kg/m3]
 std::vector<SizeClass> classes_on(const TubeConditions& tube, const ParticleSizes& sizes, double density) {
-    return sizes.classes(most_classes, crossed_tube(tube).finest_arriving(density));
+    return sizes.classes(most_classes, crossed_tube(tube).finest_arriving(density), parts_of_class);
 }
 
 /// The damping of every size. @throws InputError for a restitution that is reached by another one at each
@@ -296,6 +297,7 @@ Deposition write_deposition(const CommandOptions& options, const TableOptions& t
     record.note(sizes.notes, "");
     const std::size_t printed = record.notes.size();
     record.note(source.notes, "");
+    source.ash.parts = source.ash.classes.size() == 1 ? 1 : parts_of_class;
     Deposition deposition{.result = deposition_on(tube, source.ash, record), .files = {}};
     const DepositionResult& result = deposition.result;
     const Artifact artifact = sealed_artifact({.record = record,

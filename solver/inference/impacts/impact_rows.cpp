@@ -344,7 +344,7 @@ void RowLabels::require_number(const Column& column, const TableRow& row) {
         const bool has_number = std::ranges::any_of(label, is_digit) && !is_of_several(label);
         if (is_blank(label) || (has_number && !is_other)) return;
         throw InputError(in_quotes(label) + " is in " + name_of(column.column) + ", where the others have " +
-                             (column.stemmed == column.with_digit ? in_quotes(column.stem) + " and " : "") +
+                             (is_stemmed ? in_quotes(column.stem) + " and " : "") +
                              "a number: the row may be a measurement, or sum up others",
                          "a label with a number, or a file without this row")
             .at(at_cell(row.line, column.column.position));

@@ -295,6 +295,15 @@ TEST_CASE("distributions of sizes by mass, and air") {
     CHECK(table.finer_than(40e-6) == doctest::Approx(0.75));
     CHECK(table.classes(7).front().from == 10e-6);
     CHECK(ParticleSizes::one(5e-6).classes(80).size() == 1);
+    const auto whole = table.classes(7);
+    const auto parts = table.classes(7, 0, 9);
+    REQUIRE(parts.size() == 9 * whole.size());
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        double share = 0;
+        for (std::size_t k = 0; k < 9; ++k) share += parts[9 * i + k].share;
+        CHECK(std::abs(share - whole[i].share) < 1e-14);
+        CHECK(std::abs(parts[9 * i + 4].diameter() / whole[i].diameter() - 1) < 1e-14);
+    }
     // U.S. Standard Atmosphere 1976 at 288.15 K.
     CHECK(relative_difference(air_at(288.15).viscosity, 1.7894e-5) < 1e-4);
     CHECK(relative_difference(air_at(288.15).density, 1.2250) < 1e-4);

@@ -905,18 +905,19 @@ TEST_CASE("a row among numbered ones that has another label is no impact, or is 
 }
 
 TEST_CASE("a row with an outcome is an impact; equal rows are equal with other digits, too") {
+    const auto read = [](const std::string& rows) {
+        return read_measurements("v_in [m/s];v_r [m/s];outcome\n" + rows, "t.csv");
+    };
     const std::string rows =
-        "v_in [m/s];v_r [m/s];outcome\n1.10;0.12;rebound\n1.50;0.31;rebound\n"
-        "1.90;0.52;rebound\n2.30;0.81;rebound\n2.70;1.02;rebound\n3.10;1.31;rebound\n";
-    CHECK(read_measurements(rows + "2.10;0.68;rebound\n", "t.csv").points.size() == 7);  // the means
-    CHECK(contains(
-        input_error_of([&] { static_cast<void>(read_measurements(rows + "2.10;0.68;\n", "t.csv")); }),
-        "the row holds the means"));
+        "1.12;0.14;rebound\n1.47;0.31;rebound\n1.93;0.52;rebound\n"
+        "2.38;0.81;rebound\n2.61;1.02;rebound\n3.09;1.28;rebound\n";
+    CHECK(read(rows + "2.10;0.68;rebound\n").points.size() == 7);  // the means
+    CHECK(contains(input_error_of([&] { static_cast<void>(read(rows + "2.10;0.68;\n")); }),
+                   "the row holds the means"));
     const std::string again =
-        "1.1;0.120;rebound\n1.5;0.310;rebound\n1.9;0.520;rebound\n2.3;0.810;rebound\n"
-        "2.7;1.020;rebound\n3.1;1.310;rebound\n";
-    CHECK(contains(input_error_of([&] { static_cast<void>(read_measurements(rows + again, "t.csv")); }),
-                   "repeat others"));
+        "1.120;0.140;rebound\n1.470;0.310;rebound\n1.930;0.520;rebound\n"
+        "2.380;0.810;rebound\n2.610;1.020;rebound\n3.090;1.280;rebound\n";
+    CHECK(contains(input_error_of([&] { static_cast<void>(read(rows + again)); }), "repeat"));
 }
 
 TEST_CASE("rows that are equal because velocities are whole pixels are read") {
