@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Deposition on a tube, on the command line.
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -113,6 +114,21 @@ TEST_CASE("a deposition conserves mass over sizes, around the tube and along its
     for (const char* file : {"deposit.html", "deposit-by-size.csv", "deposit-around-the-tube.csv"})
         CHECK(sandbox.has(std::string("tube/") + file));
     CHECK(succeeded(sandbox, "inspect tube/deposit.json").out == containing("deposition_flux"));
+}
+
+TEST_CASE("what stays of a wider distribution goes on falling, though it is all of some classes") {
+    const Sandbox sandbox;
+    const std::string weakly_damped =
+        " --law jkr --density '2300 kg/m3' --contact-modulus '90 GPa' --work-of-adhesion '0.05 J/m2' "
+        "--damping-law tsuji --damping 0.1 --ash-load '10 g/m3'";
+    double before = std::numeric_limits<double>::infinity();
+    for (const char* width : {"2.6", "2.8", "3", "3.2", "3.6", "4"}) {
+        const Json artifact =
+            deposited(sandbox, weakly_damped + " --sizes 'log-normal: 20 um, " + width + "'");
+        const double flux = value_of(artifact["result"]["total"], "deposition_flux");
+        CHECK_MESSAGE(flux < before, width);
+        before = flux;
+    }
 }
 
 TEST_CASE("sizes that stick again when they are faster are refused" * doctest::test_suite("long")) {

@@ -381,7 +381,7 @@ void warn_of_regimes(const SweepSpec& spec, std::vector<std::string>& warnings) 
         }
         for (const auto& [severity, of] : remarked)
             warnings.push_back(
-                fmt::format("{}: {:.2g} % of the impacts are outside of where the law holds; one: {}",
+                fmt::format("{}: {:.3g} % of the impacts are outside of where the law holds; one: {}",
                             choice.law.name(), 100.0 * of.impacts / static_cast<double>(count), of.first));
     }
 }
