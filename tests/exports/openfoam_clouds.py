@@ -128,6 +128,10 @@ def check_bed(work, exported, fail):
     kept = [int(n) for n in re.findall(r"Current number of parcels\s+= (\d+)", output_of(case, "MPPICFoam"))]
     if not kept or kept[-1] != max(kept):
         fail("Goldschmidt's bed: of %d beads %d are left" % (max(kept, default=0), kept[-1] if kept else 0))
+    replaced(os.path.join(case, "constant/kinematicCloudProperties"), (r"patches \(bottom walls\)", "patches (bottom)"))
+    refused = run(case, ("MPPICFoam",)) or ""
+    if "patches does not name the wall walls" not in refused:
+        fail("Goldschmidt's bed: a wall without a model is not refused: %s" % refused)
 
 
 def impacts_of(case):
