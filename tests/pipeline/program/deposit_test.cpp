@@ -284,6 +284,7 @@ TEST_CASE("what a sieve table has beside sizes and shares is said" * doctest::te
           {"Siebweite;Durchgang\n10 \u00b5m;20 %\n20 \u00b5m;100 %\nBoden;0 %\n",
            "line 4 is no size and left out"},
           {"Size (\u00b5m);Vol Under %\n10;20\n20;100\n", "is by volume: taken as by mass"},
+          {"Size (\u00b5m);Cumulative Volume % under\n10;20\n20;100\n", "is by volume: taken as by mass"},
           {"Size (\u00b5m);Undersize Volume (%)\n10;20\n20;100\n", "is by volume: taken as by mass"},
           {"size [um];passing [%];residue [%]\n10;20;80\n20;100;0\n",
            "column \"residue [%]\" agrees with \"passing [%]\", which is used"},
