@@ -309,10 +309,10 @@ void note_likely_standards(Composition& composition) {
     static const WordLists standards("internal standards");
     constexpr double least_added = 0.03;
     for (const Component& c : composition.components)
-        if (c.weight_fraction >= least_added && standards.holds(c.name))
+        if (c.weight_fraction >= least_added && (standards.holds(c.name) || standards.holds(c.phase.name)))
             composition.notes.push_back(
                 {phases_code, Severity::remark,
-                 in_quotes(c.name) + " counts as a phase of the ash: nothing calls it an internal standard"});
+                 in_quotes(c.name) + " counts as a phase of the ash: no text that is read calls it an internal standard"});
 }
 
 /// Notes the remark of the catalogue on the glass, whose modulus is the least certain input.

@@ -133,7 +133,8 @@ NameAndUnit split(std::string_view cell) {
     for (auto at = cell.find(' '); at != std::string_view::npos; at = cell.find(' ', at + 1)) {
         std::string_view name = cell.substr(0, at);
         while (name.ends_with(',') || name.ends_with(';') || name.ends_with(':')) name.remove_suffix(1);
-        const std::string_view unit = trimmed(cell.substr(at));
+        std::string_view unit = trimmed(cell.substr(at));
+        if (unit.starts_with("in ")) unit = trimmed(unit.substr(3));  // "v_in in ms-1": no inches
         if ((meaning_of(name) || is_uncertainty_word(name)) && is_velocity_unit(unit)) return {name, unit};
     }
     if (const auto in = cell.rfind(" in "); in != std::string_view::npos) {

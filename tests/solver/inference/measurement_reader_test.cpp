@@ -629,6 +629,7 @@ TEST_CASE("the usual headings of impacts are known, in English, German and Frenc
           "vitesse incidente;vitesse de rebond",
           "velocit\u00e0 d'impatto [m/s];velocit\u00e0 di rimbalzo [m/s]",
           "v_in (in m/s);v_r (in m/s)",
+          "v_in in ms-1;v_r in ms^-1",
           "velocidad de impacto (m/s);velocidad de rebote (m/s)"}) {
         CAPTURE(heading);
         const MeasurementSet set = read_measurements(std::string(heading) + "\n2,1;0,4\n", "t.csv");
