@@ -196,7 +196,7 @@ XrdSample with_internal_standard(const XrdSample& sample, std::string_view stand
         remainder.standard_uncertainty =
             scale * std::hypot(measured.standard_uncertainty.value_or(0) / measured.fraction,
                                added_uncertainty.value_or(0) / (added_fraction * (1 - added_fraction)));
-    result.analysis.amorphous = remainder;
+    result.analysis.state_amorphous(remainder);
     return result;
 }
 

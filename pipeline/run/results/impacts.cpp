@@ -121,8 +121,10 @@ void set_parts(const DampingParts& parts, const std::vector<InvertedImpact>& imp
         fastest = std::max(fastest, impact.velocity);
     }
     const auto boundary = [&](std::size_t i) {
-        return make_quantity(parts.boundaries[i].velocity, Dimension::velocity,
-                             parts.boundaries[i].standard_uncertainty);
+        const PartBoundary& of = parts.boundaries[i];
+        const bool is_known = std::isfinite(of.standard_uncertainty);
+        return make_quantity(of.velocity, Dimension::velocity,
+                             is_known ? std::optional(of.standard_uncertainty) : std::nullopt);
     };
     for (std::size_t i = 0; i < parts.parts.size(); ++i)
         series.parts.push_back(

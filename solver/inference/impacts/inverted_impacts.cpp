@@ -242,6 +242,12 @@ std::optional<DampingSmoothing> DampingSmoothing::with_intervals(const Rows& row
     }
     result.coefficients_ = fit.parameters;
     result.covariance_ = fit.covariance;
+    if (!fit.covariance.allFinite()) {  // most rows are equal: their deviation vanishes
+        const double squares = (observed - design * fit.parameters).squaredNorm();
+        const Eigen::MatrixXd normal = design.transpose() * design;
+        result.covariance_ = normal.completeOrthogonalDecomposition().pseudoInverse() *
+                             (squares / static_cast<double>(count - size));
+    }
     const auto n = static_cast<double>(count);
     const double p = static_cast<double>(size) + 1.0;
     const double least = 1e-12 * observed.norm();
@@ -333,9 +339,9 @@ DampingSmoothing::Value DampingSmoothing::at(double velocity) const {
     const Eigen::VectorXd slopes = splines_.values(x, 1);
     const double damping = values.dot(coefficients_);
     return {.damping = damping,
-            .standard_uncertainty = std::sqrt(values.dot(covariance_ * values)),
+            .standard_uncertainty = std::sqrt(std::max(0.0, values.dot(covariance_ * values))),
             .elasticity = slopes.dot(coefficients_) / damping,
-            .elasticity_uncertainty = std::sqrt(slopes.dot(covariance_ * slopes)) / damping};
+            .elasticity_uncertainty = std::sqrt(std::max(0.0, slopes.dot(covariance_ * slopes))) / damping};
 }
 
 DampingParts find_parts(const std::optional<DampingSmoothing>& smooth, const PartOptions& options) {

@@ -400,6 +400,13 @@ TEST_CASE("texts of columns that are not used are quoted, and refused where they
     CHECK(contains(told(of("ICSD", "26429")), "column \"ICSD\" is not used"));
 }
 
+TEST_CASE("a crystalline total beside an internal standard states the amorphous part twice") {
+    const XrdSample sample = first_of("Phase;wt%\nQuartz;30\nMullite;50\nCorundum;20\nCrystalline;70\n");
+    CHECK(contains(
+        input_error_of([&] { static_cast<void>(with_internal_standard(sample, "Corundum", 0.1, {})); }),
+        "the amorphous part, and it is stated again"));
+}
+
 TEST_CASE("a short mark of a standard in a name is not taken") {
     const std::string rows = "Phase;wt%\nQuartz;37\nCorundum;10\nGlass;53\n";
     for (const char* file : {"is_x.csv", "STD_3.csv", "ref 7.csv", "Standard 3.csv"}) {

@@ -394,6 +394,29 @@ TEST_CASE("three parts of eta(v_in): falling, flat, rising") {
     CHECK(std::abs(parts.boundaries[1].velocity - 5.0) < 0.5);
 }
 
+TEST_CASE("readings of one digit, most of them equal, leave borders with an uncertainty") {
+    std::vector<InvertedImpact> impacts;
+    for (const auto& [v, eta, count] : {std::tuple{0.3, 0.004416, 1},
+                                        {0.4, 0.003187, 4},
+                                        {0.8, 0.002585, 3},
+                                        {1.3, 0.003681, 1},
+                                        {1.3, 0.002943, 1}})
+        for (int i = 0; i < count; ++i)
+            impacts.push_back({.index = impacts.size(),
+                               .velocity = v,
+                               .restitution = 0.5,
+                               .greatest_restitution = 1.0,
+                               .damping = eta,
+                               .standard_uncertainty = {},
+                               .contact_time = {}});
+    const DampingParts parts = find_parts(DampingSmoothing::of(impacts));
+    REQUIRE_FALSE(parts.boundaries.empty());
+    for (const PartBoundary& border : parts.boundaries) {
+        CHECK(std::isfinite(border.standard_uncertainty));
+        CHECK(border.standard_uncertainty > 0);
+    }
+}
+
 TEST_CASE("damping that falls all along has one part, and none of no length") {
     std::vector<InvertedImpact> impacts;
     for (int i = 0; i < 40; ++i) {
