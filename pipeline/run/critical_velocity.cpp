@@ -11,23 +11,23 @@ namespace ashimpact {
 
 namespace {
 
-/// The critical velocity a case reports, or else the one that the outcomes of its impacts show.
-std::optional<MeasuredCriticalVelocity> measured_velocity(const Sample& sample,
-                                                          const RestitutionSeries* series,
-                                                          double scale_uncertainty) {
-    if (sample.measured_critical_velocity) {
-        const Quantity& reported = sample.measured_critical_velocity->quantity;
-        MeasuredCriticalVelocity measured;
-        measured.value = reported.value;
-        const double u = reported.standard_uncertainty.value_or(0);
-        measured.note = u > 0 ? "as reported in the case" : "as reported in the case, without an uncertainty";
-        if (!(u > 0)) return measured;
-        const double half = u * confidence_quantile();
-        measured.standard_uncertainty = u;
-        measured.lower = std::max(0.0, reported.value - half);
-        measured.upper = reported.value + half;
-        return measured;
-    }
+/// The critical velocity that a case reports.
+MeasuredCriticalVelocity reported_velocity(const Quantity& reported) {
+    MeasuredCriticalVelocity measured;
+    measured.value = reported.value;
+    const double u = reported.standard_uncertainty.value_or(0);
+    measured.note = u > 0 ? "as reported in the case" : "as reported in the case, without an uncertainty";
+    if (!(u > 0)) return measured;
+    const double half = u * confidence_quantile();
+    measured.standard_uncertainty = u;
+    measured.lower = std::max(0.0, reported.value - half);
+    measured.upper = reported.value + half;
+    return measured;
+}
+
+/// The critical velocity that the outcomes of measured impacts show.
+std::optional<MeasuredCriticalVelocity> velocity_by_outcomes(const RestitutionSeries* series,
+                                                             double scale_uncertainty) {
     if (series == nullptr || series->origin != Origin::measured) return std::nullopt;
     return measured_critical_velocity(series->impacts, scale_uncertainty);
 }
@@ -83,10 +83,12 @@ CriticalVelocityResult critical_velocity_stage(const Case& data, const ModulusRe
         const SampleRestitution& restitution = restitutions.samples[i];
         const RestitutionSeries* first = restitution.series.empty() ? nullptr : &restitution.series.front();
         std::vector<Finding> findings;
-        const auto measured =
+        const auto outcomes =
             attempt("measured v_c", "no-measured-critical-velocity", Severity::doubt, findings, [&] {
-                return measured_velocity(sample, first, data.fit.estimate.scale_uncertainty);
+                return velocity_by_outcomes(first, data.fit.estimate.scale_uncertainty);
             }).value_or(std::nullopt);
+        const auto& reported = sample.measured_critical_velocity;
+        const auto measured = reported ? std::optional(reported_velocity(reported->quantity)) : outcomes;
         record.note(findings, sample.name);
         const auto solve = [&](const LawChoice& choice) -> ResultOfLaw<LawCriticalVelocity> {
             const LawFit* fit = fits.samples[i].laws.find(choice.law);
@@ -94,8 +96,8 @@ CriticalVelocityResult critical_velocity_stage(const Case& data, const ModulusRe
             const RandomContact uncertain =
                 uncertain_contact(data, sample, contacts.samples[i], choice.law, responses[i]);
             return velocity_of({data, choice, contacts.samples[i], uncertain, responses[i],
-                                restitution.of(choice.law), *fit, measured,
-                                sample.measured_critical_velocity.has_value(), models});
+                                restitution.of(choice.law), *fit, measured, outcomes, reported.has_value(),
+                                models});
         };
         result.samples.push_back(
             {sample.name, measured, results_by_law<LawCriticalVelocity>(data, sample.name, record, solve)});

@@ -281,6 +281,22 @@ TEST_CASE("a contact that yields at once leaves no number that is not finite" * 
     CHECK_NOTHROW(static_cast<void>(computed_from(document)));
 }
 
+TEST_CASE("captures contradict a v_c by other damping, whatever v_c the case reports") {
+    Json document = one_sample("jkr");
+    document["damping_law"] = "tsuji";
+    Json& sample = document["samples"][0];
+    sample["restitution"] = {
+        {"velocity", {1.40, 1.55, 1.72, 1.81, 1.95, 2.10, 2.31, 2.55, 2.90, 3.35, 3.90, 4.60}},
+        {"rebound_velocity", {0.0, 0.0, 0.12, 0.22, 0.33, 0.44, 0.57, 0.73, 0.93, 1.20, 1.51, 1.84}}};
+    const auto contradicts = [](const Artifacts& artifacts) {
+        return mentions(artifacts, "7-critical-velocity.json",
+                        "contradicts the captures and rebounds, by which it is about 1.6");
+    };
+    CHECK(contradicts(computed_from(document)));
+    sample["measured_critical_velocity"] = {{"value", 1.2}, {"unit", "m/s"}, {"standard_uncertainty", 0.3}};
+    CHECK(contradicts(computed_from(document)));
+}
+
 TEST_CASE("a restitution that falls from the first rebound on is no rising branch") {
     Json document = one_sample("dmt");
     Json& data = document["samples"][0]["restitution"];

@@ -109,12 +109,11 @@ const char* reason_for_no_interval(const VelocityTask& task, bool from_impacts) 
 /// Compares a v_c without an interval with the outcomes, whose interval has to hold it.
 void check_without_interval(const VelocityTask& task, LawCriticalVelocity& velocity,
                             std::vector<Finding>& findings) {
-    if (!task.measured) return;
     const double value = velocity.velocity->value;
-    velocity.check = checked({.value = value, .standard_uncertainty = 0, .lower = value, .upper = value},
-                             *task.measured, false);
-    if (!velocity.check->contradicts()) return;
-    const MeasuredCriticalVelocity& measured = *task.measured;
+    const Interval exact{.value = value, .standard_uncertainty = 0, .lower = value, .upper = value};
+    if (task.measured) velocity.check = checked(exact, *task.measured, false);
+    if (!task.outcomes || !checked(exact, *task.outcomes, false).contradicts()) return;
+    const MeasuredCriticalVelocity& measured = *task.outcomes;
     findings.push_back({"contradicts-outcomes", Severity::doubt,
                         "v_c of " + readable_number(value) +
                             " m/s contradicts the captures and rebounds, by which it is " +

@@ -23,7 +23,8 @@ struct VelocityTask {
     const CalibrationResponse& response;
     const RestitutionSeries* series;  ///< null: none was given
     const LawFit& fit;
-    const std::optional<MeasuredCriticalVelocity>& measured;
+    const std::optional<MeasuredCriticalVelocity>& measured;  ///< reported by the case, or else the outcomes
+    const std::optional<MeasuredCriticalVelocity>& outcomes;  ///< what the impacts show by themselves
     bool measured_is_reported;  ///< by the case, and not read from the same impacts
     ContactModels& models;
 
