@@ -471,12 +471,16 @@ bool StandardsInTexts::hold(std::string_view phase) const {
     return material && (any_ || materials_.contains(*material));
 }
 
-void mark_standards(Analysis& analysis, const std::string& sample) {
+std::optional<Finding> mark_standards(Analysis& analysis, const std::string& sample) {
     StandardsInTexts standards;
     standards.take({.line = 0, .text = sample, .is_name = true});
     for (PhaseFraction& phase : analysis.phases)
         phase.is_standard = phase.is_standard || standards.hold(phase.name) ||
                             read_phase_name(phase.name).mark == PhaseMark::standard;
+    if (!standards.any() || std::ranges::any_of(analysis.phases, &PhaseFraction::is_standard)) return {};
+    return Finding{
+        xrd_code, Severity::doubt,
+        "the name " + in_quotes(sample) + " may state an added standard, and no phase is marked as one"};
 }
 
 namespace {

@@ -138,6 +138,8 @@ class StandardsInTexts {
     void take_named(const TextBeside& text);
     /// Whether a phase is one of these materials.
     [[nodiscard]] bool hold(std::string_view phase) const;
+    /// Whether any text called something a standard, known or not.
+    [[nodiscard]] bool any() const { return any_ || !materials_.empty(); }
 
   private:
     std::set<std::string_view> materials_{};

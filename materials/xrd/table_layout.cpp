@@ -609,25 +609,32 @@ std::vector<TextBeside> remarks_in_rows(const Table& table) {
 
 /// Appends " (internal standard)" to the phase that a text beside the table or the name of a sample calls so,
 /// unless it is marked: "spiked with 10 % Korund".
-void take_texts_on_phases(Table& table, std::vector<TextBeside> texts) {
-    StandardsInTexts standards;
-    for (const TextBeside& name : sample_names(table)) texts.push_back(name);
-    for (const TextBeside& text : texts) standards.take(text);
+void take_texts_on_phases(Table& table, const std::vector<TextBeside>& texts) {
+    StandardsInTexts beside;
+    for (const TextBeside& text : texts) beside.take(text);
+    StandardsInTexts standards = beside;
+    for (const TextBeside& name : sample_names(table)) standards.take(name);
     for (const TextBeside& remark : remarks_in_rows(table))
         if (table.has(Role::phase))
             standards.take_named(remark);  // "internal standard" is of the phase of its row
         else
             standards.take(remark);
     if (table.has(Role::standard)) return;
+    bool marked = false;
     const auto take = [&](std::string& name) {
         const MarkedPhase phase = read_phase_name(name);
         if (standards.hold(phase.name) && phase.mark == PhaseMark::none) name += " (internal standard)";
+        marked = marked || read_phase_name(name).mark == PhaseMark::standard;
     };
     if (const auto label = table.column(Role::phase))
         for (TableRow& row : table.rows) take(row.cells[*label]);
     else
         for (Heading& heading : table.headings)
             if (heading.role == Role::other && !heading.text.empty()) take(heading.text);
+    if (beside.any() && !marked)
+        table.warnings.push_back({xrd_code, Severity::doubt,
+                                  "a text beside the table may state an added standard, and no phase is "
+                                  "marked as one"});
 }
 
 /// Appends to the name of a phase the remark beside it, "internal standard", and the note below the table

@@ -135,7 +135,8 @@ XrdResult read_xrd(std::string_view text, std::string_view name, const TableOpti
         XrdResult result = read(text, options);
         for (XrdSample& sample : result.samples) {
             if (sample.name.empty()) sample.name = xrd::file_stem(name);
-            xrd::mark_standards(sample.analysis, sample.name);
+            if (auto doubt = xrd::mark_standards(sample.analysis, sample.name))
+                sample.warnings.push_back(std::move(*doubt));
         }
         return result;
     });

@@ -92,7 +92,8 @@ struct PeakIntensity {
 namespace xrd {
 
 /// Marks the phases that are internal standards by the name of their sample: corundum of "fa1_spiked".
-void mark_standards(Analysis& analysis, const std::string& sample);
+/// @return a doubt on a name that calls a standard what is none of the phases known as such: "FA1 + 10 % MgO"
+std::optional<Finding> mark_standards(Analysis& analysis, const std::string& sample);
 
 /// Reads the fractions: "weight_fractions" or "volume_fractions" (an object with a fraction under the name of
 /// each phase), "phases" (a list of such fractions with names) or "peaks". The place of each phase is its

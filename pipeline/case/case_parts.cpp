@@ -357,7 +357,9 @@ ReadAnalysis read_analysis(const View& node, const std::string& sample, InputFil
         for (const auto* key : {"xrd_sample", "xrd_sheet", "xrd_decimal"})
             if (const auto stray = node.find(key)) stray->fail("belongs to an XRD file", "xrd beside it");
     }
-    xrd::mark_standards(read.analysis, sample);
+    const auto doubt = xrd::mark_standards(read.analysis, sample);
+    if (doubt && !node.has("internal_standard") && !node.has("xrd"))  // else the file has said it
+        read.warnings.push_back(*doubt);
     read.analysis = xrd::completed_by_json(std::move(read.analysis), node);
     if (const auto source = node.find("source")) read.source = source->text();
     return read;
@@ -368,10 +370,15 @@ GlassInputs read_glass(const View& node, const GlassDefaults& defaults, const st
     GlassInputs inputs;
     const auto own = node.find("oxides");
     const auto oxides = own ? own : defaults.oxides;
-    if (oxides && oxides->is_string())
+    if (oxides && oxides->is_string()) {
+        const auto options = read_table_options(node, "oxides_sheet", "oxides_decimal");
         inputs.oxides = read_oxide_file(node, *oxides, sample, files, warnings);
-    else if (oxides)
+        if (!own && defaults.of_many && files.oxides(oxides->text(), options).samples.size() == 1)
+            warnings.push_back({glass_code, Severity::remark,
+                                "the one analysis of " + oxides->text() + " counts for every sample"});
+    } else if (oxides) {
         inputs.oxides = read_oxides_json(*oxides);
+    }
     if (!oxides || !oxides->is_string())
         for (const auto* key : {"oxides_sample", "oxides_sheet", "oxides_decimal"})
             if (const auto stray = node.find(key))

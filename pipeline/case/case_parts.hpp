@@ -47,6 +47,7 @@ struct ReadAnalysis {
 /// The keys of a case on glasses: "oxides", a file, and "glass".
 struct GlassDefaults {
     std::optional<View> oxides{}, glass{};
+    bool of_many = false;  ///< the case has several samples
 };
 
 /// The oxides of a sample and which glass counts: its own, else those of the case. @param node composition

@@ -352,7 +352,8 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
         data.temperature = read_temperatures(*temperature);
     Defaults defaults{.particle = document.find("particle"),
                       .camera = document.find("camera"),
-                      .glass = {document.find("oxides"), document.find("glass")}};
+                      .glass = {document.find("oxides"), document.find("glass"),
+                                document.at("samples").elements().size() > 1}};
     if (defaults.particle) {  // checked even if every sample has values of its own
         Sample unused{.name = {}, .diameter = {}};
         set_particle(*defaults.particle, std::nullopt, unused);

@@ -400,6 +400,17 @@ TEST_CASE("texts of columns that are not used are quoted, and refused where they
     CHECK(contains(told(of("ICSD", "26429")), "column \"ICSD\" is not used"));
 }
 
+TEST_CASE("a standard in the name of a sample that is none of its known phases is doubted") {
+    for (const char* name : {"FA1 + 10 % MgO", "FA1 spiked", "FA1 (internal standard: calcite)"}) {
+        const std::string table = "Sample;Quartz;Periclase;Glass\n" + std::string(name) + ";30;10;60\n";
+        CHECK_MESSAGE(contains(told(table), "may state an added standard, and no phase is marked"),
+                      told(table));
+    }
+    CHECK(contains(told("spiked with 10 % MgO\nPhase;wt%\nQuartz;30\nPericlase;10\nGlass;60\n"),
+                   "may state an added standard"));
+    CHECK_FALSE(contains(told("Sample;Quartz;Periclase;Glass\nFA1;30;10;60\n"), "added standard"));
+}
+
 TEST_CASE("a crystalline total beside an internal standard states the amorphous part twice") {
     const XrdSample sample = first_of("Phase;wt%\nQuartz;30\nMullite;50\nCorundum;20\nCrystalline;70\n");
     CHECK(contains(
