@@ -51,6 +51,13 @@ TEST_CASE("modulus --oxides: the glass from its chemistry, in every shape of the
     sandbox.write("one.csv", "SiO2;Al2O3;CaO\n65;25;10\n");
     CHECK(succeeded(sandbox, "modulus two.csv --oxides one.csv").err ==
           containing("one analysis counts for 2 samples"));
+    sandbox.write("two.json",
+                  R"({"name": "t", "wall": {"rigid": true}, "work_of_adhesion": "0.3 J/m2", "laws": ["jkr"],
+  "oxides": "one.csv", "glass": "from-chemistry", "samples": [
+  {"name": "FA 7", "diameter": "50 um", "density": "2300 kg/m3", "composition": {"xrd": "two.csv"}},
+  {"name": "FA 8", "diameter": "50 um", "density": "2300 kg/m3", "composition": {"xrd": "two.csv"}}]})");
+    CHECK(succeeded(sandbox, "run two.json -v -o two").err ==
+          containing("the one analysis of one.csv counts for every sample"));
     const std::string text = succeeded(sandbox, "modulus xrd.csv --oxides xrf.csv").out;
     CHECK(text == containing("glass by its oxides [wt%]"));
     CHECK(text == containing("SiO2 56.2, Al2O3 22.3, Fe2O3 8.6"));
