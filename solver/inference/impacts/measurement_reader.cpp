@@ -610,7 +610,7 @@ class Unread {
     void take_impact(const TableRow& row) {
         for (const TextColumn& column : heading_.unused)
             if (column.name.empty() && !row.cells[column.position].empty())
-                nameless_ = column.position + 1;
+                take_nameless(column, row.cells[column.position]);
             else if (auto& values = values_[column.position]; values.size() <= most_groups)
                 ++values[row.cells[column.position]];
         for (const TextColumn& column : heading_.remarks) {
@@ -651,9 +651,10 @@ class Unread {
 
     void tell(std::vector<Finding>& warnings) const {
         if (nameless_ > 0)
-            warnings.push_back(
-                {impacts_code, Severity::remark,
-                 "column " + std::to_string(nameless_) + ", which has no heading, is not used"});
+            warnings.push_back({impacts_code, Severity::remark,
+                                "column " + std::to_string(nameless_) +
+                                    ", which has no heading, is not used" +
+                                    (nameless_texts_.empty() ? "" : ": " + joined(nameless_texts_))});
         for (const TextColumn& column : heading_.unused) tell_groups(column, warnings);
         if (!not_read_.empty())
             warnings.push_back({impacts_code, Severity::remark,
@@ -681,6 +682,16 @@ class Unread {
     }
 
   private:
+    /// A cell without a heading, and its text if it is no number: "u: k=2".
+    void take_nameless(const TextColumn& column, const std::string& cell) {
+        constexpr std::size_t most = 3;
+        nameless_ = column.position + 1;
+        const std::string text = in_quotes(cell);
+        if (nameless_texts_.size() < most && !read_number(cell, true) &&
+            std::ranges::find(nameless_texts_, text) == nameless_texts_.end())
+            nameless_texts_.push_back(text);
+    }
+
     static std::string names_of(const std::vector<TextColumn>& columns) {
         std::vector<std::string> names;
         names.reserve(columns.size());
@@ -726,6 +737,7 @@ class Unread {
     std::vector<std::size_t> not_read_;
     std::string first_not_read_;
     std::size_t nameless_ = 0;  ///< number of a column without a heading
+    std::vector<std::string> nameless_texts_;
     std::string column_elsewhere_;
     std::string free_text_;
 };

@@ -902,7 +902,7 @@ TEST_CASE("a row among numbered ones that has another label is no impact, or is 
     CHECK(read_measurements("v_in [m/s];v_r [m/s];d [um]\n1,5;0,5;88\n2,5;0,9;91\n3,5;1,1;n.m.\n", "t.csv")
               .points.size() == 3);
     CHECK(contains(warnings_of(read_measurements("v_in [m/s];v_r [m/s];\n1,5;0,5;x\n", "t.csv")),
-                   "column 3, which has no heading, is not used"));
+                   "column 3, which has no heading, is not used: \"x\""));
 }
 
 TEST_CASE("a row with an outcome is an impact; equal rows are equal with other digits, too") {
