@@ -13,8 +13,7 @@ namespace ashimpact {
 
 namespace {
 
-constexpr int points_of_means = 32;     ///< offsets of equal distance
-constexpr int points_of_rebounds = 16;  ///< between particles that stay
+constexpr int points_of_means = 16;  ///< between the ends of a range of offsets
 
 /// The part of an interval of offsets within another.
 double overlap_of(const OffsetRange& range, double from, double to) {
@@ -25,6 +24,16 @@ std::vector<OffsetRange> staying(const TubeImpaction& impaction, double critical
     return impaction.any() ? impaction.slower_than(critical / gas_velocity) : std::vector<OffsetRange>{};
 }
 
+/// Calls @p add(offset, weight) at some offsets, whose weights sum up to 1. At both ends e and the velocity
+/// change with the root of the distance: smooth in this angle.
+template <class Add>
+void for_means(double from, double to, const Add& add) {
+    static const auto angles = gsl::gauss_legendre(points_of_means, 0, std::numbers::pi);
+    for (const gsl::QuadratureNode& angle : angles)
+        add(from + (to - from) * (0.5 - 0.5 * std::cos(angle.position)),
+            0.5 * std::sin(angle.position) * angle.weight);
+}
+
 /// What rebounds within a part of the offsets: what lies between those that stay.
 Rebounds rebounds_within(const TubeImpaction& impaction, const std::vector<OffsetRange>& stays,
                          const OffsetRange& part, double gas_velocity,
@@ -32,15 +41,11 @@ Rebounds rebounds_within(const TubeImpaction& impaction, const std::vector<Offse
     Rebounds sum;
     const auto add = [&](double from, double to) {
         if (!(to > from)) return;
-        // At both ends e and the velocity change with the root of the distance: smooth in this angle.
-        static const auto angles = gsl::gauss_legendre(points_of_rebounds, 0, std::numbers::pi);
-        for (const gsl::QuadratureNode& angle : angles) {
-            const double offset = from + (to - from) * (0.5 - 0.5 * std::cos(angle.position));
+        for_means(from, to, [&](double offset, double weight) {
             const double velocity = gas_velocity * impaction.at_offset(offset).normal;
             const double ratio = restitution(velocity);
-            sum.add({(to - from) * 0.5 * std::sin(angle.position) * angle.weight, ratio, ratio * velocity},
-                    1);
-        }
+            sum.add({(to - from) * weight, ratio, ratio * velocity}, 1);
+        });
     };
     double from = part.from;
     for (const OffsetRange& range : stays) {
@@ -70,9 +75,9 @@ double ClassImpaction::stick_fraction(double critical, double gas_velocity) cons
 double ClassImpaction::mean_normal() const {
     if (!impaction.any()) return 0;
     double sum = 0;
-    for (int i = 0; i < points_of_means; ++i)
-        sum += impaction.at_offset(impaction.efficiency() * (i + 0.5) / points_of_means).normal;
-    return sum / points_of_means;
+    for_means(0, impaction.efficiency(),
+              [&](double offset, double weight) { sum += weight * impaction.at_offset(offset).normal; });
+    return sum;
 }
 
 Rebounds ClassImpaction::rebounds(double critical, double gas_velocity,
@@ -116,9 +121,12 @@ std::vector<ArcImpaction> arcs_of(const std::vector<ClassImpaction>& classes,
             for (const OffsetRange& range : stays) arcs[k].stays += share * overlap_of(range, from, to);
             arcs[k].rebounds.add(rebounds_within(impaction, stays, {from, to}, gas_velocity, restitution[i]),
                                  share);
-            const TubePassage middle = impaction.at_offset((from + to) / 2);
-            arcs[k].normal += share * (to - from) * middle.normal;
-            arcs[k].incidence += share * (to - from) * std::atan2(middle.tangent, middle.normal);
+            for_means(from, to, [&](double offset, double weight) {
+                const TubePassage passage = impaction.at_offset(offset);
+                const double arriving = share * (to - from) * weight;
+                arcs[k].normal += arriving * passage.normal;
+                arcs[k].incidence += arriving * std::atan2(passage.tangent, passage.normal);
+            });
             from = to;
         }
     }

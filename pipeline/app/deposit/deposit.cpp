@@ -214,13 +214,19 @@ DepositSource source_of_run(const CommandOptions& options, const TubeConditions&
     // The run has said which of its laws suits the contacts, not what the speed of this gas does.
     if (const auto impact_of = assumed_impacts(run, source.ash.assumptions.front().basis))
         note_regimes(source, impact_of, tube.velocity, Severity::remark);
-    for (const SampleComparison& sample : run.comparison.samples) {
+    for (std::size_t i = 0; i < run.comparison.samples.size(); ++i) {
+        const SampleComparison& sample = run.comparison.samples[i];
         const LawComparison* of = sample.laws.find(source.ash.law);
-        if (of != nullptr && of->check && of->check->contradicts())
-            source.notes.push_back(
-                {"contradicts-outcomes", Severity::doubt,
-                 fmt::format("v_c of {} in the run is {} for the captures and rebounds measured there",
-                             in_quotes(sample.name), verdict_words(of->check))});
+        if (of == nullptr) continue;
+        std::string words;
+        if (of->check && of->check->contradicts())
+            words = fmt::format("is {} for the one measured there", verdict_words(of->check));
+        for (const RestitutionSeries& series : run.restitution.samples.at(i).series)
+            if (words.empty() && of->velocity && series.origin == Origin::measured)
+                words = contradiction_of(series.impacts, of->velocity->value);
+        if (!words.empty())
+            source.notes.push_back({"contradicts-outcomes", Severity::doubt,
+                                    fmt::format("v_c of {} in the run {}", in_quotes(sample.name), words)});
     }
     for (const std::string& shared : shared_sizes(run.comparison))
         source.notes.push_back({"shared-size", Severity::doubt, shared});

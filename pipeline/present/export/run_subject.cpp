@@ -373,9 +373,8 @@ ExportSubject subject_of_run(const RunChoice& choice) {
         subject.laboratory.push_back(laboratory_of(sample, subject.sizes.back().diameter));
         add_temperature_doubts(run, law.law, i, subject.doubts);
         if (const auto& check = sample.headline.check; check && check->contradicts())
-            subject.doubts.push_back(
-                fmt::format("{}: v_c of the run is {} for the captures and rebounds measured there",
-                            as_text(sample.name), verdict_words(check)));
+            subject.doubts.push_back(fmt::format("{}: v_c of the run is {} for the one measured there",
+                                                 as_text(sample.name), verdict_words(check)));
         if (const auto& partner = sample.contact.partner)
             subject.partner = {partner->radius.value, partner->mass.value};
     }

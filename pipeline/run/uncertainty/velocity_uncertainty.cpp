@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "materials/modulus.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
@@ -112,16 +114,22 @@ void check_without_interval(const VelocityTask& task, LawCriticalVelocity& veloc
     const double value = velocity.velocity->value;
     const Interval exact{.value = value, .standard_uncertainty = 0, .lower = value, .upper = value};
     if (task.measured) velocity.check = checked(exact, *task.measured, false);
-    if (!task.outcomes || !checked(exact, *task.outcomes, false).contradicts()) return;
-    const MeasuredCriticalVelocity& measured = *task.outcomes;
-    findings.push_back({"contradicts-outcomes", Severity::doubt,
-                        "v_c of " + readable_number(value) +
-                            " m/s contradicts the captures and rebounds, by which it is " +
-                            (measured.value   ? "about " + readable_number(*measured.value)
-                             : measured.lower ? "above " + readable_number(*measured.lower)
-                                              : "below " + readable_number(*measured.upper)) +
-                            " m/s: damping law " + std::string(name_of(task.data.damping_law)) +
-                            " does not describe these impacts down to capture"});
+    const bool contradicts = task.outcomes && checked(exact, *task.outcomes, false).contradicts();
+    std::string words;
+    if (contradicts)
+        words = "contradicts the captures and rebounds, by which it is " +
+                (task.outcomes->value   ? "about " + readable_number(*task.outcomes->value)
+                 : task.outcomes->lower ? "above " + readable_number(*task.outcomes->lower)
+                                        : "below " + readable_number(*task.outcomes->upper)) +
+                " m/s";
+    else if (task.series != nullptr && task.series->origin == Origin::measured)
+        words = contradiction_of(task.series->impacts, value);
+    if (!words.empty())
+        findings.push_back(
+            {"contradicts-outcomes", Severity::doubt,
+             fmt::format("v_c of {} m/s {}: damping law {} does not describe these impacts down "
+                         "to capture",
+                         readable_number(value), words, name_of(task.data.damping_law))});
 }
 
 /// An input that cannot be negative.

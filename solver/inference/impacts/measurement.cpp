@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
+#include "core/quantities/quantity.hpp"
 #include "core/tables/vocabulary.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
@@ -110,6 +113,31 @@ std::optional<Finding> other_sample_finding(const MeasurementSet& set, const std
     if (!set.sample.empty() || set.sheet.empty() || !other_sheet) return std::nullopt;
     return Finding{impacts_code, Severity::remark,
                    "the impacts are those of the sheet " + in_quotes(set.sheet)};
+}
+
+std::string contradiction_of(const MeasurementSet& set, double critical_velocity) {
+    constexpr double certain = 3;  // standard uncertainties
+    double slowest = std::numeric_limits<double>::infinity();
+    double fastest = 0;
+    bool below = false;
+    bool above = false;
+    for (const Measurement& point : set.points) {
+        (point.captured() ? below : above) = true;
+        if (point.captured())
+            slowest = std::min(slowest, point.velocity);
+        else
+            fastest = std::max(fastest, point.velocity);
+    }
+    for (const Measurement& point : set.points) {
+        const double margin = point.noise ? certain * std::sqrt(point.noise->incident) : 0;
+        if (point.captured())
+            below = below && critical_velocity < point.velocity - margin;
+        else
+            above = above && critical_velocity > point.velocity + margin;
+    }
+    if (below) return fmt::format("is below every capture, from {} m/s on", readable_number(slowest));
+    return above ? fmt::format("is above every rebound, up to {} m/s", readable_number(fastest))
+                 : std::string();
 }
 
 void validate(const MeasurementSet& set) {

@@ -83,6 +83,11 @@ struct MeasurementSet {
         return static_cast<std::size_t>(std::ranges::count_if(points, &Measurement::captured));
     }
     [[nodiscard]] std::size_t rebounds() const { return points.size() - captures(); }
+    /// That a critical velocity [m/s] is below every capture or above every rebound, in words: no impact of
+    /// that
+    /// kind then ends as it was seen. Empty if it is not, by three standard uncertainties of v_in.
+    [[nodiscard]] std::string contradiction_of(const MeasurementSet& set, double critical_velocity);
+
     /// Whether the uncertainties are known, which holds for all points or for none.
     [[nodiscard]] bool has_noise() const { return !points.empty() && points.front().noise.has_value(); }
     /// The impacts by rising velocity, so that no result depends on the order of the file.

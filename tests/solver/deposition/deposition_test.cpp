@@ -275,6 +275,18 @@ TEST_CASE("slower_than() is the set of offsets with a smaller normal velocity") 
     CHECK(impaction.slower_than(0).empty());
 }
 
+TEST_CASE("what flies straight at a tube meets it with the cosine of the angle, as a mean over each part") {
+    const auto classes = impactions_on(ash_tube, ParticleSizes::one(4e-3).classes(1), {20000});
+    const auto arcs = arcs_of(classes, {0.0}, {[](double) { return 0.5; }}, ash_tube.velocity, 18);
+    for (const ArcImpaction& arc : arcs) {
+        // Offsets are sines: the mean of the cosine over them.
+        const double squares = (arc.to - arc.from) / 2 + (std::sin(2 * arc.to) - std::sin(2 * arc.from)) / 4;
+        const double mean = squares / (std::sin(arc.to) - std::sin(arc.from));
+        CHECK(arc.normal == doctest::Approx(mean).epsilon(2e-3));
+    }
+    CHECK(classes.front().mean_normal() == doctest::Approx(std::numbers::pi / 4).epsilon(1e-3));
+}
+
 TEST_CASE("distributions of sizes by mass, and air") {
     CHECK(ParticleSizes::rosin_rammler(20e-6, 1.2).finer_than(20e-6) == doctest::Approx(1 - std::exp(-1)));
     const ParticleSizes log_normal = ParticleSizes::log_normal(10e-6, 1.8);

@@ -395,6 +395,18 @@ TEST_CASE("three parts of eta(v_in): falling, flat, rising") {
     CHECK(std::abs(parts.boundaries[1].velocity - 5.0) < 0.5);
 }
 
+TEST_CASE("a critical velocity below every capture or above every rebound contradicts them") {
+    MeasurementSet set{.source = "lab", .points = {}};
+    for (const double v : {1.40, 1.55, 2.20}) set.points.push_back(impact(v, 0, 0.01));
+    for (const double v : {1.72, 1.95, 3.10}) set.points.push_back(impact(v, 0.2 * v, 0.01));
+    CHECK(contradiction_of(set, 0.5) == "is below every capture, from 1.4 m/s on");
+    CHECK(contradiction_of(set, 1.38).empty());  // within the noise
+    CHECK(contradiction_of(set, 1.6).empty());
+    CHECK(contradiction_of(set, 4) == "is above every rebound, up to 3.1 m/s");
+    set.points.erase(set.points.begin(), set.points.begin() + 3);
+    CHECK(contradiction_of(set, 0.5).empty());  // no capture was seen
+}
+
 TEST_CASE("readings of one digit, most of them equal, leave borders with an uncertainty") {
     std::vector<InvertedImpact> impacts;
     for (const auto& [v, eta, count] : {std::tuple{0.3, 0.004416, 1},
