@@ -83,11 +83,6 @@ struct MeasurementSet {
         return static_cast<std::size_t>(std::ranges::count_if(points, &Measurement::captured));
     }
     [[nodiscard]] std::size_t rebounds() const { return points.size() - captures(); }
-    /// That a critical velocity [m/s] is below every capture or above every rebound, in words: no impact of
-    /// that
-    /// kind then ends as it was seen. Empty if it is not, by three standard uncertainties of v_in.
-    [[nodiscard]] std::string contradiction_of(const MeasurementSet& set, double critical_velocity);
-
     /// Whether the uncertainties are known, which holds for all points or for none.
     [[nodiscard]] bool has_noise() const { return !points.empty() && points.front().noise.has_value(); }
     /// The impacts by rising velocity, so that no result depends on the order of the file.
@@ -102,6 +97,10 @@ struct MeasurementSet {
 /// that are not named as samples of that series, "Messung 1" for "FA 7".
 [[nodiscard]] std::optional<Finding> other_sample_finding(const MeasurementSet& set,
                                                           const std::string& sample);
+
+/// That a critical velocity [m/s] is below every capture or above every rebound, in words: no impact of that
+/// kind then ends as it was seen. Empty if it is not, by three standard uncertainties of v_in.
+[[nodiscard]] std::string contradiction_of(const MeasurementSet& set, double critical_velocity);
 
 /// Checks that there is at least one point, that numbers are finite, v_in > 0, v_r >= 0, and that
 /// uncertainties are positive and given for all points or for none.
