@@ -312,7 +312,8 @@ void note_likely_standards(Composition& composition) {
         if (c.weight_fraction >= least_added && (standards.holds(c.name) || standards.holds(c.phase.name)))
             composition.notes.push_back(
                 {phases_code, Severity::remark,
-                 in_quotes(c.name) + " counts as a phase of the ash: no text that is read calls it an internal standard"});
+                 in_quotes(c.name) +
+                     " counts as a phase of the ash: no text that is read calls it an internal standard"});
 }
 
 /// Notes the remark of the catalogue on the glass, whose modulus is the least certain input.
