@@ -54,8 +54,8 @@ TEST_CASE("modulus --oxides: the glass from its chemistry, in every shape of the
     sandbox.write("two.json",
                   R"({"name": "t", "wall": {"rigid": true}, "work_of_adhesion": "0.3 J/m2", "laws": ["jkr"],
   "oxides": "one.csv", "glass": "from-chemistry", "samples": [
-  {"name": "FA 7", "diameter": "50 um", "density": "2300 kg/m3", "composition": {"xrd": "two.csv"}},
-  {"name": "FA 8", "diameter": "50 um", "density": "2300 kg/m3", "composition": {"xrd": "two.csv"}}]})");
+  {"name": "FA 7", "diameter": "50 um", "density": "2300 kg/m3", "composition": {"xrd": "two.csv", "xrd_sample": "FA 7"}},
+  {"name": "FA 8", "diameter": "50 um", "density": "2300 kg/m3", "composition": {"xrd": "two.csv", "xrd_sample": "FA 8"}}]})");
     CHECK(succeeded(sandbox, "run two.json -v -o two").err ==
           containing("the one analysis of one.csv counts for every sample"));
     const std::string text = succeeded(sandbox, "modulus xrd.csv --oxides xrf.csv").out;
