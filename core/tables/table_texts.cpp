@@ -277,10 +277,19 @@ void require_coverage_in_headings(const std::vector<TextBeside>& texts, const Un
 
 }  // namespace
 
+namespace {
+
+/// Whether a cell is more than a number with its signs.
+bool holds_text(std::string_view cell) {
+    return cell.find_first_not_of("+-.,()<0123456789 ") != std::string::npos;
+}
+
+}  // namespace
+
 std::string coverage_in_cell(std::string_view heading, std::string_view cell) {
     constexpr std::size_t longest = 40;
-    const bool may_state = cell.size() <= longest && cell.find_first_of("0123456789") != std::string::npos &&
-                           cell.find_first_not_of("+-.,()<0123456789 ") != std::string::npos;
+    const bool may_state =
+        cell.size() <= longest && cell.find_first_of("0123456789") != std::string::npos && holds_text(cell);
     if (!may_state) return {};
     std::string text = fmt::format("{}: {}", heading, cell);
     return read_coverage(text).factor != 1 ? text : std::string();
@@ -292,7 +301,7 @@ std::vector<std::string> texts_in_column(std::span<const TableRow> rows, std::si
     for (const TableRow& row : rows) {
         if (column >= row.cells.size()) continue;
         const std::string& cell = row.cells[column];
-        if (cell.find_first_not_of("+-.,()<0123456789 ") == std::string::npos) continue;
+        if (!holds_text(cell)) continue;
         const std::string quoted = in_quotes(cell);
         if (std::ranges::find(texts, quoted) != texts.end()) continue;
         if (texts.size() == most) {

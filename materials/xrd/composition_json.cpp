@@ -264,9 +264,10 @@ Analysis read_fractions_json(const View& node) {
     Analysis analysis;
     const std::string way = way_of(node);
     const View given = node.at(way);
-    if (way == "phases") read_list(given, analysis);
     if (way == "volume_fractions") analysis.basis = FractionBasis::volume;
-    if (way != "phases")
+    if (way == "phases")
+        read_list(given, analysis);
+    else
         analysis.phases = way == "peaks" ? read_peaks(given) : read_fractions(given, analysis.basis);
     refuse_repeated(analysis.phases);
     refuse_more_than_all(given, analysis.phases);

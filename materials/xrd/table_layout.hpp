@@ -75,8 +75,8 @@ void take_rows_of_uncertainties(std::vector<TableRow>& rows, std::size_t first, 
 /// "Crystalline phases", "Major oxides:". @param kind "phases" or "oxides"
 [[nodiscard]] bool heads_alike(std::string_view label, std::string_view kind);
 
-/// Refuses what the heading of the names says that nothing reads: "Phase (values / 10)", "Oxide (at.%)", but
-/// not "Phase (ICSD)" and "Phase [wt%]". @throws InputError at its line
+/// Refuses the heading of the names where a part of it is not understood and may change the amounts: "Phase
+/// (values / 10)", "Oxide (at.%)", but not "Phase (ICSD)" and "Phase [wt%]". @throws InputError at its line
 void refuse_unread_heading(const Heading& heading, std::size_t line);
 
 /// Whether a cell of a row other than its name holds a number.

@@ -841,9 +841,9 @@ std::optional<Finding> uncertain_rebounds(const MeasurementSet& set, double lowe
                     count, set.points.size())};
 }
 
-/// A remark on readings of exactly 0 beside rebounds near 0, of which noise may have made one or the other,
-/// where the table states neither outcomes nor uncertainties: readings of 0 at higher velocities than a slow
-/// rebound, or rebounds slower than a critical velocity leaves by more than one in a thousand.
+/// A remark on readings of exactly 0 beside rebounds near 0, where the table states neither outcomes nor
+/// uncertainties and noise may have made one of the other: a reading of 0 is faster than a slow rebound, or a
+/// rebound is so slow that hardly any velocity above v_c leads to it.
 std::optional<Finding> clipped_readings(const MeasurementSet& set) {
     if (set.has_noise()) return std::nullopt;
     constexpr double hardly_any = 0.03;  // e grows with the root of v/v_c - 1
