@@ -5,8 +5,10 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <regex>
 #include <set>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -24,13 +26,14 @@
 namespace ashimpact {
 
 /// Columns of a sieve table. A residue is all that is coarser, or what lies on one sieve, which is retained.
-enum class SieveColumn { size, from, to, finer, coarser, residue, retained, share };
+/// Classes are both sizes in one cell: "10-20".
+enum class SieveColumn { size, from, to, finer, coarser, residue, retained, share, classes };
 
 template <>
 struct Names<SieveColumn> {
     static constexpr std::string_view kind = "sieve column";
-    static constexpr std::array<std::string_view, 8> all{"size",    "from",    "to",       "finer",
-                                                         "coarser", "residue", "retained", "share"};
+    static constexpr std::array<std::string_view, 9> all{"size",    "from",     "to",    "finer",  "coarser",
+                                                         "residue", "retained", "share", "classes"};
 };
 
 namespace {
@@ -50,14 +53,53 @@ struct SieveHeading {
     double scale = 1;  ///< of shares in that unit to parts of 1
 };
 
-SieveHeading sieve_heading(const std::string& cell) {
+/// A name without the words for per cent and for the basis, and without those for a sum: "Siebrückstand" of
+/// "Siebrückstand kumuliert", "below" of "Volume below".
+struct BareName {
+    std::string text{};
+    bool is_sum = false;
+};
+
+BareName bare_name(std::string_view name) {
+    static const WordLists bases("bases");
+    static const WordLists sums("words for sums");
+    BareName bare;
+    for (const std::string& word : words_in(name)) {
+        const auto base = bases.list_of(word).value_or("");
+        const bool is_sum = sums.holds(word);
+        bare.is_sum = bare.is_sum || is_sum;
+        if (is_sum || word == "%" || base == "weight" || base == "volume") continue;
+        (bare.text += bare.text.empty() ? "" : " ") += word;
+    }
+    return bare;
+}
+
+/// The column of a name. A cumulative residue is all that is coarser.
+std::optional<SieveColumn> column_of(std::string_view name) {
     static const WordLists words("sieve columns");
+    if (const auto column = meaning<SieveColumn>(words, name)) return column;
+    const BareName bare = bare_name(name);
+    const auto column = meaning<SieveColumn>(words, bare.text);
+    switch (column.value_or(SieveColumn::size)) {
+        case SieveColumn::finer:
+        case SieveColumn::coarser:
+            return column;
+        case SieveColumn::residue:
+        case SieveColumn::retained:
+            return bare.is_sum ? SieveColumn::coarser : column;
+        default:
+            return bare.is_sum && bare.text.empty() ? std::optional(SieveColumn::finer) : std::nullopt;
+    }
+}
+
+SieveHeading sieve_heading(const std::string& cell) {
     const auto [name, unit] = cut_heading(cell);
     constexpr std::array<double, 5> scales{1, 0.01, 1, 1e-3, 1e-6};  // by xrd::Scale
     const auto scale = static_cast<std::size_t>(xrd::read_heading("x [" + unit + "]").scale);
     SieveHeading heading{.unit = unit, .written = cell, .scale = scales[scale]};
     const bool is_density = name.starts_with("q3");  // unlike Q3
-    if (!is_density && !has_sign_of_bound(cell)) heading.column = meaning<SieveColumn>(words, name);
+    if (!is_density && !has_sign_of_bound(cell)) heading.column = column_of(name);
+    if (unit.empty() && cell.find('%') != std::string::npos) heading = {heading.column, "%", cell, 0.01};
     return heading;
 }
 
@@ -79,7 +121,34 @@ std::string unknown_in(const std::vector<TextLine>& lines) {
 }
 
 bool is_size(SieveColumn column) {
-    return column == SieveColumn::size || column == SieveColumn::from || column == SieveColumn::to;
+    return column == SieveColumn::size || column == SieveColumn::from || column == SieveColumn::to ||
+           column == SieveColumn::classes;
+}
+
+/// The two sizes of a class, as texts: "10-20 um", "10 bis 20", "< 45", "> 63"; none of another text.
+/// The lower one of "< 45" is "0", the upper one of "> 63" is empty.
+struct ClassEnds {
+    std::string from;
+    std::string to;
+};
+
+std::optional<ClassEnds> class_ends(std::string_view cell) {
+    constexpr std::size_t longest = 60;  // regular expressions recurse along it
+    static const std::regex between(
+        "([0-9][0-9.,]* *[^0-9.,<>+-]{0,4}?) *(?:-|\u2013|\u2014|\u2026|\\.\\.+|to|bis|\u00e0|/) *"
+        "([0-9][0-9.,]*[^0-9]*)",
+        std::regex::icase);
+    static const std::regex below("(?:<|\u2264|<=|below|unter|under) *([0-9][0-9.,]*[^0-9]*)",
+                                  std::regex::icase);
+    static const std::regex above("(?:>|\u2265|>=|above|\u00fcber|over) *([0-9][0-9.,]*)[^0-9]*",
+                                  std::regex::icase);
+    const std::string text(trimmed(cell));
+    std::smatch match;
+    if (text.size() > longest) return std::nullopt;
+    if (std::regex_match(text, match, between)) return ClassEnds{std::string(trimmed(match.str(1))), match.str(2)};
+    if (std::regex_match(text, match, below)) return ClassEnds{"0", match.str(1)};
+    if (std::regex_match(text, match, above)) return ClassEnds{match.str(1), {}};
+    return std::nullopt;
 }
 
 /// A table with its numbers in SI, cumulative or by classes.
@@ -142,6 +211,20 @@ class SieveTable {
     void take_columns(const TableRow& headings) {
         columns_.clear();
         for (const std::string& cell : headings.cells) columns_.push_back(sieve_heading(cell));
+        const bool has_sizes = place(SieveColumn::size) || place(SieveColumn::from) || place(SieveColumn::to);
+        for (SieveHeading& heading : columns_)  // "from;to;fraction", and "class" beside sizes
+            if (heading.column == SieveColumn::classes && has_sizes)
+                heading.column = bare_name(cut_heading(heading.written).name).text.starts_with("fra")
+                                     ? std::optional(SieveColumn::share)
+                                     : std::nullopt;
+        if ((!place(SieveColumn::from) && !place(SieveColumn::classes)) || place(SieveColumn::share)) return;
+        for (SieveHeading& heading : columns_) {  // "from;to;wt%"
+            const BareName bare = bare_name(heading.written);
+            const bool is_basis = !heading.written.empty() && bare.text.empty() && !bare.is_sum;
+            if (heading.column || !is_basis) continue;
+            heading.column = SieveColumn::share;
+            return;
+        }
     }
 
     /// Whether the line names sizes and shares. Its columns become those of the table, the first kind of
@@ -149,11 +232,13 @@ class SieveTable {
     bool is_heading(const TextLine& line) {
         separator_ = separator_of(line.text);
         take_columns(cut_row(line, separator_));
-        if (!place(SieveColumn::size) && !place(SieveColumn::to)) return false;
+        if (!place(SieveColumn::size) && !place(SieveColumn::to) && !place(SieveColumn::classes))
+            return false;
         constexpr std::array kinds{SieveColumn::share, SieveColumn::finer, SieveColumn::coarser,
                                    SieveColumn::residue, SieveColumn::retained};
         const auto* const kind = std::ranges::find_if(kinds, [&](SieveColumn each) {
-            return place(each) && (each != SieveColumn::share || place(SieveColumn::from));
+            return place(each) &&
+                   (each != SieveColumn::share || place(SieveColumn::from) || place(SieveColumn::classes));
         });
         if (kind == kinds.end()) return false;
         kind_ = *kind;
@@ -167,6 +252,13 @@ class SieveTable {
                         "\"residue\" for all that is coarser; or \"from\", \"to\" and \"share\" for what "
                         "lies on each "
                         "sieve");
+        if (const auto classes = place(SieveColumn::classes); classes && kind_ != SieveColumn::share)
+            refuse_line(
+                line,
+                in_quotes(columns_[*place(kind_)].written) + " beside " +
+                    in_quotes(columns_[*classes].written) +
+                    " may be of the lower size of each class, of the upper one, or of the class",
+                "\"from\", \"to\" and \"share\" for what lies in each class; or \"size\" for one size");
         const std::size_t counting = *place(kind_);
         const auto is_size_of_sieve = [](SieveColumn column) {
             return is_size(column) && column != SieveColumn::from;
@@ -264,11 +356,14 @@ class SieveTable {
     void note(std::string text) { notes_.push_back({"deposition", Severity::remark, std::move(text)}); }
 
     [[nodiscard]] double number(const TableRow& row, std::size_t column) {
+        return number(row, column, row.cells.at(column));
+    }
+    /// @param text the cell, or a part of it
+    [[nodiscard]] double number(const TableRow& row, std::size_t column, std::string_view text) {
         const std::string place = at_cell(row.line, column);
         const std::string& unit = columns_[column].unit;
-        const std::string_view cell = without_unit(row.cells.at(column), unit);
-        if (units_in_cells_ && is_size(*columns_[column].column) && cell.size() == row.cells[column].size() &&
-            cell != "0")
+        const std::string_view cell = without_unit(text, unit);
+        if (units_in_cells_ && is_size(*columns_[column].column) && cell.size() == text.size() && cell != "0")
             throw InputError(in_quotes(cell) + " is not in " + unit + ", as other sizes are",
                              "one unit in all cells, or in the heading")
                 .at(place);
@@ -278,7 +373,7 @@ class SieveTable {
             told_uncertain_ = true;
         }
         if (!read)
-            throw InputError("cannot read " + in_quotes(row.cells.at(column)),
+            throw InputError("cannot read " + in_quotes(text),
                              unit.empty() ? "a number" : "a number in " + unit)
                 .at(place);
         if (!read->per_cent || unit_given_) return read->value;
@@ -289,6 +384,35 @@ class SieveTable {
         const std::size_t k = *place(column);
         return at_place(at_cell(row.line, k),
                         [&] { return to_si(number(row, k), columns_[k].unit, Dimension::length); });
+    }
+
+    /// The size of a row, or those of its class in two cells [m]; the lower one is 0 for one size.
+    [[nodiscard]] std::pair<double, double> sizes_of(const TableRow& row) {
+        const double to = length(row, place(SieveColumn::to) ? SieveColumn::to : SieveColumn::size);
+        return {kind_ == SieveColumn::share ? length(row, SieveColumn::from) : 0, to};
+    }
+
+    /// The two sizes of the class of a row in one cell [m]. @throws InputError
+    [[nodiscard]] std::pair<double, double> class_of(const TableRow& row) {
+        const std::size_t k = *place(SieveColumn::classes);
+        const std::string& cell = row.cells[k];
+        const auto ends = class_ends(cell);
+        if (!ends)
+            throw InputError(in_quotes(cell) + " is no class of two sizes",
+                             "\"10-20\", or \"< 45\" for the finest")
+                .at(at_cell(row.line, k));
+        if (ends->to.empty())
+            throw InputError(in_quotes(cell) + " has no upper size",
+                             "the largest size of the ash: \"63-200\"")
+                .at(at_cell(row.line, k));
+        const auto length_of = [&](const std::string& text) {
+            return at_place(at_cell(row.line, k),
+                            [&] { return to_si(number(row, k, text), columns_[k].unit, Dimension::length); });
+        };
+        const bool bare = ends->from.find_first_not_of("0123456789.,") == std::string::npos;
+        const bool unit_of_both = units_in_cells_ && bare && ends->from != "0";  // "10-20 um"
+        return {length_of(unit_of_both ? ends->from + " " + columns_[k].unit : ends->from),
+                length_of(ends->to)};
     }
 
     void add(const TableRow& row) {
@@ -331,8 +455,8 @@ class SieveTable {
             sample_ = row.cells[k];
         }
         const double share = number(row, *place(kind_)) * scale_;
-        const double to = length(row, place(SieveColumn::to) ? SieveColumn::to : SieveColumn::size);
-        const double from = kind_ == SieveColumn::share ? length(row, SieveColumn::from) : 0;
+        const bool has_classes = place(SieveColumn::classes).has_value();
+        const auto [from, to] = has_classes ? class_of(row) : sizes_of(row);
         if (!(to > 0) || from < 0 || from >= to)
             refuse_line(row.line, "the sizes do not rise", "0 < from < to");
         if (share < 0) refuse_line(row.line, "the share is negative", "zero or more");

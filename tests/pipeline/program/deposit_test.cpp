@@ -318,9 +318,27 @@ TEST_CASE("one sieve table in the forms that laboratories write is one result" *
           "size;passing\num;%\n10;20\n20;50\n40;100\n", "size;passing\n10 um;20 %\n20 um;50 %\n40 um;100 %\n",
           "size [um];passing [%]\n10;20,000\n20;50,000\n40;100,000\n",
           "size [um];passing [%];residue [%]\n10;20;80\n20;50;50\n40;100;0\n",
-          "size [um];passing [%]\n0;0\n10;20\n20;50\n40;100\n"}) {
+          "size [um];passing [%]\n0;0\n10;20\n20;50\n40;100\n",
+          "Size [um];Mass Below %\n10;20\n20;50\n40;100\n",
+          "Siebweite [um];Siebr\u00fcckstand kumuliert [%]\n10;80\n20;50\n40;0\n",
+          "Siebweite [um];R\u00fcckstand kumuliert %\n10;80\n20;50\n40;0\n",
+          "Siebweite [um];Durchgang\n10;20\n20;50\n40;100\n",
+          "Sieve [um];Cumulative retained [%]\n10;80\n20;50\n40;0\n",
+          "Sieve [um];Cum. % retained\n10;80\n20;50\n40;0\n"}) {
         CAPTURE(table);
         CHECK(captured(table) == plain);
+    }
+    const std::string classes = captured("from [um];to [um];share [%]\n0;10;20\n10;20;30\n20;40;50\n");
+    for (const char* table :
+         {"Fraktion [um];Anteil [%]\n<10;20\n10-20;30\n20-40;50\n",
+          "Fraktion;Gew.-%\n< 10 um;20\n10\u201320 um;30\n20 - 40 um;50\n",
+          "Fraction (um);wt%\n0-10;20\n10 to 20;30\n20 to 40;50\n",
+          "Klasse;Anteil\n<10 um;20 %\n10/20 um;30 %\n20/40 um;50 %\n",
+          "from [um];to [um];wt%\n0;10;20\n10;20;30\n20;40;50\n",
+          "von [um];bis [um];Fraktion [%]\n0;10;20\n10;20;30\n20;40;50\n",
+          "size class [um];mass [%];passing [%]\n<10;20;20\n10-20;30;50\n20-40;50;100\n"}) {
+        CAPTURE(table);
+        CHECK(captured(table) == classes);
     }
 }
 
@@ -359,6 +377,12 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
     sandbox.write("unit-column.csv", "size [um];passing [%];unit\n10;20;mm\n20;100;mm\n");
     sandbox.write("outlier.csv", "size [um];passing [%];remark\n10;20;outlier\n20;100;\n");
     sandbox.write("pan.csv", "size [um];passing [%]\n10;20\n20;100\nBoden;100\n");
+    sandbox.write("open.csv", "Fraktion [um];Anteil [%]\n<10;20\n10-20;30\n>20;50\n");
+    sandbox.write("mixed.csv", "Fraktion;Anteil [%]\n<10 um;20\n10-20 mm;80\n");
+    sandbox.write("one-size.csv", "Fraktion [um];Anteil [%]\n10;20\n20;80\n");
+    sandbox.write("sum-of-class.csv", "Fraktion [um];Durchgang [%]\n<10;20\n10-20;100\n");
+    sandbox.write("rest-of-class.csv", "Fraction [um];R\u00fcckstand [%]\n10-20;20\n20-40;80\n");
+    sandbox.write("no-unit.csv", "Fraction;wt%\n<10;20\n10-20;80\n");
     sandbox.write("cells.csv", "size;passing [%]\n10 um;20\n0.02 mm;100\n");
     struct Refused {
         const char* sizes;
@@ -405,6 +429,13 @@ TEST_CASE("what is wrong with a tube, its gas or its ash is one line") {
           Refused{"outlier.csv", "line 2, cell 3: \"outlier\" in column \"remark\" calls the row invalid"},
           Refused{"pan.csv", "\"Boden\" is below every sieve: nothing passes it"},
           Refused{"cells.csv", "\"0.02 mm\" is not in um, as other sizes are"},
+          Refused{"open.csv", "line 4, cell 1: \">20\" has no upper size"},
+          Refused{"mixed.csv", "line 3, cell 1: \"20 mm\" is not in um"},
+          Refused{"one-size.csv", "line 2, cell 1: \"10\" is no class of two sizes"},
+          Refused{"sum-of-class.csv",
+                  "may be of the lower size of each class, of the upper one, or of the class"},
+          Refused{"rest-of-class.csv", "may be of the lower size of each class"},
+          Refused{"no-unit.csv", "a column of sizes has no unit"},
           Refused{"gap.csv", "does not begin where"},
           Refused{"none.csv", "no line names the columns"}}) {
         CAPTURE(sizes);
