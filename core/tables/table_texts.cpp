@@ -318,9 +318,10 @@ void take_coverage_of_amounts(const UncertainColumn& amounts, const std::string&
     const StatedCoverage& of = amounts.coverage;
     const bool is_standard = of.factor == 1 && of.problem.empty();
     if (is_standard || of.stated.empty() || !coverage.stated.empty() || !coverage.problem.empty()) return;
-    const std::string key = word_key(heading);
-    const auto is_named = [&](const char* word) { return key.find(word) != std::string::npos; };
-    if (std::ranges::any_of(std::array{"sd", "std", "stand", "sem", "stabw", "sigma"}, is_named))
+    static const WordLists words("uncertainty", " ");
+    const auto mentions = mentions_in(words_in(heading), words);
+    if (uncertainty_words().list_of(heading) == "standard" ||
+        std::ranges::any_of(mentions, [](const Mention& each) { return each.list == "standard"; }))
         refuse_line(line,
                     fmt::format("{} states {}, and {} behind it names standard uncertainties",
                                 in_quotes(amounts.heading), in_quotes(of.stated), in_quotes(heading)),
@@ -328,6 +329,33 @@ void take_coverage_of_amounts(const UncertainColumn& amounts, const std::string&
     coverage.factor = of.factor;
     coverage.stated = of.stated;
     coverage.problem = of.problem;
+}
+
+std::vector<std::size_t> repeated_sides(const std::vector<std::optional<UncertaintySide>>& sides,
+                                        const TableRow& headings, std::span<const TableRow> rows) {
+    const auto size_of = [](const TableRow& row, std::size_t k) {
+        const std::string cell = k < row.cells.size() ? row.cells[k] : std::string();
+        const auto number = cell.empty() ? std::nullopt : read_number(cell, true);
+        return number ? shortest(std::abs(number->value)) : cell;
+    };
+    std::vector<std::size_t> repeated;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+        if (!sides[k]) continue;
+        const std::string first = in_quotes(headings.cells[k]);
+        if (k + 1 == sides.size() || !sides[k + 1] || sides[k]->is_upper == sides[k + 1]->is_upper)
+            refuse_line(headings.line, "the column " + first + " holds uncertainties to one side",
+                        "the column of the other side behind it, or one of standard uncertainties: \"esd\"");
+        for (const TableRow& row : rows)
+            if (const std::string one = size_of(row, k), other = size_of(row, k + 1); one != other)
+                throw InputError(
+                    fmt::format("the uncertainties {} and {} in the columns {} and {} are not "
+                                "equal, and one standard uncertainty is read",
+                                in_quotes(one), in_quotes(other), first, in_quotes(headings.cells[k + 1])),
+                    "a column \"esd\" of standard uncertainties, or equal ones")
+                    .at(at_cell(row.line, k));
+        repeated.push_back(++k);
+    }
+    return repeated;
 }
 
 void check_coverage(std::string_view code, const std::vector<TextBeside>& texts,
@@ -351,6 +379,12 @@ void check_coverage(std::string_view code, const std::vector<TextBeside>& texts,
         const bool is_of_next = next < stated.size() && stated[next] &&
                                 stated[next]->coverage.stated == coverage.stated;  // "wt% (2s);error"
         if (!column->is_uncertainty && is_of_next) continue;
+        if (!column->is_uncertainty && coverage.of_stated_uncertainties)
+            throw InputError(
+                fmt::format("column {} states {}, and nothing has uncertainties of that coverage",
+                            in_quotes(column->heading), in_quotes(coverage.stated)),
+                "numbers with \"\u00b1\", a column of uncertainties behind it, or a heading "
+                "without this text");
         if (!column->is_uncertainty)
             findings.push_back({code, Severity::remark,
                                 fmt::format("column {} states a coverage and holds no uncertainties",
@@ -549,21 +583,72 @@ void refuse_sign_of_bound(std::string_view cell, const std::string& column, std:
         .at(at_cell(line, position));
 }
 
-bool divides_otherwise(std::string_view cell, double factor) {
-    constexpr double rounding = 0.03;                                      // 2 for 1.96
-    if (const auto sign = cell.find('='); sign != std::string_view::npos)  // "k = 2"
+namespace {
+
+/// The number of a cell that states a coverage: 2 of "k = 2", 95 of "95 %" and of "0.95".
+std::optional<double> coverage_number(std::string_view cell) {
+    if (const auto sign = cell.find('='); sign != std::string_view::npos)
         cell = trimmed(cell.substr(sign + 1));
     const auto number = cell.empty() ? std::nullopt : read_number(cell, true);
-    return number && std::abs(number->value - factor) > rounding * factor;
+    if (!number) return std::nullopt;
+    const bool is_fraction = number->value > 0.5 && number->value < 1;
+    return is_fraction ? 100 * number->value : number->value;
 }
 
-void refuse_coverage_factor(std::string_view cell, std::string_view heading, std::size_t line,
-                            std::size_t column) {
-    throw InputError("column " + in_quotes(heading) + " states a coverage, " + std::string(cell) +
-                         ", and the uncertainties beside it are not divided for it",
-                     "standard uncertainties, divided by their factor; or (k=2) in the heading of the "
-                     "uncertainties, for all of them")
-        .at(at_cell(line, column));
+/// Whether all numbers of a column are accepted, and there are some.
+template <class Predicate>
+bool all_numbers(std::span<const TableRow> rows, std::size_t column, const Predicate& accepted) {
+    bool any = false;
+    for (const TableRow& row : rows) {
+        const auto number = column < row.cells.size() ? coverage_number(row.cells[column]) : std::nullopt;
+        if (number && !accepted(*number)) return false;
+        any = any || number;
+    }
+    return any;
+}
+
+/// Whether a column states coverages: by its heading, or, below "k" and "Level", by its numbers as well.
+bool states_coverages(std::string_view heading, std::span<const TableRow> rows, std::size_t column) {
+    if (may_name_coverages(heading))
+        return all_numbers(rows, column,
+                           [](double number) { return factor_of_coverage(shortest(number)).has_value(); });
+    if (!names_coverage_factor(heading)) return false;
+    constexpr double largest = 13;  // of 95 % by two measurements
+    return word_key(heading.substr(0, heading.find_first_of("[("))).size() > 1 ||
+           all_numbers(rows, column, [](double number) { return number >= 1 && number <= largest; });
+}
+
+}  // namespace
+
+bool divides_otherwise(std::string_view cell, double factor) {
+    constexpr double rounding = 0.03;  // 2 for 1.96
+    const auto number = coverage_number(cell);
+    if (!number) return false;
+    const double stated = factor_of_coverage(shortest(*number)).value_or(*number);
+    return std::abs(stated - factor) > rounding * factor;
+}
+
+void refuse_coverages(std::string_view heading, std::span<const TableRow> rows, std::size_t column,
+                      std::span<const double> factors) {
+    if (!states_coverages(heading, rows, column)) return;
+    for (const TableRow& row : rows) {
+        if (column >= row.cells.size()) continue;
+        const std::string& cell = row.cells[column];
+        const auto otherwise = [&](double factor) { return divides_otherwise(cell, factor); };
+        const bool in_cells = factors.empty() && holds_uncertain_number(row) && otherwise(1);
+        if (in_cells || std::ranges::any_of(factors, otherwise))
+            throw InputError(fmt::format("column {} states a coverage, {}, and the uncertainties beside it "
+                                         "are not divided for it",
+                                         in_quotes(heading), cell),
+                             "standard uncertainties, divided by their factor; or (k=2) in the heading of "
+                             "the uncertainties, for all of them")
+                .at(at_cell(row.line, column));
+    }
+}
+
+bool holds_uncertain_number(const TableRow& row) {
+    return std::ranges::any_of(
+        row.cells, [](const std::string& cell) { return !number_behind_plus_minus(cell).empty(); });
 }
 
 std::map<std::string_view, TextBeside> statements_in(const std::vector<TextBeside>& texts) {

@@ -108,6 +108,13 @@ void check_coverage(std::string_view code, const std::vector<TextBeside>& texts,
 void take_coverage_of_amounts(const UncertainColumn& amounts, const std::string& heading,
                               StatedCoverage& coverage, std::size_t line);
 
+/// Decides on uncertainties in two columns, "-err;+err": one of them counts if their numbers are equal.
+/// @param sides by column @return the columns that repeat the one before them @throws InputError for numbers
+/// that differ, and for a column of one side alone
+[[nodiscard]] std::vector<std::size_t> repeated_sides(
+    const std::vector<std::optional<UncertaintySide>>& sides, const TableRow& headings,
+    std::span<const TableRow> rows);
+
 /// A column of a quantity in a unit.
 struct ColumnUnit {
     std::string heading;
@@ -169,13 +176,17 @@ void refuse_two_methods(const std::vector<std::string>& names, std::size_t line)
 void refuse_sign_of_bound(std::string_view cell, const std::string& column, std::size_t line,
                           std::size_t position);
 
-/// Whether the cell of a coverage factor holds another number than the uncertainties of its row are divided
-/// by.
+/// Whether the cell of a coverage, "2" or "95 %", states another one than that factor.
 [[nodiscard]] bool divides_otherwise(std::string_view cell, double factor);
 
-/// Refuses a coverage factor in a column of its own. @throws InputError at its cell
-[[noreturn]] void refuse_coverage_factor(std::string_view cell, std::string_view heading, std::size_t line,
-                                         std::size_t column);
+/// Refuses coverages in a column of their own, below "k", "coverage" or "Level", beside uncertainties that
+/// are not divided for them. Other columns are left. @param factors by which uncertainties are divided
+/// @throws InputError at the cell
+void refuse_coverages(std::string_view heading, std::span<const TableRow> rows, std::size_t column,
+                      std::span<const double> factors);
+
+/// Whether a cell of a row holds a number with its uncertainty behind "±".
+[[nodiscard]] bool holds_uncertain_number(const TableRow& row);
 
 /// What texts state of all numbers of a table, as the vocabulary lists it: "crystalline part", "ignited
 /// sample", "means", "tangential". The first text of each.

@@ -98,18 +98,24 @@ std::optional<Statement> multiple_in(const std::string& heading) {
         R"((^|[^a-z])((?:k *=|(?:coverage|erweiterungs)[- ]?fa[ck]tor(?: of| =|:)?) *(\d+(?:[.,]\d+)?)))",
         flags);
     static const std::regex sigmas(
-        "(^|[^a-z0-9.,])((\\d(?:[.,]\\d+)?) *(?:[-*x]|\u00d7|times|-?fache[rn]?)? *"
-        "(?:\u03c3|(?:sigma|sd|std|stdabw|standard deviations?|standardabweichung(?:en)?)(?![a-z])))",
+        "(^|[^a-z0-9.,])((\\d(?:[.,]\\d+)?) *(?:[-*x]|\u00b7|\u22c5|\u00d7|times|mal|-?fache[rn]?)? *"
+        "(?:\u03c3|s\\. ?d\\.|(?:sigma|sd|std|stdabw|standard deviations?|standardabweichung(?:en)?)"
+        "(?![a-z])))",
         flags);
     static const std::regex behind(
-        "(^|[^a-z])((?:esds?|sd|sigma|\u03c3) *(?:[x*]|\u00d7|multiplied by) *(\\d+(?:[.,]\\d+)?))", flags);
-    static const std::regex marked("((?:[(\\[]|\u00b1|\\+/?-) *=? *)((\\d(?:[.,]\\d+)?) *s)(?![a-z0-9])",
-                                   flags);
+        "(^|[^a-z])((?:esds?|sd|sigma|\u03c3) *(?:[x*]|\u00b7|\u22c5|\u00d7|multiplied by) "
+        "*(\\d+(?:[.,]\\d+)?))",
+        flags);
+    static const std::regex marked(
+        "((?:[(\\[]|\u00b1|\\+/?-) *=? *)((\\d(?:[.,]\\d+)?) *(?:[-*x]|\u00b7|\u22c5|\u00d7)? "
+        "*s)(?![a-z0-9])",
+        flags);
     static const std::regex esds(
         "((?:^|[(\\[=]|\u00b1|\\+/?-|\\b(?:are|as|is|sind) ) *)((\\d(?:[.,]\\d+)?) "
         "*(?:esd|e\\.s\\.d\\.?))(?![a-z])",
         flags);
-    static const std::regex alone(R"(^( *)((\d(?:[.,]\d+)?) *s)(?= *(?:$|[(\[])))", flags);
+    static const std::regex alone(
+        "^( *)((\\d(?:[.,]\\d+)?) *(?:[-*x]|\u00b7|\u22c5|\u00d7)? *s)(?= *(?:$|[(\\[]))", flags);
     static const std::regex after_word(R"(([^ _()\[\],;]+)[ _,]+((\d(?:[.,]\d+)?) *s)(?= *(?:$|[(\[)\]])))",
                                        flags);
     for (const std::regex* expression : {&factor, &sigmas, &behind, &marked, &esds, &alone})
@@ -238,6 +244,15 @@ std::string statistic_in_brackets(std::string_view heading) {
     return {};
 }
 
+}  // namespace
+
+std::optional<double> factor_of_coverage(std::string_view per_cent) {
+    const auto* const known = std::ranges::find(coverages, per_cent, &Coverage::per_cent);
+    return known == coverages.end() ? std::nullopt : std::optional(known->factor);
+}
+
+namespace {
+
 constexpr auto remedy = "write \"1 sigma\", \"2 sigma\" or \"k=2\" into the heading";
 
 std::string problem_of_coverage(const std::string& rest, bool is_known) {
@@ -248,17 +263,16 @@ std::string problem_of_coverage(const std::string& rest, bool is_known) {
     return {};
 }
 
-/// The factor of a coverage in per cent; none if it is not known here.
-std::optional<double> factor_of_coverage(std::string_view per_cent) {
-    const auto* const known = std::ranges::find(coverages, per_cent, &Coverage::per_cent);
-    return known == coverages.end() ? std::nullopt : std::optional(known->factor);
-}
-
-/// Takes "95 %" beside "k=2" from the rest of a heading; another coverage beside it is a problem.
+/// Takes "95 %" beside "k=2", or behind it in brackets, from the rest of a heading; another coverage beside
+/// it is a problem.
 void take_second_statement(StatedCoverage& coverage) {
     constexpr double rounding = 0.03;  // 2 is written for 1.96
+    static const std::regex alone(
+        R"((^[ =,;/]*|[(\[] *)((\d\d(?:[.,]\d+)?) *(?:%|percent|prozent))(?= *(?:[)\]]|$)))",
+        std::regex::icase | std::regex::ECMAScript);
     const auto multiple = multiple_in(coverage.rest);
-    const auto second = multiple ? multiple : coverage_in(coverage.rest);
+    auto second = multiple ? multiple : coverage_in(coverage.rest);
+    if (!second) second = found(coverage.rest, alone);
     if (!second) return;
     const auto factor = multiple ? whole_decimal(second->number) : factor_of_coverage(second->number);
     const std::string other = coverage.rest.substr(second->begin, second->length);
@@ -414,12 +428,24 @@ bool names_mean(std::string_view text) {
     return is_summary(text) && begins_as_mean(word_key(text));
 }
 
-bool names_coverage_factor(std::string_view heading) {
+namespace {
+
+bool is_coverage_word(std::string_view heading, std::string_view list) {
     static const WordLists words("coverage factors");
     const auto is_listed = [&](std::string_view marks) {  // "k [-]", "k (95 %)", "coverage factor (k)"
-        return words.holds(trimmed(heading.substr(0, heading.find_first_of(marks))));
+        return words.list_of(trimmed(heading.substr(0, heading.find_first_of(marks)))) == list;
     };
     return is_listed("[") || is_listed("[(");
+}
+
+}  // namespace
+
+bool names_coverage_factor(std::string_view heading) {
+    return is_coverage_word(heading, "factor");
+}
+
+bool may_name_coverages(std::string_view heading) {
+    return is_coverage_word(heading, "level");
 }
 
 const WordLists& uncertainty_words() {
@@ -449,9 +475,14 @@ StatedCoverage read_coverage(std::string_view heading) {
     StatedCoverage coverage{.rest = replaced(heading, wide_marks), .stated = {}, .problem = {}};
     if (const auto bare = without_per_cent_of_error(coverage.rest)) coverage.rest = *bare + " [%]";
     if (heading.size() > longest_heading || is_number(heading)) return coverage;
-    static const std::regex twice("\\b(?:two|twice the|zwei|doppelte) +(?=standard|sigma|sd\\b)",
-                                  std::regex::icase | std::regex::ECMAScript);
+    const auto in_words = [](const std::string& words) {
+        return std::regex("\\b(?:" + words + ")[ -]+(?=standard|sigma|\u03c3|sd\\b|(?:e|\u00e9)cart)",
+                          std::regex::icase | std::regex::ECMAScript);
+    };
+    static const std::regex twice = in_words("two|twice the|zwei|doppelte|deux|dos|due|twee");
+    static const std::regex thrice = in_words("three|drei|dreifache[nrs]?|trois|tres|tre|drie|trzy");
     coverage.rest = std::regex_replace(coverage.rest, twice, "2 ");
+    coverage.rest = std::regex_replace(coverage.rest, thrice, "3 ");
     if (const auto multiple = multiple_in(coverage.rest)) {
         coverage.stated = coverage.rest.substr(multiple->begin, multiple->length);
         coverage.stated_first = multiple->begin == 0;
@@ -474,6 +505,19 @@ StatedCoverage read_coverage(std::string_view heading) {
         coverage.problem = problem_of_coverage(coverage.rest, known.has_value());
         return coverage;
     }
+    static const std::regex in_brackets(R"(([(\[] *)((\d\d(?:[.,]\d+)?) *(?:%|percent|prozent))(?= *[)\]]))",
+                                        std::regex::icase | std::regex::ECMAScript);
+    if (const auto per_cent = found(coverage.rest, in_brackets);
+        per_cent && factor_of_coverage(per_cent->number)) {  // "wt% (95 %)"
+        std::string rest = without(coverage.rest, *per_cent);
+        if (rest.find('%') != std::string::npos) {
+            coverage.stated = coverage.rest.substr(per_cent->begin, per_cent->length);
+            coverage.factor = *factor_of_coverage(per_cent->number);
+            coverage.of_stated_uncertainties = true;
+            coverage.rest = std::move(rest);
+            return coverage;
+        }
+    }
     const auto is_expanded = [](const std::string& word) {
         return special_words().list_of(word) == "expanded";
     };
@@ -490,6 +534,50 @@ StatedCoverage read_coverage(std::string_view heading) {
 
 bool is_uncertainty_word(std::string_view text) {
     return uncertainty_words().holds(text);
+}
+
+namespace {
+
+/// Removes the word or sign for a side from the begin or end of a text. @return whether it is the upper one
+std::optional<bool> take_side(std::string& text) {
+    static const WordLists words("uncertainty sides");
+    constexpr std::array<std::pair<std::string_view, bool>, 6> signs{
+        {{"(+)", true}, {"(-)", false}, {"+", true}, {"-", false}, {"\u2212", false}, {"\u2013", false}}};
+    for (const auto& [sign, is_upper] : signs)
+        for (const bool in_front : {true, false}) {
+            if (text.size() <= sign.size() || !(in_front ? text.starts_with(sign) : text.ends_with(sign)))
+                continue;
+            text =
+                trimmed(std::string_view(text).substr(in_front ? sign.size() : 0, text.size() - sign.size()));
+            return is_upper;
+        }
+    for (const bool in_front : {true, false}) {
+        const auto at = in_front ? text.find_first_of(" _") : text.find_last_of(" _(");
+        if (at == std::string::npos || at == 0) continue;
+        const auto list = words.list_of(in_front ? text.substr(0, at) : text.substr(at + 1));
+        if (!list) continue;
+        text =
+            trimmed(std::string_view(text).substr(in_front ? at + 1 : 0, in_front ? std::string::npos : at));
+        return *list == "upper";
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<UncertaintySide> uncertainty_side(std::string_view heading) {
+    heading = trimmed(heading);
+    if (heading.size() > longest_heading || holds_plus_minus(heading)) return std::nullopt;
+    const auto bracket = heading.ends_with(']') ? heading.rfind('[') : std::string_view::npos;
+    std::string text(trimmed(heading.substr(0, bracket)));
+    const auto is_upper = take_side(text);
+    if (!is_upper) return std::nullopt;
+    const StatedCoverage coverage = read_coverage(text);
+    const bool is_uncertain =
+        coverage.rest.empty() ? !coverage.stated.empty() : any_word(coverage.rest, is_uncertainty_word);
+    if (!is_uncertain || !coverage.problem.empty()) return std::nullopt;
+    if (bracket != std::string_view::npos) (text += ' ') += heading.substr(bracket);
+    return UncertaintySide{std::move(text), *is_upper};
 }
 
 namespace {

@@ -65,6 +65,13 @@ inline constexpr std::string_view all_marks = " !\"#$%&'()*+,-./:;<=>?@[\\]^_`{|
 /// Whether a heading names coverage factors: "coverage factor k", "k", "Erweiterungsfaktor [-]".
 [[nodiscard]] bool names_coverage_factor(std::string_view heading);
 
+/// Whether a heading is a word such as "Level", which names coverages if all its numbers are known ones.
+[[nodiscard]] bool may_name_coverages(std::string_view heading);
+
+/// The half-width of the interval of that coverage in per cent, "95", in standard deviations; none if it is
+/// not known here.
+[[nodiscard]] std::optional<double> factor_of_coverage(std::string_view per_cent);
+
 /// The words of a text as word_key() writes them; "%" is one. "FA1Vol" and "FA1_Vol" are two.
 [[nodiscard]] std::vector<std::string> words_in(std::string_view text);
 
@@ -88,6 +95,8 @@ struct StatedCoverage {
     double factor = 1;          ///< numbers of the column over standard uncertainties: 2, and 1.96 for 95 %
     std::string stated;         ///< "2s"; empty if nothing is stated
     bool stated_first = false;  ///< before the name, "2s v_in"
+    /// "wt% (95 %)", which is a coverage only of uncertainties in the cells or in the column behind.
+    bool of_stated_uncertainties = false;
     /// Why the uncertainties cannot be read, with the remedy; empty if they can.
     std::string problem;
 };
@@ -103,6 +112,14 @@ struct StatedCoverage {
 
 /// Whether a text is a word for an uncertainty and names no quantity: "Fehler", "u", "s.u.", "±".
 [[nodiscard]] bool is_uncertainty_word(std::string_view text);
+
+/// One side of an asymmetric uncertainty: "-err", "err+", "upper error [wt%]".
+struct UncertaintySide {
+    std::string text;  ///< the heading without the side, "err", "error [wt%]"
+    bool is_upper = false;
+};
+/// Splits the heading of one side; nothing for another heading, such as "± err".
+[[nodiscard]] std::optional<UncertaintySide> uncertainty_side(std::string_view heading);
 
 /// The part of a heading that describes an uncertainty of the named column, without the name.
 struct UncertaintyBeside {

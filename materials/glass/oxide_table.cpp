@@ -488,7 +488,7 @@ class OxideTable {
         }
         if (!unused.empty()) note("columns not used: " + joined(unused));
         mark_thousands();
-        refuse_coverage_factors(next);
+        refuse_coverages(next);
         bool amounts_follow = false;
         for (std::size_t r = rows_.size(); r-- > next;) {
             const std::string text = only_text(rows_[r]);
@@ -513,14 +513,24 @@ class OxideTable {
     /// Reads the headings of columns; "SiO2 2s" behind "SiO2" is of its uncertainties.
     void read_headings(const TableRow& row) {
         refuse_two_methods(row.cells, row.line);
+        std::vector<std::optional<UncertaintySide>> sides;
+        for (const std::string& cell : row.cells) sides.push_back(uncertainty_side(cell));
+        const auto below =
+            std::ranges::find_if(rows_, [&](const TableRow& each) { return each.line > row.line; });
+        const auto repeated = repeated_sides(sides, row, std::span(below, rows_.end()));
         std::string name;
         for (std::size_t k = 0; k < row.cells.size(); ++k) {
-            const std::string& cell = row.cells[k];
+            const std::string& cell = sides[k] ? sides[k]->text : row.cells[k];  // "err" of "-err"
             const auto beside = uncertainty_beside(cell, name);
             headings_.push_back(beside ? OxideLine{.role = OxideRole::uncertainty,
                                                    .heading = xrd::read_heading_beside(cell, name)}
                                        : read_line(cell));
-            const OxideLine& line = headings_.back();
+            OxideLine& line = headings_.back();
+            if (sides[k]) line.heading.written = row.cells[k];
+            if (std::ranges::find(repeated, k) != repeated.end()) {
+                line.role = OxideRole::other;
+                continue;
+            }
             if (!beside && line.role != OxideRole::uncertainty) name = line.heading.text;
             if (k > 0 && line.role == OxideRole::uncertainty)
                 take_coverage_of_amounts(
@@ -654,7 +664,7 @@ class OxideTable {
         drop_errors_of_unused(amounts, names);
         errors_ = error_columns(amounts, rows_[has_heading ? first - 1 : first].line);
         refuse_headed_rows(first, names);
-        refuse_coverage_factors(first);
+        refuse_coverages(first);
         std::vector<OxideLine> lines;
         for (std::size_t r = first; r < rows_.size(); ++r) lines.push_back(line_of(rows_[r], names));
         mark_thousands(std::ranges::any_of(
@@ -812,28 +822,28 @@ class OxideTable {
         }
     }
 
-    /// Refuses coverage factors in a column of their own beside uncertainties of another factor.
+    /// Refuses coverages in a column of their own beside uncertainties that are not divided for them.
     /// @throws InputError
-    void refuse_coverage_factors(std::size_t first) const {
-        std::vector<double> divided;
+    void refuse_coverages(std::size_t first) const {
+        std::vector<double> divisors;
         for (const OxideLine& line : headings_)
             if (is_uncertainty_column(line.heading.written, line) && line.heading.coverage.problem.empty())
-                divided.push_back(line.heading.coverage.factor);
-        for (std::size_t k = 0; k < headings_.size(); ++k) {
-            const std::string& heading = headings_[k].heading.written;
-            if (word_key(heading).size() == 1 && headings_[k].role != OxideRole::other) continue;
-            if (!names_coverage_factor(heading)) continue;
-            for (std::size_t r = first; r < rows_.size(); ++r)
-                if (k < rows_[r].cells.size() && std::ranges::any_of(divided, [&](double factor) {
-                        return divides_otherwise(rows_[r].cells[k], factor);
-                    }))
-                    refuse_coverage_factor(rows_[r].cells[k], heading, rows_[r].line, k);
-        }
+                divisors.push_back(line.heading.coverage.factor);
+        for (std::size_t k = 0; k < headings_.size(); ++k)
+            if (headings_[k].role == OxideRole::other)
+                ashimpact::refuse_coverages(headings_[k].heading.written, std::span(rows_).subspan(first), k,
+                                            divisors);
     }
 
     void add_oxide_row(const TableRow& row, std::size_t names, const std::vector<std::size_t>& amounts,
                        const std::vector<OxideLine>& all) {
-        if (names >= row.cells.size() || row.cells[names].empty()) return;
+        if (names >= row.cells.size() || row.cells[names].empty()) {
+            for (const std::string& cell : row.cells)
+                if (!read_coverage(cell).stated.empty())
+                    refuse_line(row.line, in_quotes(cell) + " in a second line of headings is not read",
+                                "one line of headings: \"Oxide;wt%;2 sigma\"");
+            return;
+        }
         const OxideLine what = line_of(row, names);
         refuse_unknown(row, names, what, all);
         if (!is_content(what.role) && what.role != OxideRole::trace) {

@@ -117,10 +117,17 @@ bool names_other_basis(const Heading& heading) {
 }
 
 std::string without_fraction_unit(const std::string& cell, HeadingUnit kind) {
-    const auto end = cell.find_first_not_of("+-.,()0123456789 \u00b1");
-    if (end == std::string::npos || end == 0) return cell;
-    const std::string_view unit = std::string_view(cell).substr(end);
-    return holds_per_cent(unit) && unit_of(unit) == kind ? cell.substr(0, end) + '%' : cell;
+    const auto end = cell.find_last_of("0123456789)");
+    if (end == std::string::npos || cell.size() > longest_heading) return cell;
+    const std::string unit(trimmed(std::string_view(cell).substr(end + 1)));
+    if (!holds_per_cent(unit) || unit_of(unit) != kind) return cell;
+    std::string number = cell;  // of "20.0 wt% \u00b1 0.5 wt%"
+    for (auto at = number.find(unit); at != std::string::npos; at = number.find(unit))
+        number.erase(at, unit.size());
+    number = trimmed(number);
+    const bool is_plain = number.find_first_not_of("+-/.,()0123456789 \u00b1") == std::string::npos;
+    const bool of_both = !number_behind_plus_minus(number).empty() && !number.ends_with(')');
+    return !is_plain ? cell : of_both ? "(" + number + ") %" : number + '%';
 }
 
 bool names_loss(std::string_view text, bool at_any_temperature) {

@@ -1021,36 +1021,17 @@ void find_blank_rows(Table& table) {
     }
 }
 
-/// Whether the numbers of a column "k" can be coverage factors; it may be a sample.
-bool may_be_coverage_factors(const Table& table, std::size_t column) {
-    constexpr double largest = 13;  // of 95 % by two measurements
-    return std::ranges::all_of(table.rows, [&](const TableRow& row) {
-        const std::string& cell = row.cells[column];
-        const auto number = cell.empty() ? std::nullopt : read_number(cell, true);
-        return !number || (number->value >= 1 && number->value <= largest);
-    });
-}
-
-/// Refuses coverage factors in a column of their own beside uncertainties that are not divided by them.
+/// Refuses coverages in a column of their own beside uncertainties that are not divided for them.
 /// @throws InputError
-void refuse_coverage_factors(const Table& table) {
-    std::vector<const Heading*> errors;
+void refuse_coverages(const Table& table) {
+    std::vector<double> divisors;
     for (const Heading& heading : table.headings)
-        if (is_uncertainty(heading) && heading.coverage.problem.empty()) errors.push_back(&heading);
+        if (is_uncertainty(heading) && heading.coverage.problem.empty())
+            divisors.push_back(heading.coverage.factor);
     for (std::size_t k = 0; k < table.headings.size(); ++k) {
         const Heading& heading = table.headings[k];
-        const bool is_other = heading.role == Role::other || heading.role == Role::measure;
-        if (!is_other || !names_coverage_factor(heading.written)) continue;
-        if (word_key(heading.text).size() == 1 && !may_be_coverage_factors(table, k)) continue;
-        for (const TableRow& row : table.rows) {
-            const bool is_used = std::ranges::any_of(errors, [&](const Heading* error) {
-                return divides_otherwise(row.cells[k], error->coverage.factor);
-            });
-            const bool in_cells = std::ranges::any_of(
-                row.cells, [](const std::string& cell) { return !number_behind_plus_minus(cell).empty(); });
-            if (is_used || (in_cells && errors.empty() && divides_otherwise(row.cells[k], 1)))
-                refuse_coverage_factor(row.cells[k], heading.written, row.line, k);
-        }
+        if (heading.role == Role::other || heading.role == Role::measure)
+            ashimpact::refuse_coverages(heading.written, table.rows, k, divisors);
     }
 }
 
@@ -1296,6 +1277,20 @@ void require_plain_sample(const std::string& name, std::size_t line) {
                     "the name alone, and fractions by weight or by volume");
 }
 
+/// Removes the sides of uncertainties from headings, "-err;+err". @return the columns that repeat the one
+/// before them @throws InputError where the sides differ
+std::vector<std::size_t> take_sides(TableRow& headings, std::span<const TextLine> lines, char separator) {
+    std::vector<std::optional<UncertaintySide>> sides;
+    for (const std::string& cell : headings.cells) sides.push_back(uncertainty_side(cell));
+    if (std::ranges::none_of(sides, [](const auto& side) { return side.has_value(); })) return {};
+    std::vector<TableRow> rows;
+    for (const TextLine& line : lines) rows.push_back(cut_row(line, separator));
+    std::vector<std::size_t> repeated = repeated_sides(sides, headings, rows);
+    for (std::size_t k = 0; k < sides.size(); ++k)
+        if (sides[k]) headings.cells[k] = sides[k]->text;
+    return repeated;
+}
+
 /// Refuses a heading that states one uncertainty for all numbers below it: "wt% ± 1". @throws InputError
 void require_no_common_uncertainty(std::string_view text, std::string_view written, std::size_t line) {
     if (const std::string number = number_behind_plus_minus(text); !number.empty())
@@ -1336,11 +1331,16 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
         refuse_factor(group.text, group.text, group.line);
     }
     std::ranges::move(groups, std::back_inserter(cut.texts));
+    TableRow names = cut.heading;
+    const std::vector<std::size_t> repeated = take_sides(names, cut.rows, cut.separator);
     Table table{.heading_line = cut.heading.line,
-                .headings = headings_of(cut.heading),
+                .headings = headings_of(names),
                 .rows = {},
                 .separator = cut.separator,
                 .marks = NumberMarks(decimal, file.of_sheet())};
+    for (std::size_t k = 0; k < names.cells.size(); ++k)
+        if (names.cells[k] != cut.heading.cells[k]) table.headings[k].written = cut.heading.cells[k];
+    for (const std::size_t k : repeated) leave_out(table.headings[k]);
     refuse_two_methods(cut.heading.cells, cut.heading.line);
     name_crystalline_totals(table);
     drop_numbers_of_phases(table, cut.rows);
@@ -1405,7 +1405,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
             if (table.headings[k].scale == Scale::fraction && table.headings[k].unit.empty() &&
                 row.cells[k].ends_with('%'))
                 table.headings[k].scale = Scale::not_stated;
-    refuse_coverage_factors(table);
+    refuse_coverages(table);
     if (table.has(Role::phase)) {
         take_notes_on_phases(table, cut.notes);
         find_blank_rows(table);

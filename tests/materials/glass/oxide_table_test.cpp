@@ -121,6 +121,29 @@ TEST_CASE("rows without cells above oxides, and coverage factors beside them, ar
     CHECK(refused("Oxide;wt%;u;k\nSiO2;60;1;1\nAl2O3;40;1;1\n").empty());
     CHECK(contains(refused("Sample;SiO2;u;Al2O3;u;k\nFA1;60;1;40;1;2\n"), "states a coverage, 2"));
     CHECK(contains(refused("Oxide;wt%;u;Remark\nSiO2;60;1;k=2\nAl2O3;40;1;k=2\n"), "\"Remark: k=2\" states"));
+    for (const char* level : {"Level", "Confidence level", "Niveau"})
+        for (const char* names : {"Oxide;wt%;u;", "Oxide;FA1;esd;"})
+            CHECK(contains(refused(std::string(names) + level + "\nSiO2;60;1;95\nAl2O3;40;1;95 %\n"),
+                           "states a coverage, 95"));
+    CHECK(
+        contains(refused("Oxide;wt%;k\nSiO2;60 \u00b1 1;2\nAl2O3;40 \u00b1 1;2\n"), "states a coverage, 2"));
+    CHECK(contains(refused("Oxide;wt%;-err;+err\nSiO2;60;1;2\nAl2O3;40;1;1\n"), "are not equal"));
+    CHECK(contains(refused("Sample;SiO2;err-;err+;Al2O3\nFA1;60;1;2;40\n"), "are not equal"));
+    for (const char* table :
+         {"Oxide;wt%;-err;+err\nSiO2;60;1;1\nAl2O3;40;1;1\n", "Oxide;wt%;2 s.d.\nSiO2;60;2\nAl2O3;40;2\n",
+          "Oxide;wt%\nSiO2;60 \u00b1 1 wt%\nAl2O3;40 \u00b1 1 wt%\n",
+
+          "Oxide;wt% (95 %)\nSiO2;60 \u00b1 1.96\nAl2O3;40 \u00b1 1\n",
+          "Sample;SiO2;err-;err+;Al2O3\nFA1;60;1;1;40\n"}) {
+        CHECK_MESSAGE(refused(table).empty(), refused(table));
+        CAPTURE(std::string(table));
+        CHECK(only(table).analysis.oxides[0].standard_uncertainty.value_or(0) ==
+              doctest::Approx(0.01).epsilon(1e-4));
+    }
+    CHECK(contains(refused("Oxide;FA1;\n;wt%;2\u03c3\nSiO2;60;2\nAl2O3;40;2\n"),
+                   "line 2: \"2\u03c3\" in a second line of headings is not read"));
+    CHECK(contains(refused("Oxide;wt% (95 %)\nSiO2;60\nAl2O3;40\n"),
+                   "nothing has uncertainties of that coverage"));
     CHECK(tells(read_oxides("Oxide;wt%;Remark\nSiO2;60;\nAl2O3;40;as Al\n", "x.csv").warnings,
                 "columns not used: \"Remark\" (\"as Al\")"));
 }

@@ -279,6 +279,102 @@ TEST_CASE("coverage factors in a column of their own are refused") {
     CHECK(refusal("Phase;FA1;\u00b1;K;\u00b1\nQuartz;20;1;30;1\nGlass;80;1;70;1\n").empty());
 }
 
+TEST_CASE("a column of levels beside uncertainties states their coverage") {
+    for (const char* heading : {"Level", "Confidence level", "Niveau", "P", "probability", "Level [%]"})
+        for (const char* level : {"95", "95 %", "0.95", "P = 95 %"}) {
+            const auto table = [&](const std::string& uncertainties) {
+                const std::string cells = std::string(";") + level + "\n";
+                return "Phase;wt%;" + uncertainties + ";" + heading + "\nQuartz;20;1" + cells + "Glass;80;2" +
+                       cells;
+            };
+            CHECK_MESSAGE(contains(refusal(table("esd")), " states "), refusal(table("esd")));
+            CHECK_MESSAGE(refusal(table("error (95 %)")).empty(), refusal(table("error (95 %)")));
+            CHECK_MESSAGE(refusal(table("U (k=2)")).empty(), refusal(table("U (k=2)")));
+        }
+    CHECK(contains(refusal("Phase;wt%;Level\nQuartz;20 \u00b1 1;95\nGlass;80 \u00b1 1;95\n"),
+                   "states a coverage"));
+    CHECK(refusal("Phase;wt%;Level\nQuartz;20;95\nGlass;80;95\n").empty());
+    CHECK(contains(told("Phase;wt%;esd;Level\nQuartz;20;1;3\nGlass;80;2;95\n"),
+                   "column \"Level\" is not used"));
+}
+
+TEST_CASE("a multiple of the standard uncertainty is one in any spelling") {
+    for (const char* heading :
+         {"2 s.d.", "2 s. d.", "2\u00d7\u03c3", "2*sigma", "\u03c3\u00d72", "(2 sd)", "2-sigma",
+
+          "zwei Sigma", "two-sigma",
+
+          "2 Sigma (95%)", "2\u03c3 / 95 %", "2 \u00b7 \u03c3", "2*s", "2 \u00d7 s", "esd (2 s.d.)",
+          "deux \u00e9carts-types", "error (2\u00b7s)"}) {
+        const std::string table = std::string("Phase;wt%;") + heading + "\nQuartz;20;1\nGlass;80;2\n";
+        CHECK_MESSAGE(refusal(table).empty(), refusal(table));
+        CHECK_MESSAGE(
+            first_of(table).analysis.phases[0].standard_uncertainty.value_or(0) == doctest::Approx(0.005),
+            heading);
+    }
+    CHECK(contains(told("Phase;wt%;2 Sigma (68 %)\nQuartz;20;1\nGlass;80;2\n"), "are not the same coverage"));
+    CHECK(first_of("Phase;wt%;drei Sigma\nQuartz;20;1.5\nGlass;80;3\n")
+              .analysis.phases[0]
+              .standard_uncertainty.value() == doctest::Approx(0.005));
+}
+
+TEST_CASE("a coverage in the second heading line, or in brackets behind the unit, is of the uncertainties") {
+    for (const char* heading : {"Phase;FA1;\n;wt%;2\u03c3", "Phase;FA1;\n;wt%;2 s.d.",
+                                "Phase;FA1;\n;[wt%];(2\u03c3)", "Phase;FA1;\n;wt%;\u00b1 2\u03c3"}) {
+        const std::string table = std::string(heading) + "\nQuartz;20;1\nGlass;80;2\n";
+        CHECK_MESSAGE(refusal(table).empty(), refusal(table));
+        CHECK(first_of(table).name == "FA1");
+        CHECK(first_of(table).analysis.phases[0].standard_uncertainty.value_or(0) == doctest::Approx(0.005));
+    }
+    for (const char* table : {"Phase;wt% (95 %)\nQuartz;20 \u00b1 1.96\nGlass;80 \u00b1 2\n",
+                              "Phase;FA1 [wt%] (95 %)\nQuartz;20 \u00b1 1.96\nGlass;80 \u00b1 2\n",
+                              "Phase;wt% (95 %);\u00b1\nQuartz;20;1.96\nGlass;80;2\n"}) {
+        CHECK_MESSAGE(refusal(table).empty(), refusal(table));
+        CHECK(first_of(table).analysis.phases[0].standard_uncertainty.value_or(0) ==
+              doctest::Approx(0.01).epsilon(1e-4));
+    }
+    CHECK(contains(refusal("Phase;wt% (95 %)\nQuartz;20\nGlass;80\n"),
+                   "column \"wt% (95 %)\" states \"95 %\", and nothing has uncertainties of that coverage"));
+    CHECK(
+        contains(refusal("Phase;wt% (95 %);esd\nQuartz;20;1\nGlass;80;2\n"), "names standard uncertainties"));
+}
+
+TEST_CASE("a unit behind a number and its uncertainty is of both") {
+    for (const char* cell : {"20.0 \u00b1 0.5 wt%", "20.0 wt% \u00b1 0.5 wt%", "(20.0 \u00b1 0.5) wt%",
+                             "20.0(5) wt%", "20,0 \u00b1 0,5 Gew.-%", "20.0+/-0.5 wt.%"}) {
+        for (const char* heading : {"Phase;FA1", "Phase;wt%"}) {
+            const std::string table = std::string(heading) + "\nQuartz;" + cell + "\nGlass;80 wt%\n";
+            CHECK_MESSAGE(refusal(table).empty(), refusal(table));
+            CHECK(first_of(table).analysis.phases[0].fraction == doctest::Approx(0.2));
+            CHECK(first_of(table).analysis.phases[0].standard_uncertainty.value_or(0) ==
+                  doctest::Approx(0.005));
+        }
+    }
+    CHECK(contains(refusal("Phase;wt%\nQuartz;20.0 \u00b1 0.5 vol%\nGlass;80\n"), "cannot read"));
+    CHECK(contains(refusal("Phase;wt%\nQuartz;20.0 wt% \u00b1 0.5 %\nGlass;80\n"), "cannot read"));
+}
+
+TEST_CASE("uncertainties to two sides are one if they are equal") {
+    for (const char* headings : {"-err;+err", "err-;err+", "err +;err -", "\u2212\u03c3;+\u03c3",
+                                 "lower error;upper error", "esd (-);esd (+)", "Fehler minus;Fehler plus"}) {
+        for (const char* amounts : {"wt%", "FA1 [wt%]"}) {
+            const auto table = [&](const std::string& cells) {
+                return std::string("Phase;") + amounts + ";" + headings + "\nQuartz;20;" + cells +
+                       "\nGlass;80;1;1\n";
+            };
+            CHECK_MESSAGE(refusal(table("0.5;0.5")).empty(), refusal(table("0.5;0.5")));
+            CHECK(first_of(table("0.5;+0.50")).analysis.phases[0].standard_uncertainty.value_or(0) ==
+                  doctest::Approx(0.005));
+            CHECK_MESSAGE(
+                contains(refusal(table("0.5;0.8")), "line 2, cell 3: the uncertainties \"0.5\" and \"0.8\""),
+                refusal(table("0.5;0.8")));
+        }
+    }
+    CHECK(contains(refusal("Phase;wt%;-err\nQuartz;20;1\nGlass;80;1\n"), "uncertainties to one side"));
+    CHECK(
+        contains(refusal("Phase;wt%;+err;Remark\nQuartz;20;1;\nGlass;80;1;\n"), "uncertainties to one side"));
+}
+
 TEST_CASE("a remark beside a sample, and a title, name what was added") {
     const auto spiked = [](const std::string& remark) {
         return refusal_of_crystalline("Sample;Quartz;Mullite;Corundum;Remark\nFA1;33;49;18;" + remark + "\n");
