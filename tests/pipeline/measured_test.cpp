@@ -297,6 +297,21 @@ TEST_CASE("captures contradict a v_c by other damping, whatever v_c the case rep
     CHECK(contradicts(computed_from(document)));
 }
 
+TEST_CASE("impacts without a capture leave v_c open below, whatever the damping law") {
+    Json document = one_sample("jkr");
+    document["damping_law"] = "tsuji";
+    Json& data = document["samples"][0]["restitution"];
+    data = {{"velocity", {1.72, 1.81, 1.95, 2.10, 2.31, 2.55, 2.90, 3.35, 3.90, 4.60}},
+            {"rebound_velocity", {0.12, 0.22, 0.33, 0.44, 0.57, 0.73, 0.93, 1.20, 1.51, 1.84}}};
+    const auto says_so = [&] {
+        return mentions(computed_from(document), "7-critical-velocity.json", "no impact was captured");
+    };
+    CHECK(says_so());
+    data["velocity"].push_back(1.5);
+    data["rebound_velocity"].push_back(0.0);
+    CHECK_FALSE(says_so());
+}
+
 TEST_CASE("a restitution that falls from the first rebound on is no rising branch") {
     Json document = one_sample("dmt");
     Json& data = document["samples"][0]["restitution"];

@@ -145,7 +145,8 @@ std::optional<ClassEnds> class_ends(std::string_view cell) {
     const std::string text(trimmed(cell));
     std::smatch match;
     if (text.size() > longest) return std::nullopt;
-    if (std::regex_match(text, match, between)) return ClassEnds{std::string(trimmed(match.str(1))), match.str(2)};
+    if (std::regex_match(text, match, between))
+        return ClassEnds{std::string(trimmed(match.str(1))), match.str(2)};
     if (std::regex_match(text, match, below)) return ClassEnds{"0", match.str(1)};
     if (std::regex_match(text, match, above)) return ClassEnds{match.str(1), {}};
     return std::nullopt;

@@ -10,6 +10,7 @@
 #include "pipeline/run/stage.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/critical_velocity_uncertainty.hpp"
+#include "solver/inference/curve/headline.hpp"
 
 namespace ashimpact {
 
@@ -115,6 +116,9 @@ void check_without_interval(const VelocityTask& task, LawCriticalVelocity& veloc
     const Interval exact{.value = value, .standard_uncertainty = 0, .lower = value, .upper = value};
     if (task.measured) velocity.check = checked(exact, *task.measured, false);
     const bool contradicts = task.outcomes && checked(exact, *task.outcomes, false).contradicts();
+    const bool measured = task.series != nullptr && task.series->origin == Origin::measured;
+    if (const auto note = measured ? no_captures_note(task.series->impacts) : std::nullopt)
+        findings.push_back(*note);
     std::string words;
     if (contradicts)
         words = "contradicts the captures and rebounds, by which it is " +
@@ -122,7 +126,7 @@ void check_without_interval(const VelocityTask& task, LawCriticalVelocity& veloc
                  : task.outcomes->lower ? "above " + readable_number(*task.outcomes->lower)
                                         : "below " + readable_number(*task.outcomes->upper)) +
                 " m/s";
-    else if (task.series != nullptr && task.series->origin == Origin::measured)
+    else if (measured)
         words = contradiction_of(task.series->impacts, value);
     if (!words.empty())
         findings.push_back(

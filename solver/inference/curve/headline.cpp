@@ -212,15 +212,6 @@ std::optional<Finding> means_note(const MeasurementSet& set) {
                    "often as they have impacts: v_c tends to be too high; single impacts do without this"};
 }
 
-/// Note on impacts that bound v_c from above alone.
-std::optional<Finding> no_captures_note(const MeasurementSet& set) {
-    if (set.captures() > 0) return std::nullopt;
-    return Finding{
-        "no-captures", Severity::doubt,
-        "no impact was captured: v_c below the slowest rebound rests on the assumption that damping "
-        "goes on as it does above it"};
-}
-
 /// Notes on impacts around v_c: none between the fastest capture and a much faster rebound, a remark, as the
 /// outcomes alone make the interval span most of that gap; or no rebound between rest and a speed that the
 /// camera resolves.
@@ -324,6 +315,14 @@ OnsetEstimate estimated_velocity(const MeasurementSet& set, const EstimateOption
 }
 
 }  // namespace
+
+std::optional<Finding> no_captures_note(const MeasurementSet& set) {
+    if (set.captures() > 0) return std::nullopt;
+    return Finding{
+        "no-captures", Severity::doubt,
+        "no impact was captured: v_c below the slowest rebound rests on the assumption that damping "
+        "goes on as it does above it"};
+}
 
 std::optional<OnsetEstimate> estimate_without_law(const MeasurementSet& set, const EstimateOptions& options) {
     if (options.size_scatter) return std::nullopt;

@@ -61,6 +61,9 @@ struct OnsetEstimate {
 [[nodiscard]] std::optional<OnsetEstimate> estimate_without_law(const MeasurementSet& set,
                                                                 const EstimateOptions& options = {});
 
+/// That impacts without a capture bound v_c from above alone; none if any was captured.
+[[nodiscard]] std::optional<Finding> no_captures_note(const MeasurementSet& set);
+
 /// Name of the method, for artifacts.
 inline constexpr const char* estimate_method =
     "posterior of v_c with a smooth curve of restitution over velocity, captures by their probability";
