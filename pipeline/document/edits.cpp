@@ -39,6 +39,10 @@ bool is_reconstructed(const Json& series) {
 bool is_alone(const Json& fit) {
     return !fit.contains("direct") && !fit.contains("extrapolated");
 }
+/// The critical damping of an estimate alone is that of "direct", and the reader refuses another one.
+bool is_critical_damping(const Json& fit) {
+    return is_alone(fit) || fit.value("method", std::string()) == "estimate";
+}
 
 constexpr std::array sources{Source{modulus_artifact, "young_modulus"},
                              Source{modulus_artifact, "density"},
@@ -62,8 +66,8 @@ constexpr std::array sources{Source{modulus_artifact, "young_modulus"},
                              Source{fit_artifact, "direct/critical_damping_interval"},
                              Source{fit_artifact, "a/value", is_alone},
                              Source{fit_artifact, "b/value", is_alone},
-                             Source{fit_artifact, "c/value", is_alone},
-                             Source{fit_artifact, "critical_damping", is_alone},
+                             Source{fit_artifact, "c/value", is_critical_damping},
+                             Source{fit_artifact, "critical_damping", is_critical_damping},
                              Source{critical_velocity_artifact, "critical_velocity"},
                              Source{critical_velocity_artifact, "interval"},
                              Source{critical_velocity_artifact, "extrapolated/critical_velocity"},
@@ -140,7 +144,10 @@ std::string allowed_edits(std::string_view file) {
         if (source.file == file) members.emplace_back(source.member);
     std::string text = members.empty() ? "no edits of it" : "edits of " + joined(members);
     if (file == damping_artifact) text += " (of dampings that are not of measured impacts)";
-    if (file == fit_artifact) text += " (of a to critical_damping without \"direct\" and \"extrapolated\")";
+    if (file == fit_artifact)
+        text +=
+            " (of a to critical_damping without \"direct\" and \"extrapolated\", or by method \"estimate\" "
+            "with c the same in all places)";
     return text;
 }
 

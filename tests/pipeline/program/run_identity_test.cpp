@@ -148,6 +148,25 @@ TEST_CASE("an edit counts in what follows, which is marked as computed from it")
     }
 }
 
+TEST_CASE("the damping of an estimate alone can be edited, in all places that state it") {
+    const Sandbox sandbox;
+    run_case(sandbox, test::with_one_sample(test::example_case(), {"maugis-dugdale"}), "one");
+    Json artifact = sandbox.json("one/6-fit.json");
+    Json& fit = artifact["result"]["samples"][0]["maugis-dugdale"];
+    REQUIRE(fit["method"] == "estimate");
+    const double edited = 1.2 * fit["c"]["value"].get<double>();
+    const std::string again = "run -o one --from critical-velocity";
+    fit["direct"]["critical_damping"]["value"] = edited;
+    fit["direct"].erase("critical_damping_interval");
+    sandbox.write("one/6-fit.json", artifact.dump());
+    check_refused(sandbox, again, "is not the critical damping of \"direct\"");
+    for (const char* key : {"c", "critical_damping"}) fit[key]["value"] = edited;
+    sandbox.write("one/6-fit.json", artifact.dump());
+    test::succeeded(sandbox, again);
+    const Json after = sandbox.json("one/7-critical-velocity.json")["result"]["samples"][0]["maugis-dugdale"];
+    CHECK(after["damping"]["value"].get<double>() == doctest::Approx(edited).epsilon(1e-12));
+}
+
 TEST_CASE("an edited artifact is refused in one line where it cannot be or contradicts itself") {
     const Sandbox sandbox;
     put_quick_run(sandbox);
