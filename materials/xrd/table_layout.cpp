@@ -236,7 +236,7 @@ std::optional<double> density_in(const TableRow& row, std::size_t column, const 
     const Heading& heading = table.headings[column];
     if (says_no_number(cell)) return std::nullopt;
     return at_place(at_cell(row.line, column), [&] {
-        if (heading.unit.empty() && read_number(cell))
+        if (heading.unit.empty() && read_number(cell, true))
             throw InputError("column " + in_quotes(heading.written) + ": the density has no unit",
                              "density [g/cm3] as the heading, or a unit in each cell");
         const auto number = heading.unit.empty() ? std::nullopt : number_in(row, column, table);

@@ -219,6 +219,8 @@ TEST_CASE("malformed tables") {
     refuses("phase,wt%,esd\nQuartz,60,-1\n", "line 2: the uncertainty is below zero");
     refuses("phase,wt%,density\nQuartz,60,2.65\n",
             "line 2, cell 3: column \"density\": the density has no unit");
+    refuses("Phase;wt%;Dichte\nquartz;13,5;2,65\nmullite;86,5;3,16\n",
+            "line 2, cell 3: column \"Dichte\": the density has no unit");
     refuses("phase,wt%,density [GPa]\nQuartz,60,2.65\n",
             "line 2, cell 3: column \"density [GPa]\": the unit \"GPa\" is not one of density");
     refuses("phase,wt%,density [g/cm3]\nQuartz,60,-2.65\n", "line 2, cell 3: the density is not positive");

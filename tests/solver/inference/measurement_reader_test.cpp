@@ -88,6 +88,7 @@ TEST_CASE("what the texts beside impacts and their columns state counts, or the 
           {marked("", "all velocities in mm/s"), "states mm/s"},
           {"v_in [m/s];v_r [m/s];angle of plate\n0.75;0.08;60\n", "may hold the angle of incidence"},
           {"v_in [m/s];v_r [m/s];Plattenwinkel\n0.75;0.08;60\n", "may hold the angle of incidence"},
+          {"v_in [m/s];v_r [m/s];tilt [deg]\n0.75;0.08;60\n", "may hold the angle of incidence"},
           {"# angle of plate 30\n" + given, "states an angle of the impacts"},
           {given + "\ntangential velocities\n", "may state that the velocities are those along the wall"},
           {marked("Ausschluss", "x"), "marks rows as valid or not"},
@@ -129,9 +130,9 @@ TEST_CASE("what the texts beside impacts and their columns state counts, or the 
 
 TEST_CASE("impacts at an angle: the part of v_in normal to the wall counts") {
     const auto read = [](const std::string& table) { return read_measurements(table, "t.csv"); };
-    for (const char* heading :
-         {"v_in [m/s];e_n;angle [deg]", "v_in [m/s];e_n;Winkel (\u00b0)",
-          "v_in [m/s];e_n;Einfallswinkel in deg", "v_in [m/s];e_n;angle of incidence [\u00b0]"}) {
+    for (const char* heading : {"v_in [m/s];e_n;angle [deg]", "v_in [m/s];e_n;Winkel (\u00b0)",
+                                "v_in [m/s];e_n;Einfallswinkel in deg", "v_in [m/s];e_n;Incidence (\u00b0)",
+                                "v_in [m/s];e_n;angle of incidence [\u00b0]"}) {
         CAPTURE(heading);
         const MeasurementSet set = read(std::string(heading) + "\n2;0.5;60\n4;0.5;0\n");
         CHECK(set.points[0].velocity == doctest::Approx(1).epsilon(1e-12));
