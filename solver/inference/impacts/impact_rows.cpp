@@ -482,14 +482,15 @@ bool may_be_mean(double value, double mean, double velocity, double finest) {
     return is_rounded_to_digits(value, mean) || is_rounded(value, mean, finest);
 }
 
-/// Whether a row behind each whole group of so many holds their means.
-/// @param behind rows behind each group, the first of them with the means
-bool holds_means_of_groups(std::span<const MeasuredRow> rows, std::size_t group, std::size_t behind) {
-    const std::size_t period = group + behind;
+/// Whether a row beside each whole group of so many holds their means.
+/// @param beside rows behind each group, or in front of it, the first of them with the means
+bool holds_means_of_groups(std::span<const MeasuredRow> rows, std::size_t group, std::size_t beside,
+                           bool in_front) {
+    const std::size_t period = group + beside;
     std::size_t evidence = 0;  // numbers that equal means hardly by chance
     for (std::size_t first = 0; first + period <= rows.size(); first += period) {
-        const Block block = Block::of(rows.subspan(first, group));
-        const MeasuredRow& row = rows[first + group];
+        const Block block = Block::of(rows.subspan(in_front ? first + beside : first, group));
+        const MeasuredRow& row = rows[in_front ? first : first + group];
         for (std::size_t k = 0; k < row.values.size(); ++k) {
             const Moments& moments = block.values[k];
             if (!may_be_mean(row.values[k], moments.mean, block.values[0].mean, block.finest[k]))
@@ -506,8 +507,11 @@ void refuse_means_of_groups(std::span<const MeasuredRow> rows) {
     constexpr std::size_t fewest = 3;
     constexpr std::size_t most = 20;
     for (std::size_t group = fewest; group <= most; ++group)
-        for (const std::size_t behind : {1, 2})
-            if (holds_means_of_groups(rows, group, behind)) refuse_summary_row(rows[group].line, "the means");
+        for (const std::size_t beside : {1, 2})
+            for (const bool in_front : {false, true})
+                if (holds_means_of_groups(rows, group, beside, in_front))
+                    refuse_summary_row(rows[in_front ? 0 : group].line, "the means",
+                                       in_front ? "below" : "above");
 }
 
 }  // namespace
@@ -638,7 +642,7 @@ std::vector<std::optional<std::size_t>> RepeatedRows::earlier() const {
     return found;
 }
 
-void RepeatedRows::refuse() const {
+std::optional<Finding> RepeatedRows::doubtful() const {
     constexpr double chance_of_row = 1.0 / 200.0;  // that two rows of two digits are equal, or less
     constexpr double chance_of_table = 1e-4;
     constexpr std::size_t fewest_in_order = 3;
@@ -670,16 +674,15 @@ void RepeatedRows::refuse() const {
             allowed);
     }
     const auto precise = static_cast<std::size_t>(std::ranges::count_if(rows_, &Row::is_precise));
-    if (copies < fewest || 3 * copies < precise || static_cast<double>(copies) < 2 * pairs_by_chance())
-        return;
+    if (copies < fewest_in_order || static_cast<double>(copies) < 2 * pairs_by_chance()) return std::nullopt;
     const auto first = static_cast<std::size_t>(
         std::ranges::find_if(before, [](const auto& row) { return row.has_value(); }) - before.begin());
-    refuse_line(
-        rows_[first].line,
-        fmt::format("the row repeats that of line {}, and {} of {} rows repeat others: they may be there "
-                    "twice, or be other measurements",
-                    rows_[*before[first]].line, copies, rows_.size()),
-        allowed);
+    const std::string repeats = fmt::format(
+        "the row repeats that of line {}, and {} of {} rows repeat others: they may be there "
+        "twice, or be other measurements",
+        rows_[*before[first]].line, copies, rows_.size());
+    if (copies >= fewest && 3 * copies >= precise) refuse_line(rows_[first].line, repeats, allowed);
+    return Finding{impacts_code, Severity::doubt, fmt::format("line {}: {}", rows_[first].line, repeats)};
 }
 
 std::string RowLabels::summary_in(const TableRow& row) const {

@@ -130,8 +130,9 @@ class RepeatedRows {
 
     /// Refuses rows that repeat others in the same order, three or more, or that are a third of all evidence,
     /// five or more and twice as many as chance gives. Fewer may be equal by chance, as velocities in whole
-    /// pixels are. @throws InputError at the first such line
-    void refuse() const;
+    /// pixels are. @return a doubt about three or more that are twice as many as chance gives
+    /// @throws InputError at the first such line
+    [[nodiscard]] std::optional<Finding> doubtful() const;
 
   private:
     struct Row {

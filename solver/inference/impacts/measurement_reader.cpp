@@ -965,7 +965,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
             refuse_summaries(measured, set.warnings);
         }
     }
-    repeated.refuse();
+    if (auto doubt = repeated.doubtful()) set.warnings.push_back(*std::move(doubt));
     if (heading.correlation && !set.has_noise())
         throw InputError(
             "the correlation of two velocities is that of their uncertainties, which are not stated",
