@@ -397,6 +397,7 @@ TEST_CASE("cells of .xlsx hold what the spreadsheet shows") {
                                         {"TRIMMEAN(B1:B3,0.2)", true},
                                         {"-INTERCEPT(C1:C3,D1:D3)/SLOPE(C1:C3,D1:D3)", true},
                                         {"FORECAST(0,C1:C3,D1:D3)", true},
+                                        {"AVERAGE(B5:B9)", true},
                                         {"SLOPE(C4:C9,D4:D9)", false},
                                         {"AVERAGE(C4:E4)", false},
                                         {"SUM(C1:C3)", false},

@@ -180,10 +180,13 @@ void Sheet::see_formula(std::size_t row, std::size_t column, const std::string& 
         return letters + digits;
     };
     const std::size_t last = std::stoul(match.str(4));
-    const bool above = std::stoul(match.str(2)) < last && last <= row;
+    const std::size_t first = std::stoul(match.str(2));
+    const bool above = last <= row;
+    const bool apart = first < last && (above || first > row + 1);
     const std::string own = cell_name(last - 1, column);
     const bool of_column = cell(match.str(1), match.str(4)) == own && cell(match.str(3), match.str(4)) == own;
-    if (above && (of_column || std::regex_search(formula, regression))) summaries_.insert(row + 1);
+    if (apart && (of_column || std::regex_search(formula, regression)))
+        summaries_.emplace(row + 1, above ? "above" : "below");
 }
 
 std::size_t Sheet::hidden_columns() const {

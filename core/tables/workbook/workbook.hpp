@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -47,8 +48,8 @@ class Sheet {
     [[nodiscard]] bool hidden() const { return hidden_; }
     [[nodiscard]] std::size_t hidden_rows() const { return hidden_rows_; }
     [[nodiscard]] std::size_t hidden_columns() const;
-    /// Rows, counted from one, with a formula that sums up rows above.
-    [[nodiscard]] const std::set<std::size_t>& summaries() const { return summaries_; }
+    /// Rows, counted from one, with a formula that sums up rows "above" or "below".
+    [[nodiscard]] const std::map<std::size_t, std::string_view>& summaries() const { return summaries_; }
     /// Memory that the cells take, about.
     [[nodiscard]] std::size_t bytes() const { return bytes_ + cells_ * sizeof(std::string); }
     [[nodiscard]] InputError too_large() const;
@@ -80,7 +81,7 @@ class Sheet {
     std::size_t bytes_ = 0;  ///< of the texts
     std::size_t hidden_rows_ = 0;
     std::vector<std::pair<std::size_t, std::size_t>> hidden_columns_;  ///< first ones and how many
-    std::set<std::size_t> summaries_;
+    std::map<std::size_t, std::string_view> summaries_;
     std::string covered_{}, spanning_{};
     std::size_t merged_ = 0;  ///< cells of ranges that were looked at
     std::vector<Comment> comments_{};
@@ -113,8 +114,11 @@ class TableFile {
     /// @throws InputError if no sheet, or more than one, holds such a table, or none has that name
     TableFile(std::string_view bytes, const SheetRequest& request);
 
-    /// Whether a formula in a line sums up lines above it.
-    [[nodiscard]] bool sums_up(std::size_t line) const { return summaries_.contains(line); }
+    /// The side on which a formula in a line sums up others, "above" or "below"; none without one.
+    [[nodiscard]] std::optional<std::string_view> sums_up(std::size_t line) const {
+        const auto found = summaries_.find(line);
+        return found == summaries_.end() ? std::nullopt : std::optional(found->second);
+    }
 
     /// The name of the sheet; none: the file is a text.
     [[nodiscard]] const std::optional<std::string>& sheet() const { return name_; }
@@ -142,7 +146,7 @@ class TableFile {
     std::optional<std::string> name_{};  ///< of the sheet; none: the file is a text
     std::size_t rows_ = 0;               ///< of the sheet; comments on its cells follow
     std::unique_ptr<TextLines> lines_;
-    std::set<std::size_t> summaries_;
+    std::map<std::size_t, std::string_view> summaries_;
     std::vector<Finding> findings_;
 };
 

@@ -265,7 +265,7 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
     }
     for (Finding& each : marks.findings(code)) findings.push_back(std::move(each));
     if (!row_labels.number_rows()) refuse_summaries(measured, findings);
-    repeated.refuse();
+    if (auto doubt = repeated.doubtful()) findings.push_back(*std::move(doubt));
     if (found.empty()) refuse_line(file.last_line(), "there are no rows below the heading", size_headings);
     return found;
 }

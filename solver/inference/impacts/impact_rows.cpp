@@ -202,6 +202,12 @@ bool RowLabels::Column::stands_between(std::string_view label) const {
     return found != labels.end() && found->second.follows && others >= 2 * found->second.rows;
 }
 
+bool RowLabels::Column::stands_alone(std::string_view label) const {
+    const auto found = labels.find(lower_case(label));
+    return found != labels.end() && found->second.rows > 1 && others == empty &&
+           empty >= 2 * found->second.rows;
+}
+
 RowLabels::RowLabels(const LabelColumns& heading, std::span<const TextLine> lines, char separator) {
     for (const auto* all : {&heading.unused, &heading.remarks})
         for (const TextColumn& column : *all)
@@ -301,7 +307,8 @@ void RowLabels::refuse_sign(const Column& column, const TableRow& row) {
     const std::string_view label = label_in(cell);
     const bool is_label =
         column.column.position == 0 || (column.labels_rows() && column.numbers + column.measures > 0);
-    if (!is_label || !is_sign(label) || column.has_letters || !column.stands_between(label)) return;
+    const bool behind_groups = is_sign(label) && !column.has_letters && column.stands_between(label);
+    if (!is_label || !(behind_groups || column.stands_alone(label))) return;
     throw InputError(
         in_quotes(cell) + " in " + name_of(column.column) + " may be a name, or the row sums up others",
         "\"mean\" or \"SD\" for such rows, or a longer name")
@@ -324,7 +331,7 @@ void RowLabels::refuse_figures_beside(const Column& label, const TableRow& row) 
 
 void RowLabels::refuse_named_summary(const Column& column, const TableRow& row) {
     const std::string& cell = row.cells[column.column.position];
-    const std::size_t rows = column.numbers + column.measures + column.texts;
+    const std::size_t rows = column.numbers + column.measures + column.texts + column.empty;
     if (column.labels_rows() && !column.is_remark && column.named_summaries < rows &&
         names_summary(label_in(cell)))
         throw InputError(in_quotes(cell) + " in " + name_of(column.column) +
@@ -492,9 +499,12 @@ bool holds_means_of_groups(std::span<const MeasuredRow> rows, std::size_t group,
         const Block block = Block::of(rows.subspan(in_front ? first + beside : first, group));
         const MeasuredRow& row = rows[in_front ? first : first + group];
         for (std::size_t k = 0; k < row.values.size(); ++k) {
-            const Moments& moments = block.values[k];
-            if (!may_be_mean(row.values[k], moments.mean, block.values[0].mean, block.finest[k]))
-                return false;
+            const auto may_be = [&](const Moments& of) {
+                return may_be_mean(row.values[k], of.mean, block.values[0].mean, block.finest[k]);
+            };
+            const bool leaves_captures_out = k == 1 && !may_be(block.values[k]);  // as spreadsheets do
+            const Moments& moments = leaves_captures_out ? block.rebounds[k] : block.values[k];
+            if (leaves_captures_out && (moments.count == 0 || !may_be(moments))) return false;
             const bool varies = moments.maximum > moments.minimum;
             evidence += varies && is_rounded(row.values[k], moments.mean, block.finest[k]) ? 1 : 0;
         }

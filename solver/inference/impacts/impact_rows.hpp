@@ -82,6 +82,8 @@ class RowLabels {
         }
         /// Whether each row with a label stands behind others, of which there are at least twice as many.
         [[nodiscard]] bool stands_between(std::string_view label) const;
+        /// Whether the label is in some rows, and all rows without such a label have none.
+        [[nodiscard]] bool stands_alone(std::string_view label) const;
         void take(std::string_view cell);
     };
     void find_footer(std::span<const TextLine> lines, char separator);

@@ -1001,7 +1001,8 @@ MeasurementSet read_measurements(std::string_view text, std::string_view name, c
         return file.read([&](const TextLines& lines) {
             MeasurementSet set = read_table(lines, name, options.decimal);
             for (const Measurement& point : set.points)
-                if (file.sums_up(point.line)) refuse_summary_row(point.line, "a formula");
+                if (const auto where = file.sums_up(point.line))
+                    refuse_summary_row(point.line, "a formula", std::string(*where));
             file.add_findings(set.warnings);
             set.sheet = file.sheet().value_or("");
             validate(set);

@@ -790,6 +790,30 @@ TEST_CASE("rows that sum up others are left out with a remark, and no row of a s
     CHECK(of("1;1,5;0,5;\n2;2,5;0,9;\n;2;0,7;Mittelwert\n").points.size() == 2);
 }
 
+TEST_CASE(
+    "rows that alone have a label, which may call them means, are refused on either side of their groups") {
+    const auto refusal = [](const std::string& first, const std::string& second, bool in_front) {
+        const std::string means = first + ";1.56;0.2\n";
+        const std::string other = second + ";1.95;0.37\n";
+        const std::string rows = ";1.40;0.1\n;1.55;0.2\n;1.73;0.3\n;1.56;0.19\n";
+        const std::string others = ";1.81;0.3\n;1.95;0.4\n;2.12;0.5\n;1.9;0.3\n";
+        const std::string text = in_front ? means + rows + other + others : rows + means + others + other;
+        return input_error_of(
+            [&] { static_cast<void>(read_measurements("Reihe;v_in [m/s];v_r [m/s]\n" + text, "t.csv")); });
+    };
+    for (const bool in_front : {true, false})
+        for (const auto& [first, second] : {std::pair{"MW 1", "MW 2"},
+                                            {"avg 1", "avg 2"},
+                                            {"\u00d8 Reihe 1", "\u00d8 Reihe 2"},
+                                            {"Serie 1 Mittel", "Serie 2 Mittel"}})
+            CHECK_MESSAGE(contains(refusal(first, second, in_front), "or the row sums up others"), first);
+    for (const char* label : {"\u00d8", "MW", "M"})
+        CHECK_MESSAGE(contains(refusal(label, label, true), "may be a name, or the row sums up others"),
+                      label);
+    CHECK(refusal("A", "B", true).empty());
+    CHECK(refusal("M", "B", true).empty());
+}
+
 TEST_CASE("rows behind each group that a short word calls their mean are no impacts") {
     const auto table = [](const std::string& label, bool is_first, const std::string& group) {
         std::string text = is_first ? "group;v_in [m/s];v_r [m/s]\n" : "v_in [m/s];v_r [m/s];group\n";
@@ -1055,6 +1079,11 @@ TEST_CASE("a last row without a label that holds the means of the others is refu
     captured_first += "1.215;0.044\n1.328;0.082\n1.46;0.117\n1.605;0.169\n1.40200;0.10300\n0.1688;0.0529\n";
     CHECK(contains(input_error_of([&] { return read_measurements(captured_first, "t.csv"); }),
                    "line 6: the row holds the means of the rows above"));
+    std::string without_words = "v_in;v_r\n0.649;haftet\n0.720;haftet\n0.648;haftet\n0.672;haftet\n";
+    without_words += "0.964;0.001\n0.852;haftet\n0.956;0.015\n0.924;0.008\n";
+    without_words += "1.215;0.044\n1.328;haftet\n1.46;0.117\n1.334;0.081\n";
+    CHECK(contains(input_error_of([&] { return read_measurements(without_words, "t.csv"); }),
+                   "line 5: the row holds the means of the rows above"));
     std::string means_first = "v_in;v_r\n0.7565;0.000\n0.765;0.0\n0.744;0.0\n0.774;0.0\n0.743;0.0\n";
     means_first += "0.96925;0.00200\n0.844;0.0\n0.922;0.0\n1.008;0.0\n1.103;0.008\n";
     means_first += "1.40200;0.10300\n1.215;0.044\n1.328;0.082\n1.46;0.117\n1.605;0.169\n";
