@@ -51,10 +51,10 @@ bool restitution_depends_on_velocity(DampingLaw law, const ContactPair& contact)
     });
 }
 
-Damping damping_without_adhesion(DampingLaw law, const ContactPair& contact, double velocity,
+Damping damping_without_adhesion(DampingLaw law, Detachment end, const ContactPair& contact, double velocity,
                                  double restitution) {
     return damping_from_restitution({.law = Law::without_attraction(),
-                                     .detachment = Detachment::zero_overlap,
+                                     .detachment = end,
                                      .damping_law = law,
                                      .contact = contact,
                                      .velocity = velocity,

@@ -14,10 +14,10 @@ namespace ashimpact {
 /// no unit of the law's coefficients depends on it.
 [[nodiscard]] bool restitution_depends_on_velocity(DampingLaw law, const ContactPair& contact);
 
-/// The damping with which a Hertz impact that ends at zero overlap has that restitution, exactly.
-/// @param velocity [m/s] @throws InputError if no damping gives it
-[[nodiscard]] Damping damping_without_adhesion(DampingLaw law, const ContactPair& contact, double velocity,
-                                               double restitution);
+/// The damping with which a Hertz impact that ends so has that restitution, exactly.
+/// @param end zero_overlap or zero_force @param velocity [m/s] @throws InputError if no damping gives it
+[[nodiscard]] Damping damping_without_adhesion(DampingLaw law, Detachment end, const ContactPair& contact,
+                                               double velocity, double restitution);
 
 /// What a DEM code makes of a requested restitution, without adhesion. All of these codes take the damping of
 /// Tsuji et al. 1992, eta = C sqrt(m k) delta^(1/4), each with its own C, so that no velocity enters.

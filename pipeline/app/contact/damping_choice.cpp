@@ -57,16 +57,17 @@ DampingChoice read_damping_choice(const CommandOptions& options, const ContactPa
         throw InputError("both are given", "one of the two").at("--damping, --damping-restitution");
     const RequestedRestitution requested{read_restitution(options),
                                          read_velocity(options, given.law, contact)};
+    const bool is_cut = options["--detachment"] == name_of(Detachment::zero_force);
     const Damping damping = at_place("--damping-restitution", [&] {
-        return damping_without_adhesion(given.law, contact, requested.velocity.value_or(1),
-                                        requested.restitution);
+        return damping_without_adhesion(given.law, is_cut ? Detachment::zero_force : Detachment::zero_overlap,
+                                        contact, requested.velocity.value_or(1), requested.restitution);
     });
     return {damping, requested};
 }
 
 std::string requested_words(const RequestedRestitution& requested, const Damping& damping) {
     return fmt::format(
-        "damping {} {}, for restitution {} {} without adhesion", name_of(damping.law),
+        "damping {} {}, for restitution {} {} without adhesion and yield", name_of(damping.law),
         readable(damping.coefficient, unit_of(damping.law)), shortest(requested.restitution),
         requested.velocity ? "at " + readable(*requested.velocity, "m/s") : std::string("at every velocity"));
 }
@@ -91,7 +92,7 @@ std::string requested_text(const DampingChoice& choice) {
     if (!choice.requested) return "";
     TextList list;
     list.add("damping for a restitution",
-             fmt::format("{} without adhesion{}", shortest(choice.requested->restitution),
+             fmt::format("{} without adhesion and yield{}", shortest(choice.requested->restitution),
                          choice.requested->velocity ? " at " + readable(*choice.requested->velocity, "m/s")
                                                     : std::string(", at every velocity")));
     for (const CodeRestitution& code : restitution_in_codes(choice.requested->restitution))

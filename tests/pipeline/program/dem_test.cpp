@@ -52,8 +52,12 @@ TEST_CASE("a damping for a restitution gives it without adhesion, and less with 
         CHECK(si_value(answer["codes"][1]["restitution"]) == doctest::Approx(0.3).epsilon(1e-9));
     }
     const std::string text = succeeded(sandbox, impact + " --law dmt").out;
-    CHECK(text == containing("damping for a restitution       0.3 without adhesion at 2 m/s"));
+    CHECK(text == containing("damping for a restitution       0.3 without adhesion and yield at 2 m/s"));
     CHECK(text == containing("LAMMPS 20220106 asked for it"));
+    const Json cut = answer_of(sandbox, "impact --velocity '2 m/s'" + dem_ash +
+                                            " --law hertz --detachment zero-force --damping-law tsuji "
+                                            "--damping-restitution 0.5");
+    CHECK(relative_difference(si_value(cut["restitution"]), 0.5) < 1e-12);
     const std::string of_law = " --law dmt" + dem_ash + requested;
     CHECK(si_value(answer_of(sandbox, "critical-velocity" + of_law)["damping_restitution"]["damping"]) ==
           si_value(answer_of(sandbox, impact + " --law dmt")["damping"]));

@@ -121,14 +121,14 @@ TEST_CASE("a requested restitution is what a Hertz impact of that velocity has, 
     const ContactPair contact = ash(0.3);
     for (const DampingLaw law : all_values<DampingLaw>) {
         CAPTURE(name_of(law));
-        const Damping damping = damping_without_adhesion(law, contact, 2.0, 0.3);
-        const auto e = [&](double velocity) {
-            return solve_impact(
-                       {Law::without_attraction(), Detachment::zero_overlap, damping, contact, velocity})
-                .restitution;
-        };
-        CHECK(relative_difference(e(2.0), 0.3) < 1e-12);
-        CHECK((relative_difference(e(4.0), 0.3) > 1e-6) == restitution_depends_on_velocity(law, contact));
+        for (const Detachment end : {Detachment::zero_overlap, Detachment::zero_force}) {
+            const Damping damping = damping_without_adhesion(law, end, contact, 2.0, 0.3);
+            const auto e = [&](double velocity) {
+                return solve_impact({Law::without_attraction(), end, damping, contact, velocity}).restitution;
+            };
+            CHECK(relative_difference(e(2.0), 0.3) < 1e-12);
+            CHECK((relative_difference(e(4.0), 0.3) > 1e-6) == restitution_depends_on_velocity(law, contact));
+        }
     }
     CHECK_FALSE(restitution_depends_on_velocity(DampingLaw::tsuji, contact));
 }
@@ -180,9 +180,10 @@ TEST_CASE("the page for DEM users states what formulas in use deliver") {
         REQUIRE(at != std::string::npos);
         CHECK(contains(text.substr(at, text.find('\n', at) - at), row));
     }
-    CHECK(contains(
-        text, fmt::format("{:.4g} kg/s here",
-                          damping_without_adhesion(DampingLaw::constant, ash(0.3), 2.0, 0.3).coefficient)));
+    CHECK(contains(text, fmt::format("{:.4g} kg/s here",
+                                     damping_without_adhesion(DampingLaw::constant, Detachment::zero_overlap,
+                                                              ash(0.3), 2.0, 0.3)
+                                         .coefficient)));
     for (const double requested : {0.3, 0.5, 0.8}) {
         std::string row = fmt::format("| {} |", requested);
         for (const CodeRestitution& code : restitution_in_codes(requested))
@@ -195,7 +196,8 @@ TEST_CASE("the page for DEM users states what formulas in use deliver") {
 TEST_CASE("the page for DEM users states what cohesion leaves of a restitution") {
     const std::string text = page();
     const ContactPair contact = ash(0.3);
-    const Damping damping = damping_without_adhesion(DampingLaw::tsuji, contact, 1, 0.3);
+    const Damping damping =
+        damping_without_adhesion(DampingLaw::tsuji, Detachment::zero_overlap, contact, 1, 0.3);
     for (const char* name : {"hertz", "dmt", "jkr"}) {
         const Law law = Law::named(name);
         std::string row = "|";
