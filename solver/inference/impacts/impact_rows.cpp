@@ -223,6 +223,7 @@ RowLabels::RowLabels(const LabelColumns& heading, std::span<const TextLine> line
             column->take(cell);
         });
     find_footer(lines, separator);
+    find_header(lines, separator);
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         const Column& column = columns_[i];
         const auto found =
@@ -245,6 +246,20 @@ void RowLabels::find_footer(std::span<const TextLine> lines, char separator) {
         return;
     }
     footer_ = std::numeric_limits<std::size_t>::max();  // such words are then the names of all rows
+}
+
+void RowLabels::find_header(std::span<const TextLine> lines, char separator) {
+    std::size_t last = 0;
+    bool is_said = false;
+    for (const TextLine& line : lines) {
+        const TableRow row = cut_row(line, separator);
+        if (!is_summary(label_in(row.cells.front()))) {
+            header_ = is_said ? last : 0;
+            return;
+        }
+        is_said = is_said || sums_up(row);
+        last = row.line;
+    }
 }
 
 void RowLabels::require_one_verdict(std::span<const TextLine> lines, char separator, const Column& column,
@@ -292,14 +307,14 @@ bool RowLabels::sums_up(const TableRow& row) const {
 bool RowLabels::is_summary_label(const Column& column, const TableRow& row) const {
     if (column.column.position >= row.cells.size()) return false;
     const std::string& cell = row.cells[column.column.position];
-    const bool in_footer = column.column.position == 0 && row.line >= footer_;
+    const bool at_end = column.column.position == 0 && (row.line >= footer_ || row.line <= header_);
     const std::string_view label = label_in(cell);
     const bool is_numbered = !cell.empty() && is_digit(cell.front()) && read_coverage(label).stated.empty();
     if (cell.empty() || is_numbered || !is_summary(label)) return false;
     if (column.describes_rows) return false;
     const bool between =
         column.stands_between(label) && !is_sign(label) && (column.labels_rows() || !is_total(label));
-    return (!is_short(label) && column.labels_rows()) || between || in_footer || column.counts_rows();
+    return (!is_short(label) && column.labels_rows()) || between || at_end || column.counts_rows();
 }
 
 void RowLabels::refuse_sign(const Column& column, const TableRow& row) {

@@ -87,6 +87,7 @@ class RowLabels {
         void take(std::string_view cell);
     };
     void find_footer(std::span<const TextLine> lines, char separator);
+    void find_header(std::span<const TextLine> lines, char separator);
     void require_one_verdict(std::span<const TextLine> lines, char separator, const Column& column,
                              const ValidityColumn* validity) const;
     [[nodiscard]] bool sums_up(const TableRow& row) const;
@@ -100,6 +101,7 @@ class RowLabels {
     std::vector<Column> columns_;
     /// First line of the rows at the end that sum up others.
     std::size_t footer_ = std::numeric_limits<std::size_t>::max();
+    std::size_t header_ = 0;  ///< last line of such rows at the begin, one of which a long word says so of
 };
 
 /// The two numbers of a row, of which the second is 0 for a capture, and not a number where it is not known.

@@ -814,6 +814,18 @@ TEST_CASE(
     CHECK(refusal("M", "B", true).empty());
 }
 
+TEST_CASE("statistics above or below the impacts are no impacts, short words among them either") {
+    const std::string rows = "Ash;1,9;0,13\nAsh;3,04;0,36\nAsh;0,77;0\nAsh;2,2;0,19\nAsh;1,4;0,05\n";
+    for (const std::string& words :
+         {std::string("Mittelwert;1,86;0,15\nSD;0,8;0,14\nMin;0,77;0\nMax;3,04;0,36\n"),
+          std::string("moyenne;1,86;0,15\nmini;0,77;0\nmaxi;3,04;0,36\n")})
+        for (const std::string& text : {words + rows, rows + words}) {
+            CAPTURE(text);
+            CHECK(read_measurements("Probe;v_in [m/s];v_r [m/s]\n" + text, "t.csv").points.size() == 5);
+        }
+    CHECK(read_measurements("Probe;v_in [m/s];v_r [m/s]\nMax;1,3;0,1\n" + rows, "t.csv").points.size() == 6);
+}
+
 TEST_CASE("rows behind each group that a short word calls their mean are no impacts") {
     const auto table = [](const std::string& label, bool is_first, const std::string& group) {
         std::string text = is_first ? "group;v_in [m/s];v_r [m/s]\n" : "v_in [m/s];v_r [m/s];group\n";
