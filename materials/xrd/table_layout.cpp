@@ -947,15 +947,18 @@ void require_owners_of_uncertainties(const Table& table) {
     }
 }
 
-/// Refuses uncertainties that are of the mean before them, "wt%;Mittelwert;SD", beside amounts that are read.
-/// @throws InputError
+/// Refuses uncertainties that are of the mean before them, "wt%;Mittelwert;SD", beside amounts that are read,
+/// and those that would be read as amounts, "mean (wt%);2s (wt%)". @throws InputError
 void refuse_uncertainties_of_means(const Table& table) {
-    if (!table.has(Role::phase) || !names_amounts(table.headings)) return;
+    if (!table.has(Role::phase)) return;
+    const bool is_long = names_amounts(table.headings);
     for (std::size_t k = 1; k < table.headings.size(); ++k) {
         const Heading& heading = table.headings[k];
         const Heading& before = table.headings[k - 1];
-        if (heading.role == Role::uncertainty && heading.coverage.problem.empty() &&
-            before.role == Role::measure && names_mean(before.text))
+        const bool is_read = heading.role == Role::uncertainty
+                                 ? is_long && heading.coverage.problem.empty()
+                                 : heading.role != Role::measure && !heading.coverage.stated.empty();
+        if (is_read && (before.role == Role::measure || before.sums_up) && names_mean(before.text))
             refuse_line(table.heading_line,
                         "the uncertainties in column " + in_quotes(heading.written) + " may be of " +
                             in_quotes(before.written) + ", which is not read, or of the amounts",

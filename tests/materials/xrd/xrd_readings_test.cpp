@@ -408,6 +408,11 @@ TEST_CASE("names of samples, and headings, that change what amounts are") {
     CHECK(contains(refusal("Phase;wt%;Mittelwert;SD\nQuartz;20;21;1\nGlass;80;79;2\n"),
                    "the uncertainties in column \"SD\" may be of \"Mittelwert\""));
     CHECK(refusal("Phase;wt%;SD;Mittelwert;SD\nQuartz;20;1;21;1\nGlass;80;2;79;2\n").empty());
+    for (const char* heading :
+         {"Phase;mean (wt%);2\u03c3 (wt%)", "Phase;FA1;\n;mean;2SD", "Phase;FA1 [wt%];\n;mean;2\u03c3"})
+        CHECK_MESSAGE(contains(refusal(std::string(heading) + "\nQuartz;12.6;0.9\nMullite;28.2;1.2\n"),
+                               "which is not read, or of the amounts"),
+                      heading);
     CHECK(first_of("Phase;wt%;n;SD\nQuartz;20;3;1\n").analysis.phases[0].standard_uncertainty.value() ==
           doctest::Approx(0.01));
 }
