@@ -51,27 +51,30 @@ struct FractionUnit {
     HeadingUnit states;
     Scale scale;
 };
-constexpr std::array fraction_units{FractionUnit{"g/g", HeadingUnit::weight, Scale::fraction},
-                                    FractionUnit{"kg/kg", HeadingUnit::weight, Scale::fraction},
-                                    FractionUnit{"w/w", HeadingUnit::weight, Scale::not_stated},
-                                    FractionUnit{"m/m", HeadingUnit::weight, Scale::not_stated},
-                                    FractionUnit{"g/100g", HeadingUnit::weight, Scale::per_cent},
-                                    FractionUnit{"g/kg", HeadingUnit::weight, Scale::per_mille},
-                                    FractionUnit{"gkg-1", HeadingUnit::weight, Scale::per_mille},
-                                    FractionUnit{"mg/g", HeadingUnit::weight, Scale::per_mille},
-                                    FractionUnit{"mgg-1", HeadingUnit::weight, Scale::per_mille},
-                                    FractionUnit{"kg/t", HeadingUnit::weight, Scale::per_mille},
-                                    FractionUnit{"mg/kg", HeadingUnit::weight, Scale::ppm},
-                                    FractionUnit{"g/t", HeadingUnit::weight, Scale::ppm},
-                                    FractionUnit{"mgkg-1", HeadingUnit::weight, Scale::ppm},
-                                    FractionUnit{"ug/g", HeadingUnit::weight, Scale::ppm},
-                                    FractionUnit{"v/v", HeadingUnit::volume, Scale::not_stated},
-                                    FractionUnit{"m3/m3", HeadingUnit::volume, Scale::fraction},
-                                    FractionUnit{"cm3/cm3", HeadingUnit::volume, Scale::fraction},
-                                    FractionUnit{"mm3/mm3", HeadingUnit::volume, Scale::fraction},
-                                    FractionUnit{"l/l", HeadingUnit::volume, Scale::fraction},
-                                    FractionUnit{"ml/ml", HeadingUnit::volume, Scale::fraction},
-                                    FractionUnit{"vol/vol", HeadingUnit::volume, Scale::not_stated}};
+constexpr std::array fraction_units{
+    FractionUnit{"g/g", HeadingUnit::weight, Scale::fraction},
+    FractionUnit{"kg/kg", HeadingUnit::weight, Scale::fraction},
+    FractionUnit{"w/w", HeadingUnit::weight, Scale::not_stated},
+    FractionUnit{"m/m", HeadingUnit::weight, Scale::not_stated},
+    FractionUnit{"g/100g", HeadingUnit::weight, Scale::per_cent},
+    FractionUnit{"g/kg", HeadingUnit::weight, Scale::per_mille},
+    FractionUnit{"gkg-1", HeadingUnit::weight, Scale::per_mille},
+    FractionUnit{"mg/g", HeadingUnit::weight, Scale::per_mille},
+    FractionUnit{"mgg-1", HeadingUnit::weight, Scale::per_mille},
+    FractionUnit{"\u0433/\u043a\u0433", HeadingUnit::weight, Scale::per_mille},
+    FractionUnit{"\u043c\u0433/\u0433", HeadingUnit::weight, Scale::per_mille},
+    FractionUnit{"kg/t", HeadingUnit::weight, Scale::per_mille},
+    FractionUnit{"mg/kg", HeadingUnit::weight, Scale::ppm},
+    FractionUnit{"g/t", HeadingUnit::weight, Scale::ppm},
+    FractionUnit{"mgkg-1", HeadingUnit::weight, Scale::ppm},
+    FractionUnit{"ug/g", HeadingUnit::weight, Scale::ppm},
+    FractionUnit{"v/v", HeadingUnit::volume, Scale::not_stated},
+    FractionUnit{"m3/m3", HeadingUnit::volume, Scale::fraction},
+    FractionUnit{"cm3/cm3", HeadingUnit::volume, Scale::fraction},
+    FractionUnit{"mm3/mm3", HeadingUnit::volume, Scale::fraction},
+    FractionUnit{"l/l", HeadingUnit::volume, Scale::fraction},
+    FractionUnit{"ml/ml", HeadingUnit::volume, Scale::fraction},
+    FractionUnit{"vol/vol", HeadingUnit::volume, Scale::not_stated}};
 
 /// The unit of a text such as "g/kg" or "% (m/m)"; null if it is none of these.
 const FractionUnit* fraction_unit(std::string_view text) {
@@ -499,7 +502,7 @@ Scale scale_in_unit(std::string_view text) {
     });
     if (!is_unit || text.size() > longest_heading || is_digit(text.front())) return Scale::not_stated;
     static const WordLists per_mille("per mille");
-    if (per_mille.holds(text)) return Scale::per_mille;
+    if (per_mille.holds(text) || text.find("\u2030") != std::string_view::npos) return Scale::per_mille;
     const Heading unit = read_heading("x [" + std::string(text) + "]");
     const bool by_weight = unit.states == HeadingUnit::weight || unit.states == HeadingUnit::fraction;
     return by_weight ? unit.scale : Scale::not_stated;  // require_basis() refuses volumes
