@@ -108,9 +108,14 @@ bool may_be_relative(const Heading& heading) {
 
 bool names_other_basis(const Heading& heading) {
     const bool may_be_amounts = heading.role == Role::other || heading.role == Role::weight;
-    if (!may_be_amounts || heading.states == HeadingUnit::weight || heading.states == HeadingUnit::volume)
-        return false;
+    if (!may_be_amounts || heading.states == HeadingUnit::volume) return false;
+    const bool by_weight = heading.states == HeadingUnit::weight;  // "FA1 volume content %" states none
+    if (by_weight && bases_in(heading.written, false).contains("weight")) return false;
     auto bases = bases_in(heading.text, false);
+    if (by_weight)  // "Surface [g/kg]"
+        std::erase_if(bases, [](std::string_view basis) {
+            return basis != "volume" && basis != "mode" && basis != "mole";
+        });
     bases.erase("weight");
     bases.erase("number");                                    // "Number 5" is a name
     const bool is_name = words_in(heading.text).size() == 1;  // "Surface", unlike "FA1 area"

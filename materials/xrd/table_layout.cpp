@@ -1333,6 +1333,12 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
         require_no_common_uncertainty(group.text, group.text, group.line);
         refuse_factor(group.text, group.text, group.line);
     }
+    for (const TextBeside& group : groups)
+        if (!is_unit(group.text) && (std::ranges::any_of(group.text, is_digit) ||
+                                     !read_coverage(group.text).problem.empty()))  // "n=3, P=0.95"
+            cut.findings.push_back(
+                {xrd_code, Severity::remark,
+                 in_quotes(group.text) + " stands over several columns: of it a unit counts, nothing else"});
     std::ranges::move(groups, std::back_inserter(cut.texts));
     TableRow names = cut.heading;
     const std::vector<std::size_t> repeated = take_sides(names, cut.rows, cut.separator);
