@@ -680,8 +680,10 @@ void find_amounts_with_uncertainties(Table& table) {
     std::string before;
     for (Heading& heading : table.headings) {
         if (heading.role == Role::uncertainty && !heading.text.empty() && heading.text != before &&
-            !is_uncertainty_word(heading.text))
+            !is_uncertainty_word(heading.text)) {
             heading.role = Role::other;
+            if (names_other_basis(heading)) heading.role = Role::measure;
+        }
         if (heading.role == Role::other) before = heading.text;
     }
 }
