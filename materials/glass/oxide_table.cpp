@@ -517,7 +517,9 @@ class OxideTable {
         for (const std::string& cell : row.cells) sides.push_back(uncertainty_side(cell));
         const auto below =
             std::ranges::find_if(rows_, [&](const TableRow& each) { return each.line > row.line; });
-        const auto repeated = repeated_sides(sides, row, std::span(below, rows_.end()));
+        const std::span<const TableRow> rows(rows_);
+        const auto repeated =
+            repeated_sides(sides, row, rows.subspan(static_cast<std::size_t>(below - rows_.begin())));
         std::string name;
         for (std::size_t k = 0; k < row.cells.size(); ++k) {
             const std::string& cell = sides[k] ? sides[k]->text : row.cells[k];  // "err" of "-err"

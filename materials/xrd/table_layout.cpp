@@ -1287,7 +1287,7 @@ void require_plain_sample(const std::string& name, std::size_t line) {
 std::vector<std::size_t> take_sides(TableRow& headings, std::span<const TextLine> lines, char separator) {
     std::vector<std::optional<UncertaintySide>> sides;
     for (const std::string& cell : headings.cells) sides.push_back(uncertainty_side(cell));
-    if (std::ranges::none_of(sides, [](const auto& side) { return side.has_value(); })) return {};
+    if (!std::ranges::any_of(sides, [](const auto& side) { return side.has_value(); })) return {};
     std::vector<TableRow> rows;
     for (const TextLine& line : lines) rows.push_back(cut_row(line, separator));
     std::vector<std::size_t> repeated = repeated_sides(sides, headings, rows);
