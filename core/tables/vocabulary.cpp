@@ -540,7 +540,7 @@ bool is_uncertainty_word(std::string_view text) {
 
 namespace {
 
-/// Removes the word or sign for a side from the begin or end of a text. @return whether it is the upper one
+/// Removes the word or sign for a side from the start or end of a text. @return whether it is the upper one
 std::optional<bool> take_side(std::string& text) {
     static const WordLists words("uncertainty sides");
     constexpr std::array<std::pair<std::string_view, bool>, 6> signs{

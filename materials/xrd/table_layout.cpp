@@ -1335,12 +1335,16 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
         require_no_common_uncertainty(group.text, group.text, group.line);
         refuse_factor(group.text, group.text, group.line);
     }
-    for (const TextBeside& group : groups)
-        if (!is_unit(group.text) && (std::ranges::any_of(group.text, is_digit) ||
-                                     !read_coverage(group.text).problem.empty()))  // "n=3, P=0.95"
+    for (const TextBeside& group : groups) {
+        const bool is_name = std::ranges::any_of(
+            cut.heading.cells, [&](const std::string& cell) { return cell.starts_with(group.text); });
+        const bool holds_more = std::ranges::any_of(group.text, is_digit) ||  // "wt% (n=3, P=0.95)"
+                                !read_coverage(group.text).problem.empty();
+        if (!is_name && !is_unit(group.text) && holds_more)
             cut.findings.push_back(
                 {xrd_code, Severity::remark,
-                 in_quotes(group.text) + " stands over several columns: of it a unit counts, nothing else"});
+                 "of the heading " + in_quotes(group.text) + " over several columns only the unit is read"});
+    }
     std::ranges::move(groups, std::back_inserter(cut.texts));
     TableRow names = cut.heading;
     const std::vector<std::size_t> repeated = take_sides(names, cut.rows, cut.separator);

@@ -101,7 +101,8 @@ class RowLabels {
     std::vector<Column> columns_;
     /// First line of the rows at the end that sum up others.
     std::size_t footer_ = std::numeric_limits<std::size_t>::max();
-    std::size_t header_ = 0;  ///< last line of such rows at the begin, one of which a long word says so of
+    /// Last line of such rows at the start of the table, of which one has a label longer than three letters.
+    std::size_t header_ = 0;
 };
 
 /// The two numbers of a row, of which the second is 0 for a capture, and not a number where it is not known.

@@ -759,6 +759,7 @@ TEST_CASE("a heading over two rows") {
         read_xrd("Phase;FA1;;FA2;\n;wt%;esd;wt%;esd\nQuartz;20;0.3;30;0.4\nGlass;80;1;70;1\n", "t.csv");
     REQUIRE(spread.samples.size() == 2);
     CHECK(spread.samples.back().name == "FA2");
+    CHECK(spread.warnings.empty());
     CHECK(digest(spread.samples.back()) == "Quartz 3000, Glass 7000");
     CHECK(spread.samples.back().analysis.phases.front().standard_uncertainty.value() ==
           doctest::Approx(0.004));
