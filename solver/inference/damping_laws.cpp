@@ -51,6 +51,7 @@ constexpr ReboundTableOptions fine{.lane_degree = 47, .scalar_degree = 13};
 constexpr std::size_t impacts_a_block = 2;  ///< at least, of neighbouring velocity
 constexpr std::size_t most_blocks = 40;     ///< of a sample
 constexpr std::size_t fewest_of_scatter = 3;
+constexpr double least_freedom = 0.05;           ///< of an impact that alone determines a constant
 constexpr double negligible_difference = 0.002;  ///< of e: what a model leaves out and a camera cannot see
 constexpr double rejected_below = 1e-3;          ///< probability of such differences by scatter alone
 
@@ -484,31 +485,49 @@ class DampingLawFit {
         return constants;
     }
 
+    /// Covariance of the constants from the differences that remain at each impact: the error of a measured
+    /// velocity counts most where e is steep, so that their variance is not the same for all. Each difference
+    /// is divided by what its impact leaves undetermined (HC3 of MacKinnon & White, J. Econometrics 29 (1985)
+    /// 305), and no variance is smaller than that of equal scatter.
+    /// @param slope of e as computed, a row an impact and a column a constant
+    [[nodiscard]] Eigen::MatrixXd covariance(const Eigen::MatrixXd& slope,
+                                             const Eigen::ArrayXd& differences) const {
+        const Eigen::MatrixXd weighted = weights_.matrix().asDiagonal() * slope;
+        const Eigen::MatrixXd inverse = (slope.transpose() * weighted).inverse();
+        const Eigen::ArrayXd leverage = (weighted * inverse).cwiseProduct(slope).rowwise().sum().array();
+        const Eigen::ArrayXd alone = differences / (1 - leverage).max(least_freedom);
+        const Eigen::MatrixXd scores = (inverse * weighted.transpose()) * alone.matrix().asDiagonal();
+        Eigen::MatrixXd covariance = scores * scores.transpose();
+        // A capture that the law captures, too, is no scatter of 0.
+        const auto told = ((slope.array() != 0).rowwise().any() || differences != 0).count();
+        const auto freedom = std::max<Eigen::Index>(1, told - slope.cols());
+        const Eigen::MatrixXd equal =
+            (weights_ * differences.square()).sum() / static_cast<double>(freedom) * inverse;
+        const Eigen::ArrayXd growth =
+            (equal.diagonal().array() / covariance.diagonal().array()).max(1.0).sqrt();
+        return growth.matrix().asDiagonal() * covariance * growth.matrix().asDiagonal();
+    }
+
     void set_constants(const NearbyRatios& nearby, const Eigen::VectorXd& shift, const Eigen::VectorXd& reach,
                        const Constants& constants, FittedDamping& result) const {
-        const Eigen::ArrayXd weights = weights_ / weights_.mean();
         const Eigen::MatrixXd slope = slopes(nearby, shift) * reach.cwiseInverse().asDiagonal();
-        const Eigen::MatrixXd information = slope.transpose() * weights.matrix().asDiagonal() * slope;
-        const auto freedom = std::max<Eigen::Index>(1, weights.size() - shift.size());
-        const double variance = result.misfit * result.misfit * static_cast<double>(weights.size()) /
-                                static_cast<double>(freedom);
-        const auto constant = [&](std::string_view name, Eigen::Index k, double remaining) {
-            return DampingConstant{name, constants[static_cast<std::size_t>(k)],
-                                   std::sqrt(variance / (information(k, k) * remaining)),
-                                   dimension_of(damping_law_)};
-        };
+        const Eigen::MatrixXd information = slope.transpose() * weights_.matrix().asDiagonal() * slope;
         if (!(information(0, 0) > 0)) return;
-        if (shift.size() == 1) {
-            result.constants = {constant("damping", 0, 1)};
-            return;
+        if (shift.size() == 2) {
+            const double product = information(0, 0) * information(1, 1);
+            result.correlation = product > 0 ? -information(0, 1) / std::sqrt(product) : -1;
+            if (std::abs(*result.correlation) > greatest_correlation) return;
         }
-        const double product = information(0, 0) * information(1, 1);
-        const double correlation = product > 0 ? -information(0, 1) / std::sqrt(product) : -1;
-        result.correlation = correlation;
-        if (std::abs(correlation) > greatest_correlation) return;
-        const double remaining = 1 - correlation * correlation;
-        result.constants = {constant("damping", 0, remaining),
-                            constant(second_parameter(damping_law_).name, 1, remaining)};
+        const Eigen::MatrixXd covariance = this->covariance(slope, differences_of(nearby.at(shift)));
+        const auto add = [&](std::string_view name, Eigen::Index k) {
+            result.constants.push_back({name, constants[static_cast<std::size_t>(k)],
+                                        std::sqrt(covariance(k, k)), dimension_of(damping_law_)});
+        };
+        add("damping", 0);
+        if (shift.size() == 1) return;
+        add(second_parameter(damping_law_).name, 1);
+        if (const double product = covariance(0, 0) * covariance(1, 1); product > 0)
+            result.correlation = covariance(0, 1) / std::sqrt(product);
     }
 
     /// Sums of an analysis of variance over blocks of impacts.

@@ -204,6 +204,43 @@ TEST_CASE("the constant of many scattered impacts is that of the truth within it
     }
 }
 
+TEST_CASE("constants scatter by their standard uncertainties where both velocities are read with error") {
+    const Law law = Law::named("jkr");
+    const ContactPair contact = sphere_of(30e-6);
+    for (const Damping& truth : {Damping{DampingLaw::constant, 0.004}, Damping{DampingLaw::tsuji, 0.3}}) {
+        CAPTURE(name_of(truth.law));
+        const double critical = *critical_velocity({law, law.default_detachment(), truth, contact}).value;
+        const ReboundTable table({law, law.default_detachment(), truth, contact, 1},
+                                 {0.3 * critical, 5 * critical});
+        std::mt19937 random(11);
+        std::normal_distribution<double> normal;
+        std::uniform_real_distribution<double> velocity(0.6 * critical, 3 * critical);
+        constexpr int tables = 100;
+        double squares = 0;
+        int held = 0;
+        for (int i = 0; i < tables; ++i) {
+            ImpactsOfSample sample{.contact = contact, .impacts = {}};
+            for (int k = 0; k < 40; ++k) {
+                const double v = velocity(random);
+                const double ratio = table.energy_ratio(std::log(v));
+                const double read = std::max(0.01 * critical, v + 0.1 * critical * normal(random));
+                const double rebound =
+                    ratio > 0 ? std::max(0.0, v * std::sqrt(ratio) + 0.1 * critical * normal(random)) : 0;
+                sample.impacts.push_back({.velocity = read, .rebound = rebound});
+            }
+            const FittedDamping own = fit_by(fits_of(law, {sample}), truth.law);
+            REQUIRE(own.constants.size() == 1);
+            const double z = (own.constants[0].value - truth.coefficient) / own.constants[0].uncertainty;
+            squares += z * z;
+            held += std::abs(z) < 1.96 ? 1 : 0;
+        }
+        MESSAGE(std::sqrt(squares / tables) << " " << held);
+        CHECK(std::sqrt(squares / tables) < 1.25);
+        CHECK(std::sqrt(squares / tables) > 0.8);
+        CHECK(held >= 89);
+    }
+}
+
 TEST_CASE("a capture bounds the damping: it counts only where the law lets the particle rebound") {
     const Law law = Law::named("dmt");
     const Damping truth{DampingLaw::constant, 0.005};
