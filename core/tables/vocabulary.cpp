@@ -479,6 +479,9 @@ StatedCoverage read_coverage(std::string_view heading) {
         return std::regex("\\b(?:" + words + ")[ -]+(?=standard|sigma|\u03c3|sd\\b|(?:e|\u00e9)cart)",
                           std::regex::icase | std::regex::ECMAScript);
     };
+    static const std::regex repeats(
+        R"([nN] *= *\d+ *[,;] *(?=[^()\[\]]*[)\]])| *[,;] *[nN] *= *\d+(?= *[)\]]))");
+    coverage.rest = std::regex_replace(coverage.rest, repeats, "");          // "FA1 (n=3, 2s)"
     static const std::regex probability(R"(\b[Pp] *= *0[.,](\d\d)(?!\d))");  // "P = 0.95"
     coverage.rest = std::regex_replace(coverage.rest, probability, "$1 %");
     static const std::regex twice = in_words("two|twice the|zwei|doppelte|deux|dos|due|twee");

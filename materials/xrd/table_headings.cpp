@@ -112,7 +112,7 @@ bool names_other_basis(const Heading& heading) {
     const bool by_weight = heading.states == HeadingUnit::weight;  // "FA1 volume content %" states none
     if (by_weight && bases_in(heading.written, false).contains("weight")) return false;
     auto bases = bases_in(by_weight ? heading.written : heading.text, false);
-    if (by_weight)  // "Surface [g/kg]"
+    if (by_weight && fraction_unit(heading.unit) != nullptr)  // "Surface [g/kg]"
         std::erase_if(bases, [](std::string_view basis) {
             return basis != "volume" && basis != "mode" && basis != "mole";
         });

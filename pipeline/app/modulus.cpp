@@ -369,6 +369,23 @@ std::vector<std::string> unused_own_phases(const std::vector<SampleEstimate>& sa
     return names;
 }
 
+/// Prints each text once, with the names of the samples that have it if they are not all.
+void warn_of_samples(const std::vector<SampleEstimate>& estimates,
+                     std::vector<Finding> SampleEstimate::*findings, const std::string& place) {
+    std::set<std::string> printed;
+    for (const SampleEstimate& estimate : estimates)
+        for (Finding finding : estimate.*findings) {
+            if (!printed.insert(finding.text).second) continue;
+            std::vector<std::string> names;
+            for (const SampleEstimate& other : estimates)
+                if (std::ranges::find(other.*findings, finding.text, &Finding::text) !=
+                    (other.*findings).end())
+                    names.push_back(other.name);
+            if (names.size() < estimates.size()) finding.text = joined(names) + ": " + finding.text;
+            warn_of({finding}, place);
+        }
+}
+
 void run_modulus_command(const CommandOptions& options, std::ostream& out) {
     const MixtureRule rule = at_place("--rule", [&] { return named<MixtureRule>(options["--rule"]); });
     const PhaseCatalogue catalogue = catalogue_of(options);
@@ -383,25 +400,21 @@ void run_modulus_command(const CommandOptions& options, std::ostream& out) {
         warn_of({{glass_code, Severity::remark,
                   fmt::format("one analysis counts for {} samples", samples.size())}},
                 options["--oxides"]);
-    std::set<std::string> printed;  // warnings; each text appears once, for all samples
-    const auto warn_once = [&](std::vector<Finding> findings, const std::string& place) {
-        std::erase_if(findings, [&](const Finding& each) { return !printed.insert(each.text).second; });
-        warn_of(findings, place);
-    };
     for (const XrdSample& sample : samples) {
         const XrdSample whole = completed(sample, options);
-        SampleEstimate estimate = at_place(FileName{options["file"]}, [&] {
+        estimates.push_back(at_place(FileName{options["file"]}, [&] {
             return naming_sample(result.samples.size() > 1 ? sample.name : std::string(),
                                  [&] { return estimated(whole, catalogue, oxides, options, rule); });
-        });
-        warn_once(estimate.warnings, options["file"]);
-        warn_once(estimate.oxide_warnings, options["--oxides"]);
-        estimate.warnings.insert(estimate.warnings.end(), estimate.oxide_warnings.begin(),
-                                 estimate.oxide_warnings.end());
-        const auto doubts = options.doubts();
-        estimate.warnings.insert(estimate.warnings.begin(), doubts.begin(), doubts.end());
-        estimate.warnings.insert(estimate.warnings.begin(), result.warnings.begin(), result.warnings.end());
-        estimates.push_back(std::move(estimate));
+        }));
+    }
+    warn_of_samples(estimates, &SampleEstimate::warnings, options["file"]);
+    warn_of_samples(estimates, &SampleEstimate::oxide_warnings, options["--oxides"]);
+    const auto doubts = options.doubts();
+    for (SampleEstimate& estimate : estimates) {
+        std::vector<Finding> all = result.warnings;
+        for (const auto& each : {doubts, estimate.warnings, estimate.oxide_warnings})
+            all.insert(all.end(), each.begin(), each.end());
+        estimate.warnings = std::move(all);
     }
 
     if (options.has("--phases"))

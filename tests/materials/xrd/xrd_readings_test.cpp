@@ -413,12 +413,17 @@ TEST_CASE("names of samples, and headings, that change what amounts are") {
         CHECK_MESSAGE(contains(refusal(std::string(heading) + "\nQuartz;12.6;0.9\nMullite;28.2;1.2\n"),
                                "which is not read, or of the amounts"),
                       heading);
-    for (const char* heading : {"FA1 volume fraction [%] (2s)", "FA1 volume content %",
-                                "FA1 Volumengehalt [%]", "FA1 Molgehalt [%]", "Molanteil % (2s)"})
+    for (const char* heading :
+         {"FA1 volume fraction [%] (2s)", "FA1 volume content %", "FA1 Volumengehalt [%]",
+          "FA1 Molgehalt [%]", "Molanteil % (2s)", "FA1 area fraction %", "FA1 QEMSCAN %"})
         CHECK_MESSAGE(
             !refusal("Phase;" + std::string(heading) + "\nQuartz;20 \u00b1 1\nGlass;80 \u00b1 2\n").empty(),
             heading);
     CHECK(refusal("Phase;Surface [wt%]\nQuartz;20\nGlass;80\n") == "");
+    for (const char* heading : {"FA1 (n=3, 2s) [wt%]", "FA1 [wt%] (2s, n = 3)", "wt% (2 sigma; n=5)"})
+        CHECK(first_of("Phase;" + std::string(heading) + "\nQuartz;20 \u00b1 1\nGlass;80 \u00b1 2\n")
+                  .analysis.phases[0]
+                  .standard_uncertainty.value() == doctest::Approx(0.005));
     CHECK(first_of("Phase;wt%;n;SD\nQuartz;20;3;1\n").analysis.phases[0].standard_uncertainty.value() ==
           doctest::Approx(0.01));
 }
