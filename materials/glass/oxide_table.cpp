@@ -390,6 +390,7 @@ class OxideTable {
         for (const OxideLine& each : headings_)  // "wt% (LOI-free)", unlike "SiO2"
             if (!is_content(each.role) && !each.heading.written.empty())
                 bases.push_back({heading.value_or(1), each.heading.written});
+        require_basis(bases, "weight");
         names.insert(names.end(), bases.begin(), bases.end());
         for (const auto& [statement, of] : {std::pair{"ignited sample", &names}, {"ignited heading", &bases}})
             if (const auto found = statements_in(*of); ignited.empty() && found.contains(statement))
@@ -416,6 +417,7 @@ class OxideTable {
             const std::string title = joined(rows_[i].cells);
             if (makes_statement({rows_[i].line, title}, {"ignited sample"}))
                 continue;  // the balance states it
+            require_basis({{rows_[i].line, title}}, "weight");
             note(at_line(rows_[i].line) + ", above the heading, is not read: " + title_in_quotes(title));
         }
     }

@@ -276,6 +276,7 @@ TEST_CASE("a line of text beside the table that states an amount is read, or ref
           {"# mol%\n" + wide, "states fractions by mole"},
           {"Sample;SiO2;Al2O3\nash (mol%);60;40\n", "states fractions by mole"},
           {"Sample;Unit;SiO2;Al2O3\nash;mol%;60;40\n", "states fractions by mole"},
+          {"Oxide;Mol-%;\n;FA1;FA2\nSiO2;60;50\nAl2O3;40;50\n", "states fractions by mole"},
           {"Oxid (Stoffmengenanteil);FA [%]\nSiO2;60\nAl2O3;40\n", "states fractions by mole"},
           {"Oxide;\u6469\u5c14%\nSiO2;60\nAl2O3;40\n", "no column holds amounts of oxides by weight"},
           {"Oxide;Molenbruch [%]\nSiO2;60\nAl2O3;40\n", "no column holds amounts of oxides by weight"}}) {
