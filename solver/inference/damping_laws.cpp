@@ -13,6 +13,7 @@
 #include "solver/batch/parallel.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
+#include "solver/statistics/interval.hpp"
 #include "solver/surrogate/rebound_table.hpp"
 
 namespace ashimpact {
@@ -488,7 +489,9 @@ class DampingLawFit {
     /// Covariance of the constants from the differences that remain at each impact: the error of a measured
     /// velocity counts most where e is steep, so that their variance is not the same for all. Each difference
     /// is divided by what its impact leaves undetermined (HC3 of MacKinnon & White, J. Econometrics 29 (1985)
-    /// 305), and no variance is smaller than that of equal scatter.
+    /// 305), and no variance is smaller than that of equal scatter. Few impacts may give most of it: it is
+    /// that of the normal distribution with the 95 % interval of Student's t, whose degrees of freedom are
+    /// the number of squares that count as much (Kish's, times 3 for squares of normal numbers).
     /// @param slope of e as computed, a row an impact and a column a constant
     [[nodiscard]] Eigen::MatrixXd covariance(const Eigen::MatrixXd& slope,
                                              const Eigen::ArrayXd& differences) const {
@@ -496,21 +499,65 @@ class DampingLawFit {
         const Eigen::MatrixXd inverse = (slope.transpose() * weighted).inverse();
         const Eigen::ArrayXd leverage = (weighted * inverse).cwiseProduct(slope).rowwise().sum().array();
         const Eigen::ArrayXd alone = differences / (1 - leverage).max(least_freedom);
-        const Eigen::MatrixXd scores = (inverse * weighted.transpose()) * alone.matrix().asDiagonal();
-        Eigen::MatrixXd covariance = scores * scores.transpose();
+        const Eigen::ArrayXXd scores =
+            ((inverse * weighted.transpose()) * alone.matrix().asDiagonal()).array();
+        const Eigen::MatrixXd covariance = scores.matrix() * scores.matrix().transpose();
         // A capture that the law captures, too, is no scatter of 0.
         const auto told = ((slope.array() != 0).rowwise().any() || differences != 0).count();
         const auto freedom = std::max<Eigen::Index>(1, told - slope.cols());
-        const Eigen::MatrixXd equal =
-            (weights_ * differences.square()).sum() / static_cast<double>(freedom) * inverse;
-        const Eigen::ArrayXd growth =
-            (equal.diagonal().array() / covariance.diagonal().array()).max(1.0).sqrt();
+        const Eigen::ArrayXd equal = (weights_ * differences.square()).sum() / static_cast<double>(freedom) *
+                                     inverse.diagonal().array();
+        Eigen::ArrayXd growth(slope.cols());
+        for (Eigen::Index k = 0; k < slope.cols(); ++k) {
+            const Eigen::ArrayXd squares = scores.row(k).square();
+            const double counting = std::min(3 * squares.sum() * squares.sum() / squares.square().sum(),
+                                             static_cast<double>(told));
+            const double degrees = std::max(1.0, counting - static_cast<double>(slope.cols()));
+            const double wider =
+                std::isfinite(degrees)
+                    ? gsl::student_quantile(0.5 + 0.5 * confidence, degrees) / confidence_quantile()
+                    : 1;
+            growth[k] = wider * std::sqrt(std::max(1.0, equal[k] / covariance(k, k)));
+        }
         return growth.matrix().asDiagonal() * covariance * growth.matrix().asDiagonal();
+    }
+
+    /// Changes of e as computed over a width to both sides of each constant, per its reach: e rises
+    /// vertically where capture ends, and a derivative there holds for no change that the impacts leave open.
+    [[nodiscard]] static Eigen::MatrixXd secants(const NearbyRatios& nearby, const Eigen::VectorXd& shift,
+                                                 const Eigen::VectorXd& widths) {
+        Eigen::MatrixXd secants(nearby.centre.size(), shift.size());
+        for (Eigen::Index k = 0; k < shift.size(); ++k) {
+            const auto e_at = [&](double width) -> Eigen::ArrayXd {
+                Eigen::VectorXd there = shift;
+                there[k] += width;
+                return nearby.at(there).max(0.0).sqrt();
+            };
+            secants.col(k) = ((e_at(widths[k]) - e_at(-widths[k])) / (2 * widths[k])).matrix();
+        }
+        return secants;
+    }
+
+    /// Covariance of the constants, in units of their reaches; the widths of its secants are its own standard
+    /// uncertainties.
+    [[nodiscard]] Eigen::MatrixXd covariance_near(const NearbyRatios& nearby,
+                                                  const Eigen::VectorXd& shift) const {
+        constexpr int most = 8;
+        constexpr double least_width = 1e-6;
+        constexpr double greatest_width = 4;  // beyond it e is no parabola
+        const Eigen::ArrayXd differences = differences_of(nearby.at(shift));
+        Eigen::VectorXd widths = Eigen::VectorXd::Ones(shift.size());
+        Eigen::MatrixXd found = covariance(secants(nearby, shift, widths), differences);
+        for (int i = 0; i < most && found.diagonal().allFinite(); ++i) {
+            widths = found.diagonal().cwiseSqrt().cwiseMax(least_width).cwiseMin(greatest_width);
+            found = covariance(secants(nearby, shift, widths), differences);
+        }
+        return found;
     }
 
     void set_constants(const NearbyRatios& nearby, const Eigen::VectorXd& shift, const Eigen::VectorXd& reach,
                        const Constants& constants, FittedDamping& result) const {
-        const Eigen::MatrixXd slope = slopes(nearby, shift) * reach.cwiseInverse().asDiagonal();
+        const Eigen::MatrixXd slope = slopes(nearby, shift);
         const Eigen::MatrixXd information = slope.transpose() * weights_.matrix().asDiagonal() * slope;
         if (!(information(0, 0) > 0)) return;
         if (shift.size() == 2) {
@@ -518,10 +565,10 @@ class DampingLawFit {
             result.correlation = product > 0 ? -information(0, 1) / std::sqrt(product) : -1;
             if (std::abs(*result.correlation) > greatest_correlation) return;
         }
-        const Eigen::MatrixXd covariance = this->covariance(slope, differences_of(nearby.at(shift)));
+        const Eigen::MatrixXd covariance = covariance_near(nearby, shift);
         const auto add = [&](std::string_view name, Eigen::Index k) {
             result.constants.push_back({name, constants[static_cast<std::size_t>(k)],
-                                        std::sqrt(covariance(k, k)), dimension_of(damping_law_)});
+                                        std::sqrt(covariance(k, k)) * reach[k], dimension_of(damping_law_)});
         };
         add("damping", 0);
         if (shift.size() == 1) return;
