@@ -204,18 +204,18 @@ TEST_CASE("the constant of many scattered impacts is that of the truth within it
     }
 }
 
-TEST_CASE("constants scatter by their standard uncertainties where both velocities are read with error") {
+TEST_CASE("a constant scatters by its standard uncertainty where both velocities are read with error") {
     const Law law = Law::named("jkr");
     const ContactPair contact = sphere_of(30e-6);
-    for (const Damping& truth : {Damping{DampingLaw::constant, 0.004}, Damping{DampingLaw::tsuji, 0.3}}) {
-        CAPTURE(name_of(truth.law));
-        const double critical = *critical_velocity({law, law.default_detachment(), truth, contact}).value;
-        const ReboundTable table({law, law.default_detachment(), truth, contact, 1},
-                                 {0.3 * critical, 5 * critical});
+    const Damping truth{DampingLaw::constant, 0.004};
+    const double critical = *critical_velocity({law, law.default_detachment(), truth, contact}).value;
+    const ReboundTable table({law, law.default_detachment(), truth, contact, 1},
+                             {0.3 * critical, 5 * critical});
+    for (const double noise : {0.1, 0.02}) {  // over v_c: a camera
         std::mt19937 random(11);
-        std::normal_distribution<double> normal;
+        std::normal_distribution<double> normal(0, noise * critical);
         std::uniform_real_distribution<double> velocity(0.6 * critical, 3 * critical);
-        constexpr int tables = 100;
+        constexpr int tables = 30;
         double squares = 0;
         int held = 0;
         for (int i = 0; i < tables; ++i) {
@@ -223,9 +223,8 @@ TEST_CASE("constants scatter by their standard uncertainties where both velociti
             for (int k = 0; k < 40; ++k) {
                 const double v = velocity(random);
                 const double ratio = table.energy_ratio(std::log(v));
-                const double read = std::max(0.01 * critical, v + 0.1 * critical * normal(random));
-                const double rebound =
-                    ratio > 0 ? std::max(0.0, v * std::sqrt(ratio) + 0.1 * critical * normal(random)) : 0;
+                const double read = v + normal(random);
+                const double rebound = ratio > 0 ? std::max(0.0, v * std::sqrt(ratio) + normal(random)) : 0;
                 sample.impacts.push_back({.velocity = read, .rebound = rebound});
             }
             const FittedDamping own = fit_by(fits_of(law, {sample}), truth.law);
@@ -234,10 +233,9 @@ TEST_CASE("constants scatter by their standard uncertainties where both velociti
             squares += z * z;
             held += std::abs(z) < 1.96 ? 1 : 0;
         }
-        MESSAGE(std::sqrt(squares / tables) << " " << held);
-        CHECK(std::sqrt(squares / tables) < 1.25);
-        CHECK(std::sqrt(squares / tables) > 0.8);
-        CHECK(held >= 89);
+        CHECK(std::sqrt(squares / tables) < 1.3);
+        CHECK(std::sqrt(squares / tables) > 0.7);
+        CHECK(held >= 26);
     }
 }
 
