@@ -58,6 +58,14 @@ bool is_sign(std::string_view label) {
     return signs.holds(label) || (label.size() == 1 && is_summary(label));
 }
 
+/// Whether a label begins as a range does: "1-4", and the date "2024-05-01".
+bool is_range(std::string_view label) {
+    const auto end = label.find_first_not_of("0123456789");
+    if (end == std::string_view::npos || end == 0) return false;
+    const std::string_view to = trimmed(label.substr(end));
+    return to.size() > 1 && to.front() == '-' && is_digit(trimmed(to.substr(1)).front());
+}
+
 /// Whether a label with a number in front is that of a statistic, "25 %" or "2s", or a range, "1-4".
 bool is_of_several(std::string_view label) {
     if (label.empty() || !is_digit(label.front())) return false;
@@ -65,10 +73,8 @@ bool is_of_several(std::string_view label) {
         return true;
     const std::string_view behind =
         label.substr(std::min(label.find_first_not_of("0123456789"), label.size()));
-    const std::string_view to = trimmed(behind);
-    const bool is_range = to.size() > 1 && to.front() == '-' && is_digit(trimmed(to.substr(1)).front());
     const bool is_quantile = is_summary(trimmed(behind.substr(std::min<std::size_t>(1, behind.size()))));
-    return is_range || is_quantile || !read_coverage(label).stated.empty();
+    return is_range(label) || is_quantile || !read_coverage(label).stated.empty();
 }
 
 bool has_letter(std::string_view text) {
@@ -165,6 +171,7 @@ void RowLabels::Column::take(std::string_view cell) {
     if (std::ranges::any_of(cell, is_digit)) {
         ++with_digit;
         lettered += has_letter(cell) ? 1 : 0;
+        ranges += is_range(cell) ? 1 : 0;
     }
     if (const auto number = row_number(cell)) {
         in_order = in_order && (numbers == 0 || *number == last_number + 1);
@@ -363,7 +370,9 @@ void RowLabels::require_number(const Column& column, const TableRow& row) {
         const bool is_plain = 3 * column.lettered < column.with_digit;       // "2024-05-01"
         const bool is_other =
             is_stemmed ? !label.starts_with(column.stem) : is_plain && has_letter(label);  // "Q1", "U95"
-        const bool has_number = std::ranges::any_of(label, is_digit) && !is_of_several(label);
+        const bool are_ranges = 2 * column.ranges > column.with_digit;  // dates, or runs "7-1"
+        const bool has_number =
+            std::ranges::any_of(label, is_digit) && (are_ranges ? is_range(label) : !is_of_several(label));
         if (is_blank(label) || (has_number && !is_other)) return;
         throw InputError(in_quotes(label) + " is in " + name_of(column.column) + ", where the others have " +
                              (is_stemmed ? in_quotes(column.stem) + " and " : "") +
@@ -604,8 +613,11 @@ std::string without_last_zeros(std::string cell) {
 }  // namespace
 
 void RepeatedRows::take(const TableRow& row, std::size_t first, std::size_t second) {
+    // Other cells may differ in a copy: "Rebound" for "rebound", an uncertainty that was estimated again.
+    const std::string label = first == 0 || second == 0 ? std::string() : row.cells.front();
     std::string all;
-    for (const std::string& cell : row.cells) (all += without_last_zeros(cell)) += '\n';
+    for (const std::string& cell : {label, row.cells[first], row.cells[second]})
+        (all += without_last_zeros(cell)) += '\n';
     const std::hash<std::string> hash;
     auto number = read_number(row.cells[first]);
     if (!number) number = read_number(row.cells[first], true);

@@ -52,6 +52,7 @@ class RowLabels {
         std::size_t stemmed = 0;      ///< labels with it
         std::size_t with_digit = 0;   ///< cells with any number, "P1", "2b", "7"
         std::size_t lettered = 0;     ///< of those, with letters
+        std::size_t ranges = 0;       ///< of those, "1-4" and dates
         bool has_marks = false;       ///< "no" or "x" in some cell
         std::size_t marks = 0;        ///< of the texts, "x"
         /// Rows with one label that may say that they sum up others.

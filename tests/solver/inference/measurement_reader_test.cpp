@@ -510,6 +510,9 @@ TEST_CASE("impacts that a table holds twice are refused, few equal ones are not"
                                "measurements; allowed: each row once; or, if they are other "
                                "measurements, a first column that numbers all rows"),
                       refusal(rows));
+    std::string remarked;  // cells that are not the numbers may differ
+    for (const std::string& row : block) remarked += row.substr(0, row.size() - 1) + "again\n";
+    CHECK(contains(refusal(once + remarked), "repeat those from line 2 to 7"));
     CHECK(contains(
         refusal(sorted),
         "line 3: the row repeats that of line 2, and 5 of 12 rows repeat others: they may be there twice"));
@@ -883,6 +886,18 @@ TEST_CASE("rows behind each group that a short word calls their mean are no impa
             text += name + ";" + row + "\n";
         text += "KM;2.5;1.1\n";
         CHECK(read_measurements(text, "t.csv").points.size() == 5);
+    }
+}
+
+TEST_CASE("labels that are dates or runs number the rows") {
+    for (const auto& labels : {std::array{"2024-03-01", "2024-03-02", "2024-03-04", "2024-03-05"},
+                               std::array{"7-0", "7-1", "7-2", "7-3"}}) {
+        std::string text = "run;v_in [m/s];v_r [m/s]\n";
+        for (std::size_t i = 0; i < labels.size(); ++i)
+            text += fmt::format("{};{};0.{}\n", labels[i], 1.21 + static_cast<double>(i), 3 + 2 * i);
+        CHECK(read_measurements(text, "t.csv").points.size() == labels.size());
+        CHECK(contains(input_error_of([&] { return read_measurements(text + "25 %;1.9;0.5\n", "t.csv"); }),
+                       "the row may be a measurement, or sum up others"));
     }
 }
 
