@@ -871,6 +871,21 @@ std::optional<Finding> clipped_readings(const MeasurementSet& set) {
                     zeros.size() == 1 ? "counts" : "count", slow.size(), numbered("line", slow))};
 }
 
+/// A remark on readings of 0 without a noted outcome where other impacts have one.
+std::optional<Finding> zeros_not_noted(const MeasurementSet& set) {
+    std::vector<std::size_t> zeros;
+    for (const Measurement& point : set.points)
+        if (point.outcome == NotedOutcome::from_reading && point.captured()) zeros.push_back(point.line);
+    if (zeros.empty() || std::ranges::all_of(set.points, [](const Measurement& point) {
+            return point.outcome == NotedOutcome::from_reading;
+        }))
+        return std::nullopt;
+    return Finding{
+        impacts_code, Severity::remark,
+        fmt::format("{} of 0 without a noted outcome ({}) {} as captured", counted(zeros.size(), "reading"),
+                    numbered("line", zeros), zeros.size() == 1 ? "counts" : "count")};
+}
+
 MeasurementSet read_table(const TextLines& file, std::string_view name, std::optional<DecimalMark> decimal) {
     auto lines = lines_with_content(file);
     if (lines.empty()) throw InputError("the file holds no table", "a heading and one line an impact");
@@ -972,6 +987,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
             "columns u(v_in) and u(v_r) beside it")
             .at(heading_line);
     add_implausible(*heading.of(MeasuredQuantity::velocity), set);
+    if (auto remark = zeros_not_noted(set)) set.warnings.push_back(*std::move(remark));
     if (auto remark = clipped_readings(set)) set.warnings.push_back(*std::move(remark));
     if (auto doubt = uncertain_rebounds(set, signs.lowest())) set.warnings.push_back(*std::move(doubt));
     if (set.points.empty() && set.unknown > 0)

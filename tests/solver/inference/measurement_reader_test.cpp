@@ -889,6 +889,15 @@ TEST_CASE("rows behind each group that a short word calls their mean are no impa
     }
 }
 
+TEST_CASE("a reading of 0 without a noted outcome is named where others have one") {
+    const std::string noted = "v_in [m/s];v_r [m/s];outcome\n1.1;0;capture\n2;0.5;rebound\n";
+    const std::string told = "of 0 without a noted outcome";
+    CHECK(contains(warnings_of(read_measurements(noted + "0.9;0;\n", "t.csv")),
+                   "1 reading " + told + " (line 4) counts as captured"));
+    CHECK_FALSE(contains(warnings_of(read_measurements(noted, "t.csv")), told));
+    CHECK_FALSE(contains(warnings_of(read_measurements("v_in;v_r\n0.9;0\n2;0.5\n", "t.csv")), told));
+}
+
 TEST_CASE("labels that are dates or runs number the rows") {
     for (const auto& labels : {std::array{"2024-03-01", "2024-03-02", "2024-03-04", "2024-03-05"},
                                std::array{"7-0", "7-1", "7-2", "7-3"}}) {
