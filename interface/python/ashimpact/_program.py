@@ -379,6 +379,7 @@ def analyse_impacts(
     velocity: Optional[npt.ArrayLike] = None,
     rebound_velocity: Optional[npt.ArrayLike] = None,
     restitution: Optional[npt.ArrayLike] = None,
+    captured: Optional[npt.ArrayLike] = None,
     frame_rate: Optional[float] = None,
     pixel_size: Optional[float] = None,
     frames: Optional[int] = None,
@@ -398,6 +399,7 @@ def analyse_impacts(
         velocity: of approach [m/s], with either
         rebound_velocity: magnitude, 0 for a capture [m/s]; or
         restitution: 0 for a capture [1].
+        captured: truth values, whether the particle stayed; the reading of such an impact does not count.
         law, radius, contact_modulus, density, mass: as impacts(), one of each.
         work_of_adhesion, detachment, damping_law: as impacts(), one of each.
         frame_rate: of the camera, frames per second, with
@@ -416,9 +418,9 @@ def analyse_impacts(
         The document of the command: damping of each impact, fits, critical velocity with its interval.
     """
     options = {**locals(), **parameters}
-    for name in ("impacts", "velocity", "rebound_velocity", "restitution", "parameters"):
+    for name in ("impacts", "velocity", "rebound_velocity", "restitution", "captured", "parameters"):
         del options[name]
-    columns = {"velocity": velocity, "rebound_velocity": rebound_velocity, "restitution": restitution}
+    columns = {"velocity": velocity, "rebound_velocity": rebound_velocity, "restitution": restitution, "captured": captured}
     given = {name: values for name, values in columns.items() if values is not None}
     if impacts is not None and given:
         raise _core.InputError(f"impacts, {', '.join(given)}: both are given; allowed: impacts, or velocity with its rebounds")
@@ -454,13 +456,21 @@ def _table_of(impacts: Any, given: Mapping[str, npt.ArrayLike], mark: str) -> st
         cells = impacts.astype(object).where(impacts.notna(), "")
         return _csv_text([str(name) for name in impacts.columns], list(cells.itertuples(index=False)), mark)
     headings = {"velocity": "v_in [m/s]", "rebound_velocity": "v_r [m/s]", "restitution": "e_n [1]"}
-    if "velocity" not in given or len(given) != 2:
+    readings = {name: values for name, values in given.items() if name != "captured"}
+    if "velocity" not in readings or len(readings) != 2:
         raise _core.InputError(
             f"{', '.join(given) or 'nothing'} is given; allowed: a file, a pandas table, or velocity with rebound_velocity or restitution"
         )
-    arrays, shape = flat_arrays(given)
-    rows = zip(*(np.broadcast_to(array, int(np.prod(shape))) for array in arrays.values()))
-    return _csv_text([headings[name] for name in given], [list(row) for row in rows], mark)
+    arrays, shape = flat_arrays(readings)
+    rows = [list(row) for row in zip(*(np.broadcast_to(array, int(np.prod(shape))) for array in arrays.values()))]
+    names = [headings[name] for name in readings]
+    if "captured" not in given:
+        return _csv_text(names, rows, mark)
+    truths = np.asarray(given["captured"])
+    if truths.dtype != np.bool_ or truths.size != len(rows):
+        raise _core.InputError(f"captured is {truths.size} of {truths.dtype}; allowed: {len(rows)} truth values, one an impact")
+    outcomes = [[velocity, "", "capture"] if stays else [velocity, reading, "rebound"] for (velocity, reading), stays in zip(rows, truths.ravel())]
+    return _csv_text(names + ["outcome"], outcomes, mark)
 
 
 def _csv_text(headings: Sequence[str], rows: Sequence[Sequence[Any]], mark: str) -> str:

@@ -526,6 +526,9 @@ class Documents(unittest.TestCase):
             (dict(impacts=table), '"False" in column "e_n" is not a number'),
             (dict(columns, velocity=np.ma.array([1.0, 2.0, 3.0], mask=[0, 1, 0])), "velocity has masked values"),
             (dict(columns, velocity=[1.0, 2.0]), "shapes do not fit"),
+            (dict(columns, captured=[1, 0, 0]), "captured is 3 of int64; allowed: 3 truth values, one an impact"),
+            (dict(columns, captured=[True]), "captured is 1 of bool; allowed: 3 truth values, one an impact"),
+            (dict(columns, impacts=table, captured=[True]), "impacts, velocity, restitution, captured: both are given"),
             (dict(columns, order=True), "order holds bool; allowed: numbers"),
             (dict(columns, order=2.5), "--order"),
             (dict(columns, robust=2), "robust is 2; allowed: True or False"),
@@ -543,6 +546,14 @@ class Documents(unittest.TestCase):
                 ashimpact.analyse_impacts(**contact | given)
             self.assertIn(expected, str(caught.exception))
             self.assertNotIn("tmp", str(caught.exception))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            read = ashimpact.analyse_impacts(
+                velocity=[1.0, 2.0, 3.0, 0.4, 0.5], restitution=[0.1, 0.2, 0.3, np.nan, 0.02],
+                captured=np.array([False, False, False, True, True]), **contact
+            )
+        self.assertEqual((read["impacts"], read["captures"]), (5, 2))
+        self.assertEqual(list(ashimpact.columns(read["inversion"])["captured_at"]), [0.4, 0.5])
         for call, expected in (
             (lambda: ashimpact.modulus("ash.csv", porosity=True), "porosity holds bool"),
             (lambda: ashimpact.run(allow_outside=1), "allow_outside is 1"),
