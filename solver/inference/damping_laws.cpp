@@ -543,13 +543,13 @@ class DampingLawFit {
     [[nodiscard]] Eigen::MatrixXd covariance_near(const NearbyRatios& nearby,
                                                   const Eigen::VectorXd& shift) const {
         constexpr int most = 8;
-        constexpr double least_width = 1e-6;
-        constexpr double greatest_width = 4;  // beyond it e is no parabola
+        constexpr double narrowest = 1e-6;
+        constexpr double widest = 4;  // beyond it e is no parabola
         const Eigen::ArrayXd differences = differences_of(nearby.at(shift));
         Eigen::VectorXd widths = Eigen::VectorXd::Ones(shift.size());
         Eigen::MatrixXd found = covariance(secants(nearby, shift, widths), differences);
         for (int i = 0; i < most && found.diagonal().allFinite(); ++i) {
-            widths = found.diagonal().cwiseSqrt().cwiseMax(least_width).cwiseMin(greatest_width);
+            widths = found.diagonal().cwiseSqrt().cwiseMax(narrowest).cwiseMin(widest);
             found = covariance(secants(nearby, shift, widths), differences);
         }
         return found;
