@@ -226,9 +226,10 @@ constexpr int most_iterations = 60;
 void require_memoryless(Law law, const ContactPair& contact) {
     if (is_self_similar(law, contact)) return;
     if (!law.self_similar())
-        throw InputError("damping cannot be found from impacts with law '" + std::string(law.name()) +
+        throw InputError("no map of impacts is made for law '" + std::string(law.name()) +
                              "', whose adhesion has a range of its own",
-                         law_names([](Law other) { return other.self_similar(); }));
+                         law_names([](Law other) { return other.self_similar(); }) +
+                             "; a run of a case, and single impacts, give their damping by this law, too");
     throw InputError("law '" + std::string(law.name()) + "' with a finite yield pressure has a history",
                      "a law without one for fits of damping");
 }
