@@ -60,10 +60,11 @@ using Constants = std::array<double, 2>;
 
 struct ComparedImpact {
     std::size_t sample;
-    double log_velocity;
+    double velocity;
     double restitution;
     bool captured;
     double weight;
+    VelocityNoise noise;  ///< 0: not stated
 };
 
 /// Of relative noise that is small beside the scatter all impacts have the same weight.
@@ -152,19 +153,13 @@ class DampingLawFit {
     DampingLawFit(Law law, Detachment detachment, DampingLaw damping_law,
                   const std::vector<ImpactsOfSample>& samples)
         : law_(law), detachment_(detachment), damping_law_(damping_law), samples_(samples) {
-        for (std::size_t i = 0; i < samples.size(); ++i) {
-            VelocityRange range{std::numeric_limits<double>::infinity(), 0};
-            for (const Measurement& impact : samples[i].impacts) {
-                range = {std::min(range.lower, impact.velocity), std::max(range.upper, impact.velocity)};
-                impacts_.push_back({i, std::log(impact.velocity),
-                                    impact.captured() ? 0 : impact.restitution(), impact.captured(),
-                                    weight_of(impact)});
-            }
-            ranges_.push_back(range);
-        }
-        weights_ = Eigen::ArrayXd(static_cast<Eigen::Index>(impacts_.size()));
-        for (std::size_t i = 0; i < impacts_.size(); ++i)
-            weights_[static_cast<Eigen::Index>(i)] = impacts_[i].weight;
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            for (const Measurement& impact : samples[i].impacts)
+                impacts_.push_back({i, impact.velocity, impact.captured() ? 0 : impact.restitution(),
+                                    impact.captured(), weight_of(impact),
+                                    impact.noise.value_or(VelocityNoise{})});
+        weights_ = array_of([](const ComparedImpact& impact) { return impact.weight; });
+        velocities_ = array_of([](const ComparedImpact& impact) { return impact.velocity; });
     }
 
     [[nodiscard]] FittedDamping fitted() const {
@@ -178,19 +173,19 @@ class DampingLawFit {
         const NearbyRatios nearby = ratios_near(start_law, constants, count, last_reach);
         const Eigen::VectorXd reach = reaches(constants, count, last_reach);
         const Eigen::VectorXd shift = best_shift(nearby, constants, reach);
-        return result_at(moved(constants, shift, reach), nearby, shift, reach);
+        return result_at(start_law, moved(constants, shift, reach), nearby, shift, reach);
     }
 
   private:
-    /// @param nearby with their minimum at a shift, where the constants are
-    [[nodiscard]] FittedDamping result_at(const Constants& constants, const NearbyRatios& nearby,
+    /// @param law itself or one like it @param nearby with their minimum at a shift, where the constants are
+    [[nodiscard]] FittedDamping result_at(Law law, const Constants& constants, const NearbyRatios& nearby,
                                           const Eigen::VectorXd& shift, const Eigen::VectorXd& reach) const {
         FittedDamping result{.law = damping_law_};
         const Eigen::ArrayXd differences = differences_of(nearby.at(shift));
         result.misfit = std::sqrt((weights_ * differences.square()).sum() / weights_.sum());
         if (!std::isfinite(result.misfit))
             throw ConvergenceError("the misfit of a damping law is not finite");
-        set_constants(nearby, shift, reach, constants, result);
+        set_constants(nearby, shift, reach, constants, variances(law, constants, differences), result);
         if (!result.constants.empty())
             result.evidence = is_scatter(differences, nearby.slope.size()) ? DampingEvidence::explains
                                                                            : DampingEvidence::rejected;
@@ -238,7 +233,15 @@ class DampingLawFit {
             const auto at = static_cast<std::size_t>(k);
             back[k] = (constants[at] - centre[at]) / last_reaches[k];
         }
-        return result_at(constants, last.about(back, ratio), Eigen::VectorXd::Zero(2), last_reaches);
+        return result_at(law, constants, last.about(back, ratio), Eigen::VectorXd::Zero(2), last_reaches);
+    }
+
+    template <class Function>
+    [[nodiscard]] Eigen::ArrayXd array_of(const Function& function) const {
+        Eigen::ArrayXd all(static_cast<Eigen::Index>(impacts_.size()));
+        for (std::size_t i = 0; i < impacts_.size(); ++i)
+            all[static_cast<Eigen::Index>(i)] = function(impacts_[i]);
+        return all;
     }
 
     [[nodiscard]] bool admits(Law law) const {
@@ -253,34 +256,79 @@ class DampingLawFit {
         for (const ComparedImpact& impact : impacts_)
             if (!impact.captured) rebounds.push_back(&impact);
         std::ranges::sort(rebounds, {}, [](const ComparedImpact* impact) {
-            return std::tuple(impact->restitution, impact->log_velocity, impact->sample);
+            return std::tuple(impact->restitution, impact->velocity, impact->sample);
         });
         const ComparedImpact& median = *rebounds[rebounds.size() / 2];
         const double loss = std::clamp(1 - median.restitution, 0.01, 0.99);
-        return Scale::of(samples_[median.sample].contact, std::exp(median.log_velocity))
+        return Scale::of(samples_[median.sample].contact, median.velocity)
             .damping_coefficient(damping_law_, hertz_damping_number(damping_law_, loss));
     }
 
     /// e^2 of every impact; below 0 where the law captures it.
     [[nodiscard]] Eigen::ArrayXd ratios(Law law, const Constants& constants,
                                         const ReboundTableOptions& options) const {
+        return ratios_at(velocities_, law, constants, options);
+    }
+    /// The same at other velocities, one an impact.
+    [[nodiscard]] Eigen::ArrayXd ratios_at(const Eigen::ArrayXd& velocities, Law law,
+                                           const Constants& constants,
+                                           const ReboundTableOptions& options) const {
+        std::vector<VelocityRange> ranges(samples_.size(), {std::numeric_limits<double>::infinity(), 0});
+        for (std::size_t i = 0; i < impacts_.size(); ++i) {
+            VelocityRange& range = ranges[impacts_[i].sample];
+            const double velocity = velocities[static_cast<Eigen::Index>(i)];
+            range = {std::min(range.lower, velocity), std::max(range.upper, velocity)};
+        }
         std::vector<ReboundTable> tables;
         for (std::size_t i = 0; i < samples_.size(); ++i) {
             Impact impact{law,
                           detachment_,
                           {damping_law_, constants[0]},
                           without_damping_parameters(samples_[i].contact),
-                          ranges_[i].upper};
+                          ranges[i].upper};
             if (!has_one_number(damping_law_))
                 impact.contact.parameters.set(second_parameter(damping_law_).name, constants[1]);
-            tables.emplace_back(impact, ranges_[i], options);
+            tables.emplace_back(impact, ranges[i], options);
         }
         Eigen::ArrayXd all(weights_.size());
-        for (std::size_t i = 0; i < impacts_.size(); ++i)
-            all[static_cast<Eigen::Index>(i)] =
-                tables[impacts_[i].sample].energy_ratio(impacts_[i].log_velocity);
+        for (std::size_t i = 0; i < impacts_.size(); ++i) {
+            const auto at = static_cast<Eigen::Index>(i);
+            all[at] = tables[impacts_[i].sample].energy_ratio(std::log(velocities[at]));
+        }
         if (!all.isFinite().all()) throw ConvergenceError("an impact has no finite restitution");
         return all;
+    }
+
+    /// Variance of each difference by the noise of both velocities, with the slope of v_r over v_in as
+    /// computed, over a standard uncertainty to both sides. Where no noise is stated it is the same for all
+    /// velocities, and explains the differences.
+    [[nodiscard]] Eigen::ArrayXd variances(Law law, const Constants& constants,
+                                           const Eigen::ArrayXd& differences) const {
+        const auto of = [&](double VelocityNoise::*part) {
+            return array_of([part](const ComparedImpact& impact) { return impact.noise.*part; });
+        };
+        Eigen::ArrayXd incident = of(&VelocityNoise::incident);
+        Eigen::ArrayXd rebound = of(&VelocityNoise::rebound);
+        const bool is_stated = (incident != 0).any() || (rebound != 0).any();
+        const auto mean_of_told = [&](const Eigen::ArrayXd& squares) {
+            return squares.sum() / static_cast<double>(std::max<Eigen::Index>(1, (squares != 0).count()));
+        };
+        if (!is_stated) incident.setConstant(mean_of_told((differences * velocities_).square()));
+        constexpr double least_share = 0.01;
+        constexpr double greatest_share = 0.8;
+        const Eigen::ArrayXd steps =
+            incident.sqrt().max(least_share * velocities_).min(greatest_share * velocities_);
+        const auto rebound_at = [&](double sign) -> Eigen::ArrayXd {
+            const Eigen::ArrayXd velocities = velocities_ + sign * steps;
+            return velocities * ratios_at(velocities, law, constants, coarse).max(0.0).sqrt();
+        };
+        const Eigen::ArrayXd slope = (rebound_at(1) - rebound_at(-1)) / (2 * steps);
+        if (is_stated)
+            return (rebound + slope.square() * incident - 2 * slope * of(&VelocityNoise::covariance))
+                       .max(0.0) /
+                   velocities_.square();
+        const Eigen::ArrayXd by_unit = (1 + slope.square()) / velocities_.square();
+        return mean_of_told(differences.square() / by_unit) * by_unit;
     }
 
     /// e as measured less e as computed. A capture that the law captures, too, makes none.
@@ -493,14 +541,14 @@ class DampingLawFit {
     /// that of the normal distribution with the 95 % interval of Student's t, whose degrees of freedom are
     /// the number of squares that count as much (Kish's, times 3 for squares of normal numbers).
     /// @param slope of e as computed, a row an impact and a column a constant
-    [[nodiscard]] Eigen::MatrixXd covariance(const Eigen::MatrixXd& slope,
-                                             const Eigen::ArrayXd& differences) const {
+    [[nodiscard]] Eigen::MatrixXd covariance(const Eigen::MatrixXd& slope, const Eigen::ArrayXd& differences,
+                                             const Eigen::ArrayXd& variances) const {
         const Eigen::MatrixXd weighted = weights_.matrix().asDiagonal() * slope;
         const Eigen::MatrixXd inverse = (slope.transpose() * weighted).inverse();
         const Eigen::ArrayXd leverage = (weighted * inverse).cwiseProduct(slope).rowwise().sum().array();
         const Eigen::ArrayXd alone = differences / (1 - leverage).max(least_freedom);
-        const Eigen::ArrayXXd scores =
-            ((inverse * weighted.transpose()) * alone.matrix().asDiagonal()).array();
+        const Eigen::ArrayXXd weights = (inverse * weighted.transpose()).array();  // of the differences
+        const Eigen::ArrayXXd scores = weights.rowwise() * alone.transpose();
         const Eigen::MatrixXd covariance = scores.matrix() * scores.matrix().transpose();
         // A capture that the law captures, too, is no scatter of 0.
         const auto told = ((slope.array() != 0).rowwise().any() || differences != 0).count();
@@ -517,7 +565,9 @@ class DampingLawFit {
                 std::isfinite(degrees)
                     ? gsl::student_quantile(0.5 + 0.5 * confidence, degrees) / confidence_quantile()
                     : 1;
-            growth[k] = wider * std::sqrt(std::max(1.0, equal[k] / covariance(k, k)));
+            const double by_noise = (weights.row(k).square() * variances.transpose()).sum();
+            growth[k] = std::sqrt(std::max(
+                {wider * wider, wider * wider * equal[k] / covariance(k, k), by_noise / covariance(k, k)}));
         }
         return growth.matrix().asDiagonal() * covariance * growth.matrix().asDiagonal();
     }
@@ -540,23 +590,24 @@ class DampingLawFit {
 
     /// Covariance of the constants, in units of their reaches; the widths of its secants are its own standard
     /// uncertainties.
-    [[nodiscard]] Eigen::MatrixXd covariance_near(const NearbyRatios& nearby,
-                                                  const Eigen::VectorXd& shift) const {
+    [[nodiscard]] Eigen::MatrixXd covariance_near(const NearbyRatios& nearby, const Eigen::VectorXd& shift,
+                                                  const Eigen::ArrayXd& variances) const {
         constexpr int most = 8;
         constexpr double narrowest = 1e-6;
         constexpr double widest = 4;  // beyond it e is no parabola
         const Eigen::ArrayXd differences = differences_of(nearby.at(shift));
         Eigen::VectorXd widths = Eigen::VectorXd::Ones(shift.size());
-        Eigen::MatrixXd found = covariance(secants(nearby, shift, widths), differences);
+        Eigen::MatrixXd found = covariance(secants(nearby, shift, widths), differences, variances);
         for (int i = 0; i < most && found.diagonal().allFinite(); ++i) {
             widths = found.diagonal().cwiseSqrt().cwiseMax(narrowest).cwiseMin(widest);
-            found = covariance(secants(nearby, shift, widths), differences);
+            found = covariance(secants(nearby, shift, widths), differences, variances);
         }
         return found;
     }
 
     void set_constants(const NearbyRatios& nearby, const Eigen::VectorXd& shift, const Eigen::VectorXd& reach,
-                       const Constants& constants, FittedDamping& result) const {
+                       const Constants& constants, const Eigen::ArrayXd& variances,
+                       FittedDamping& result) const {
         const Eigen::MatrixXd slope = slopes(nearby, shift);
         const Eigen::MatrixXd information = slope.transpose() * weights_.matrix().asDiagonal() * slope;
         if (!(information(0, 0) > 0)) return;
@@ -565,7 +616,7 @@ class DampingLawFit {
             result.correlation = product > 0 ? -information(0, 1) / std::sqrt(product) : -1;
             if (std::abs(*result.correlation) > greatest_correlation) return;
         }
-        const Eigen::MatrixXd covariance = covariance_near(nearby, shift);
+        const Eigen::MatrixXd covariance = covariance_near(nearby, shift, variances);
         const auto add = [&](std::string_view name, Eigen::Index k) {
             result.constants.push_back({name, constants[static_cast<std::size_t>(k)],
                                         std::sqrt(covariance(k, k)) * reach[k], dimension_of(damping_law_)});
@@ -612,7 +663,7 @@ class DampingLawFit {
             const std::size_t from = to;
             to = std::max(from + 1, (k + 1) * members.size() / number);
             while (to < members.size() &&
-                   impacts_[members[to]].log_velocity == impacts_[members[to - 1]].log_velocity)
+                   impacts_[members[to]].velocity == impacts_[members[to - 1]].velocity)
                 ++to;
             add_block(members.subspan(from, to - from), differences, sums);
         }
@@ -646,8 +697,8 @@ class DampingLawFit {
     DampingLaw damping_law_;
     const std::vector<ImpactsOfSample>& samples_;
     std::vector<ComparedImpact> impacts_{};
-    std::vector<VelocityRange> ranges_{};
     Eigen::ArrayXd weights_{};
+    Eigen::ArrayXd velocities_{};
 };
 
 }  // namespace
