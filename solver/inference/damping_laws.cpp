@@ -52,7 +52,6 @@ constexpr ReboundTableOptions fine{.lane_degree = 47, .scalar_degree = 13};
 constexpr std::size_t impacts_a_block = 2;  ///< at least, of neighbouring velocity
 constexpr std::size_t most_blocks = 40;     ///< of a sample
 constexpr std::size_t fewest_of_scatter = 3;
-constexpr double least_freedom = 0.05;           ///< of an impact that alone determines a constant
 constexpr double negligible_difference = 0.002;  ///< of e: what a model leaves out and a camera cannot see
 constexpr double rejected_below = 1e-3;          ///< probability of such differences by scatter alone
 
@@ -534,41 +533,23 @@ class DampingLawFit {
         return constants;
     }
 
-    /// Covariance of the constants from the differences that remain at each impact: the error of a measured
-    /// velocity counts most where e is steep, so that their variance is not the same for all. Each difference
-    /// is divided by what its impact leaves undetermined (HC3 of MacKinnon & White, J. Econometrics 29 (1985)
-    /// 305), and no variance is smaller than that of equal scatter. Few impacts may give most of it: it is
-    /// that of the normal distribution with the 95 % interval of Student's t, whose degrees of freedom are
-    /// the number of squares that count as much (Kish's, times 3 for squares of normal numbers).
+    /// Covariance of the constants from the variances of the differences, which are not the same for all: the
+    /// error of a measured velocity counts most where e is steep. No standard uncertainty is smaller than
+    /// that of equal scatter, with Student's t.
     /// @param slope of e as computed, a row an impact and a column a constant
     [[nodiscard]] Eigen::MatrixXd covariance(const Eigen::MatrixXd& slope, const Eigen::ArrayXd& differences,
                                              const Eigen::ArrayXd& variances) const {
         const Eigen::MatrixXd weighted = weights_.matrix().asDiagonal() * slope;
         const Eigen::MatrixXd inverse = (slope.transpose() * weighted).inverse();
-        const Eigen::ArrayXd leverage = (weighted * inverse).cwiseProduct(slope).rowwise().sum().array();
-        const Eigen::ArrayXd alone = differences / (1 - leverage).max(least_freedom);
-        const Eigen::ArrayXXd weights = (inverse * weighted.transpose()).array();  // of the differences
-        const Eigen::ArrayXXd scores = weights.rowwise() * alone.transpose();
-        const Eigen::MatrixXd covariance = scores.matrix() * scores.matrix().transpose();
+        const Eigen::MatrixXd covariance =
+            inverse * weighted.transpose() * variances.matrix().asDiagonal() * weighted * inverse;
         // A capture that the law captures, too, is no scatter of 0.
         const auto told = ((slope.array() != 0).rowwise().any() || differences != 0).count();
-        const auto freedom = std::max<Eigen::Index>(1, told - slope.cols());
-        const Eigen::ArrayXd equal = (weights_ * differences.square()).sum() / static_cast<double>(freedom) *
-                                     inverse.diagonal().array();
-        Eigen::ArrayXd growth(slope.cols());
-        for (Eigen::Index k = 0; k < slope.cols(); ++k) {
-            const Eigen::ArrayXd squares = scores.row(k).square();
-            const double counting = std::min(3 * squares.sum() * squares.sum() / squares.square().sum(),
-                                             static_cast<double>(told));
-            const double degrees = std::max(1.0, counting - static_cast<double>(slope.cols()));
-            const double wider =
-                std::isfinite(degrees)
-                    ? gsl::student_quantile(0.5 + 0.5 * confidence, degrees) / confidence_quantile()
-                    : 1;
-            const double by_noise = (weights.row(k).square() * variances.transpose()).sum();
-            growth[k] = std::sqrt(std::max(
-                {wider * wider, wider * wider * equal[k] / covariance(k, k), by_noise / covariance(k, k)}));
-        }
+        const double freedom = static_cast<double>(std::max<Eigen::Index>(1, told - slope.cols()));
+        const double wider = gsl::student_quantile(0.5 + 0.5 * confidence, freedom) / confidence_quantile();
+        const Eigen::ArrayXd equal =
+            (weights_ * differences.square()).sum() / freedom * wider * wider * inverse.diagonal().array();
+        const Eigen::ArrayXd growth = (equal / covariance.diagonal().array()).max(1.0).sqrt();
         return growth.matrix().asDiagonal() * covariance * growth.matrix().asDiagonal();
     }
 
