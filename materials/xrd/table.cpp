@@ -404,6 +404,33 @@ void take_crystalline_part(XrdSample& sample, const std::string& stated_by) {
                                    " states: an amorphous part is not among them"});
 }
 
+/// A remark on samples whose names may state more than a sample, such as a basis or a coverage in words that
+/// are not known: "FA1 particle %", "FA1 (alpha = 0.05)".
+std::optional<Finding> not_understood(const std::vector<XrdSample>& samples, const Table& table,
+                                      bool volumes) {
+    const auto words_of = [](const std::string& name) {
+        return std::ranges::count_if(words_in(name),
+                                     [](const std::string& word) { return !is_digit(word.front()); });
+    };
+    const auto states_more = [&](const std::string& name) {
+        const auto heading = std::ranges::find(table.headings, name, &Heading::text);
+        const bool of_bare_unit = heading != table.headings.end() &&
+                                  heading->states == HeadingUnit::fraction &&
+                                  !bases_in(heading->written, false).contains("weight");
+        return name.find_first_of("()[]{}=#%") != std::string::npos || (of_bare_unit && words_of(name) > 1);
+    };
+    std::vector<std::string> names;
+    for (const XrdSample& sample : samples)
+        if (states_more(sample.name)) names.push_back(in_quotes(sample.name));
+    if (names.empty()) return std::nullopt;
+    const bool divided = std::ranges::any_of(
+        table.headings, [](const Heading& heading) { return heading.coverage.factor != 1; });
+    return Finding{xrd_code, Severity::remark,
+                   "what these names state besides a sample is not read: " + joined(names) +
+                       "; the amounts count by " + (volumes ? "volume" : "weight") +
+                       (divided ? "" : ", the uncertainties as standard ones")};
+}
+
 }  // namespace
 
 XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) {
@@ -447,6 +474,8 @@ XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) 
         result.samples.push_back(
             standardised(sample, group, table, layout == Layout::peaks ? not_stated : scale));
     }
+    if (auto remark = not_understood(result.samples, table, volumes))
+        result.warnings.push_back(*std::move(remark));
     std::vector<NamedSum> sums;
     if (layout == Layout::fractions || layout == Layout::peaks) return result;  // a column names the samples
     for (const XrdSample& sample : result.samples) {
