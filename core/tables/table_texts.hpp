@@ -185,6 +185,14 @@ void refuse_sign_of_bound(std::string_view cell, const std::string& column, std:
 void refuse_coverages(std::string_view heading, std::span<const TableRow> rows, std::size_t column,
                       std::span<const double> factors);
 
+/// Whether the name of a sample may state more than that: it holds brackets, or a sign of a unit or an
+/// uncertainty.
+[[nodiscard]] bool may_state_more(std::string_view name);
+
+/// The remark on samples with such names; none if there are none. @param counted how the amounts are read
+[[nodiscard]] std::optional<Finding> names_not_read(std::string_view code, std::vector<std::string> names,
+                                                    const std::string& counted);
+
 /// Whether a cell of a row holds a number with its uncertainty behind "±".
 [[nodiscard]] bool holds_uncertain_number(const TableRow& row);
 

@@ -1207,6 +1207,12 @@ OxideResult read_oxide_lines(const TextLines& file, std::optional<DecimalMark> d
                         "a name for each sample");
         result.samples.push_back(std::move(sample));
     }
+    std::vector<std::string> names;
+    for (const OxideSample& sample : result.samples)
+        if (may_state_more(sample.name)) names.push_back(sample.name);
+    if (auto remark = names_not_read(glass_code, std::move(names),
+                                     "the amounts count by weight, the uncertainties as standard ones"))
+        result.warnings.push_back(*std::move(remark));
     const auto namesakes = small_namesakes(glass_code, sums);
     for (std::size_t i = 0; i < namesakes.size(); ++i)
         if (namesakes[i]) result.samples[i].warnings.push_back(*namesakes[i]);

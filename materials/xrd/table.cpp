@@ -417,18 +417,16 @@ std::optional<Finding> not_understood(const std::vector<XrdSample>& samples, con
         const bool of_bare_unit = heading != table.headings.end() &&
                                   heading->states == HeadingUnit::fraction &&
                                   !bases_in(heading->written, false).contains("weight");
-        return name.find_first_of("()[]{}=#%") != std::string::npos || (of_bare_unit && words_of(name) > 1);
+        return may_state_more(name) || (of_bare_unit && words_of(name) > 1);
     };
     std::vector<std::string> names;
     for (const XrdSample& sample : samples)
-        if (states_more(sample.name)) names.push_back(in_quotes(sample.name));
-    if (names.empty()) return std::nullopt;
+        if (states_more(sample.name)) names.push_back(sample.name);
     const bool divided = std::ranges::any_of(
         table.headings, [](const Heading& heading) { return heading.coverage.factor != 1; });
-    return Finding{xrd_code, Severity::remark,
-                   "what these names state besides a sample is not read: " + joined(names) +
-                       "; the amounts count by " + (volumes ? "volume" : "weight") +
-                       (divided ? "" : ", the uncertainties as standard ones")};
+    return names_not_read(xrd_code, std::move(names),
+                          std::string("the amounts count by ") + (volumes ? "volume" : "weight") +
+                              (divided ? "" : ", the uncertainties as standard ones"));
 }
 
 }  // namespace

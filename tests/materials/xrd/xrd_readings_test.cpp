@@ -442,7 +442,7 @@ TEST_CASE("names of samples that may state more than a sample are quoted") {
                        contains(told(text), "what these names state besides a sample is not read: \"FA1")),
                       heading);
     }
-    for (const char* name : {"FA2 V%", "FA2 (area)", "FA2 (95 %)"})
+    for (const char* name : {"FA2 V%", "FA2 (area)", "FA2 (95 %)", "FA2 \u00b1 2 SE"})
         CHECK_MESSAGE(contains(told("Sample;Quartz;Glass\nFA1;20;80\n" + std::string(name) + ";30;70\n"),
                                "what these names state besides a sample is not read: \"FA2"),
                       name);
