@@ -125,10 +125,10 @@ struct MeasuredRow {
 /// one elsewhere. @throws InputError at its line
 void refuse_summaries(std::span<const MeasuredRow> rows, std::vector<Finding>& findings);
 
-/// Finds rows that a table holds twice, as one to which a copy of itself was appended. A row of which all
-/// cells equal those of another is evidence if both of its numbers have two significant digits or more, the
-/// second is not zero, and no other row has the same first number beside another second one, as nominal
-/// velocities do.
+/// Finds rows that a table holds twice, as one to which a copy of itself was appended. A row whose two
+/// numbers and first cell equal those of another is evidence if both of its numbers have two significant
+/// digits or more, the second is not zero, and no other row has the same first number beside another second
+/// one, as nominal velocities do.
 class RepeatedRows {
   public:
     /// Takes a row with a measurement, whose two numbers stand in these columns.
@@ -143,7 +143,7 @@ class RepeatedRows {
   private:
     struct Row {
         std::size_t line;
-        std::size_t cells, number;  ///< hashes of all cells, and of the first number
+        std::size_t cells, number;  ///< hashes of these cells, and of the first number
         bool is_precise;
         double value;  ///< first number; NaN if the cell is not one
     };
