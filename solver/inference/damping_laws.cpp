@@ -299,20 +299,22 @@ class DampingLawFit {
     }
 
     /// Variance of each difference by the noise of both velocities, with the slope of v_r over v_in as
-    /// computed, over a standard uncertainty to both sides. Where no noise is stated it is the same for all
-    /// velocities, and explains the differences.
+    /// computed, over a standard uncertainty to both sides. Where no noise is stated the differences decide
+    /// between such noise, the same for all velocities, and scatter of e, the same for all impacts.
     [[nodiscard]] Eigen::ArrayXd variances(Law law, const Constants& constants,
                                            const Eigen::ArrayXd& differences) const {
         const auto of = [&](double VelocityNoise::*part) {
             return array_of([part](const ComparedImpact& impact) { return impact.noise.*part; });
         };
+        const Eigen::ArrayXd rebound = of(&VelocityNoise::rebound);
         Eigen::ArrayXd incident = of(&VelocityNoise::incident);
-        Eigen::ArrayXd rebound = of(&VelocityNoise::rebound);
         const bool is_stated = (incident != 0).any() || (rebound != 0).any();
-        const auto mean_of_told = [&](const Eigen::ArrayXd& squares) {
-            return squares.sum() / static_cast<double>(std::max<Eigen::Index>(1, (squares != 0).count()));
-        };
-        if (!is_stated) incident.setConstant(mean_of_told((differences * velocities_).square()));
+        const auto told = static_cast<double>(std::max<Eigen::Index>(1, (differences != 0).count()));
+        if (!is_stated) {
+            const double scatter = differences.square().sum() / told;
+            const double noise = (differences * velocities_).square().sum() / told;
+            incident = (scatter * velocities_.square()).min(noise);
+        }
         constexpr double least_share = 0.01;
         constexpr double greatest_share = 0.8;
         const Eigen::ArrayXd steps =
@@ -326,8 +328,31 @@ class DampingLawFit {
             return (rebound + slope.square() * incident - 2 * slope * of(&VelocityNoise::covariance))
                        .max(0.0) /
                    velocities_.square();
-        const Eigen::ArrayXd by_unit = (1 + slope.square()) / velocities_.square();
-        return mean_of_told(differences.square() / by_unit) * by_unit;
+        return likeliest_variances(differences, (1 + slope.square()) / velocities_.square());
+    }
+
+    /// A mixture of equal variances and those of noise, of greatest normal likelihood; noise alone unless
+    /// that is far less likely, since it leaves more open.
+    /// @param by_noise variances by noise of one unit
+    [[nodiscard]] static Eigen::ArrayXd likeliest_variances(const Eigen::ArrayXd& differences,
+                                                            const Eigen::ArrayXd& by_noise) {
+        constexpr int steps = 20;
+        constexpr double margin = 8;                                    // of twice the logarithm
+        const Eigen::ArrayXd told = (differences != 0).cast<double>();  // not captures that the law captures
+        Eigen::ArrayXd likeliest = Eigen::ArrayXd::Zero(differences.size());
+        if (!(told.sum() > 0)) return likeliest;
+        const double unit = (told * by_noise).sum() / (told * by_noise.square()).sum();  // as the steep ones
+        double greatest = -std::numeric_limits<double>::infinity();
+        for (int i = 0; i <= steps; ++i) {
+            const double share = static_cast<double>(i) / steps;
+            const Eigen::ArrayXd form = (1 - share) + share * unit * by_noise;
+            const double variance = (told * differences.square() / form).sum() / told.sum();
+            const double likelihood = (share < 1 ? -margin : 0) - (told * (variance * form).log()).sum();
+            if (!(likelihood > greatest)) continue;
+            greatest = likelihood;
+            likeliest = variance * form;
+        }
+        return likeliest;
     }
 
     /// e as measured less e as computed. A capture that the law captures, too, makes none.
@@ -605,8 +630,6 @@ class DampingLawFit {
         add("damping", 0);
         if (shift.size() == 1) return;
         add(second_parameter(damping_law_).name, 1);
-        if (const double product = covariance(0, 0) * covariance(1, 1); product > 0)
-            result.correlation = covariance(0, 1) / std::sqrt(product);
     }
 
     /// Sums of an analysis of variance over blocks of impacts.
