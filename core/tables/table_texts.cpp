@@ -629,7 +629,7 @@ bool divides_otherwise(std::string_view cell, double factor) {
 }
 
 bool may_state_more(std::string_view name) {
-    return name.find_first_of("()[]{}=#%") != std::string_view::npos ||
+    return name.find_first_of("()[]{}=#%+") != std::string_view::npos ||
            name.find("\u00b1") != std::string_view::npos;
 }
 
@@ -638,7 +638,7 @@ std::optional<Finding> names_not_read(std::string_view code, std::vector<std::st
     if (names.empty()) return std::nullopt;
     for (std::string& name : names) name = in_quotes(name);
     return Finding{code, Severity::remark,
-                   "what these names state besides a sample is not read: " + joined(names) + "; " + counted};
+                   "these names are read as names of samples alone: " + joined(names) + "; " + counted};
 }
 
 void refuse_coverages(std::string_view heading, std::span<const TableRow> rows, std::size_t column,

@@ -405,28 +405,49 @@ void take_crystalline_part(XrdSample& sample, const std::string& stated_by) {
 }
 
 /// A remark on samples whose names may state more than a sample, such as a basis or a coverage in words that
-/// are not known: "FA1 particle %", "FA1 (alpha = 0.05)".
-std::optional<Finding> not_understood(const std::vector<XrdSample>& samples, const Table& table,
-                                      bool volumes) {
-    const auto words_of = [](const std::string& name) {
-        return std::ranges::count_if(words_in(name),
-                                     [](const std::string& word) { return !is_digit(word.front()); });
+/// are not known: "FA1 particle %", "FA1 (alpha = 0.05)", and on those without a unit beside others with one.
+std::optional<Finding> names_alone(const std::vector<XrdSample>& samples, const Table& table, bool volumes) {
+    const auto has_unit = [](const Heading& heading) {
+        return heading.role == Role::other && !heading.unit.empty();
     };
-    const auto states_more = [&](const std::string& name) {
-        const auto heading = std::ranges::find(table.headings, name, &Heading::text);
-        const bool of_bare_unit = heading != table.headings.end() &&
-                                  heading->states == HeadingUnit::fraction &&
+    const bool any_unit = std::ranges::any_of(table.headings, has_unit);
+    const bool divided = std::ranges::any_of(
+        table.headings, [](const Heading& heading) { return heading.coverage.factor != 1; });
+    const auto is_alone = [&](const XrdSample& sample) {
+        const auto heading = std::ranges::find(table.headings, sample.name, &Heading::text);
+        const bool is_column = heading != table.headings.end() && heading->role == Role::other;
+        const bool of_bare_unit = is_column && heading->states == HeadingUnit::fraction &&
                                   !bases_in(heading->written, false).contains("weight");
-        return may_state_more(name) || (of_bare_unit && words_of(name) > 1);
+        const bool is_uncertain = std::ranges::any_of(sample.analysis.phases, [](const PhaseFraction& phase) {
+            return phase.standard_uncertainty.value_or(0) != 0;
+        });
+        const auto words = std::ranges::count_if(
+            words_in(sample.name), [](const std::string& word) { return !is_digit(word.front()); });
+        return may_state_more(sample.name) ||
+               (is_column && heading->written.find('#') != std::string::npos) ||
+               (is_column && any_unit && !has_unit(*heading)) ||
+               ((of_bare_unit || is_uncertain) && words > 1);
     };
     std::vector<std::string> names;
     for (const XrdSample& sample : samples)
-        if (states_more(sample.name)) names.push_back(sample.name);
-    const bool divided = std::ranges::any_of(
-        table.headings, [](const Heading& heading) { return heading.coverage.factor != 1; });
+        if (is_alone(sample)) names.push_back(sample.name);
     return names_not_read(xrd_code, std::move(names),
                           std::string("the amounts count by ") + (volumes ? "volume" : "weight") +
                               (divided ? "" : ", the uncertainties as standard ones"));
+}
+
+/// A remark on the name of a sheet, unless it is one that spreadsheets give.
+std::optional<Finding> sheet_not_read(const std::vector<TextBeside>& texts) {
+    static const WordLists words("names of sheets");
+    for (const TextBeside& text : texts) {
+        if (!text.text.starts_with(sheet_name_mark)) continue;
+        const std::string name = text.text.substr(sheet_name_mark.size());
+        const std::string word(trimmed(name.substr(0, name.find_first_of("0123456789"))));
+        if (words.list_of(word) != "given")
+            return Finding{xrd_code, Severity::remark,
+                           "the name of the sheet, " + in_quotes(name) + ", is not read"};
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -472,8 +493,8 @@ XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) 
         result.samples.push_back(
             standardised(sample, group, table, layout == Layout::peaks ? not_stated : scale));
     }
-    if (auto remark = not_understood(result.samples, table, volumes))
-        result.warnings.push_back(*std::move(remark));
+    for (auto& remark : {names_alone(result.samples, table, volumes), sheet_not_read(table.texts)})
+        if (remark) result.warnings.push_back(*remark);
     std::vector<NamedSum> sums;
     if (layout == Layout::fractions || layout == Layout::peaks) return result;  // a column names the samples
     for (const XrdSample& sample : result.samples) {
