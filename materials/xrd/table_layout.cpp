@@ -1338,7 +1338,10 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     for (const TextBeside& group : groups) {
         const bool is_name = std::ranges::any_of(
             cut.heading.cells, [&](const std::string& cell) { return cell.starts_with(group.text); });
-        if (!is_name && !is_unit(group.text))
+        const bool holds_more = !bases_in(group.text, false).contains("weight") ||
+                                std::ranges::any_of(group.text, is_digit) ||  // "wt% (n=3, P=0.95)"
+                                may_state_more(read_heading(group.text).text);
+        if (!is_name && !is_unit(group.text) && holds_more)
             cut.findings.push_back(
                 {xrd_code, Severity::remark,
                  "of the heading " + in_quotes(group.text) + " over several columns only the unit is read"});

@@ -420,7 +420,7 @@ TEST_CASE("names of samples, and headings, that change what amounts are") {
             !refusal("Phase;" + std::string(heading) + "\nQuartz;20 \u00b1 1\nGlass;80 \u00b1 2\n").empty(),
             heading);
     CHECK(refusal("Phase;Surface [wt%]\nQuartz;20\nGlass;80\n") == "");
-    for (const char* heading : {"FA1 (n=3, 2s) [wt%]", "FA1 [wt%] (2s, n = 3)", "wt% (2 sigma; n=5)"})
+    for (const char* heading : {"FA1 (n=3, 2s) [wt%]", "FA1 [wt%] (2s, n = 3)", "wt% (2 sigma, n=5)"})
         CHECK(first_of("Phase;" + std::string(heading) + "\nQuartz;20 \u00b1 1\nGlass;80 \u00b1 2\n")
                   .analysis.phases[0]
                   .standard_uncertainty.value() == doctest::Approx(0.005));
@@ -449,7 +449,7 @@ TEST_CASE("names of samples that may state more than a sample are quoted") {
         CHECK_MESSAGE(contains(told("Sample;Quartz;Glass\nFA1;20;80\n" + std::string(name) + ";30;70\n"),
                                "these names are read as names of samples alone: \"FA2"),
                       name);
-    for (const char* heading : {"FA1", "FA1 [%]", "Ash 1 %", "Fly ash Nord [wt%]", "Flugasche 2"})
+    for (const char* heading : {"FA1 [wt%]", "FA1 [%]", "Ash 1 %", "Fly ash Nord [wt%]"})
         CHECK_FALSE_MESSAGE(contains(told("Phase;" + std::string(heading) + "\nQuartz;20\nGlass;80\n"),
                                      "names of samples alone"),
                             heading);
