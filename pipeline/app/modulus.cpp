@@ -373,6 +373,7 @@ std::vector<std::string> unused_own_phases(const std::vector<SampleEstimate>& sa
 void warn_of_samples(const std::vector<SampleEstimate>& estimates,
                      std::vector<Finding> SampleEstimate::*findings, const std::string& place) {
     std::set<std::string> printed;
+    std::vector<Finding> all;
     for (const SampleEstimate& estimate : estimates)
         for (Finding finding : estimate.*findings) {
             if (!printed.insert(finding.text).second) continue;
@@ -382,8 +383,9 @@ void warn_of_samples(const std::vector<SampleEstimate>& estimates,
                     (other.*findings).end())
                     names.push_back(other.name);
             if (names.size() < estimates.size()) finding.text = joined(names) + ": " + finding.text;
-            warn_of({finding}, place);
+            all.push_back(std::move(finding));
         }
+    warn_of(all, place);
 }
 
 void run_modulus_command(const CommandOptions& options, std::ostream& out) {

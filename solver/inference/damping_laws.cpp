@@ -558,24 +558,24 @@ class DampingLawFit {
         return constants;
     }
 
-    /// Covariance of the constants from the variances of the differences, which are not the same for all: the
-    /// error of a measured velocity counts most where e is steep. No standard uncertainty is smaller than
-    /// that of equal scatter, with Student's t.
+    /// Standard uncertainties of the constants from the variances of the differences, which are not the same
+    /// for all: the error of a measured velocity counts most where e is steep. None is smaller than that of
+    /// equal scatter, with Student's t.
     /// @param slope of e as computed, a row an impact and a column a constant
-    [[nodiscard]] Eigen::MatrixXd covariance(const Eigen::MatrixXd& slope, const Eigen::ArrayXd& differences,
-                                             const Eigen::ArrayXd& variances) const {
+    [[nodiscard]] Eigen::VectorXd uncertainties(const Eigen::MatrixXd& slope,
+                                                const Eigen::ArrayXd& differences,
+                                                const Eigen::ArrayXd& variances) const {
         const Eigen::MatrixXd weighted = weights_.matrix().asDiagonal() * slope;
         const Eigen::MatrixXd inverse = (slope.transpose() * weighted).inverse();
-        const Eigen::MatrixXd covariance =
-            inverse * weighted.transpose() * variances.matrix().asDiagonal() * weighted * inverse;
+        const Eigen::ArrayXd by_noise =
+            (inverse * weighted.transpose()).array().square().matrix() * variances.matrix();
         // A capture that the law captures, too, is no scatter of 0.
         const auto told = ((slope.array() != 0).rowwise().any() || differences != 0).count();
         const double freedom = static_cast<double>(std::max<Eigen::Index>(1, told - slope.cols()));
         const double wider = gsl::student_quantile(0.5 + 0.5 * confidence, freedom) / confidence_quantile();
         const Eigen::ArrayXd equal =
             (weights_ * differences.square()).sum() / freedom * wider * wider * inverse.diagonal().array();
-        const Eigen::ArrayXd growth = (equal / covariance.diagonal().array()).max(1.0).sqrt();
-        return growth.matrix().asDiagonal() * covariance * growth.matrix().asDiagonal();
+        return by_noise.max(equal).sqrt().matrix();
     }
 
     /// Changes of e as computed over a width to both sides of each constant, per its reach: e rises
@@ -594,19 +594,17 @@ class DampingLawFit {
         return secants;
     }
 
-    /// Covariance of the constants, in units of their reaches; the widths of its secants are its own standard
-    /// uncertainties.
-    [[nodiscard]] Eigen::MatrixXd covariance_near(const NearbyRatios& nearby, const Eigen::VectorXd& shift,
-                                                  const Eigen::ArrayXd& variances) const {
+    /// The same in units of the reaches; they are the widths of the secants, too.
+    [[nodiscard]] Eigen::VectorXd uncertainties_near(const NearbyRatios& nearby, const Eigen::VectorXd& shift,
+                                                     const Eigen::ArrayXd& variances) const {
         constexpr int most = 8;
         constexpr double narrowest = 1e-6;
         constexpr double widest = 4;  // beyond it e is no parabola
         const Eigen::ArrayXd differences = differences_of(nearby.at(shift));
-        Eigen::VectorXd widths = Eigen::VectorXd::Ones(shift.size());
-        Eigen::MatrixXd found = covariance(secants(nearby, shift, widths), differences, variances);
-        for (int i = 0; i < most && found.diagonal().allFinite(); ++i) {
-            widths = found.diagonal().cwiseSqrt().cwiseMax(narrowest).cwiseMin(widest);
-            found = covariance(secants(nearby, shift, widths), differences, variances);
+        Eigen::VectorXd found = Eigen::VectorXd::Ones(shift.size());
+        for (int i = 0; i <= most && found.allFinite(); ++i) {
+            const Eigen::VectorXd widths = found.cwiseMax(narrowest).cwiseMin(widest);
+            found = uncertainties(secants(nearby, shift, widths), differences, variances);
         }
         return found;
     }
@@ -622,10 +620,11 @@ class DampingLawFit {
             result.correlation = product > 0 ? -information(0, 1) / std::sqrt(product) : -1;
             if (std::abs(*result.correlation) > greatest_correlation) return;
         }
-        const Eigen::MatrixXd covariance = covariance_near(nearby, shift, variances);
+        const Eigen::VectorXd uncertainties = uncertainties_near(nearby, shift, variances);
+        if (!uncertainties.allFinite()) return;
         const auto add = [&](std::string_view name, Eigen::Index k) {
             result.constants.push_back({name, constants[static_cast<std::size_t>(k)],
-                                        std::sqrt(covariance(k, k)) * reach[k], dimension_of(damping_law_)});
+                                        uncertainties[k] * reach[k], dimension_of(damping_law_)});
         };
         add("damping", 0);
         if (shift.size() == 1) return;
