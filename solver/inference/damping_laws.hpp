@@ -25,7 +25,7 @@ struct ImpactsOfSample {
 struct DampingConstant {
     std::string_view name;   ///< "damping", or that of a parameter of the law
     double value = 0;        ///< [SI unit of its dimension]
-    double uncertainty = 0;  ///< standard, from the differences that remain [SI]
+    double uncertainty = 0;  ///< standard, from the noise of velocities or the scatter [SI]
     Dimension dimension = Dimension::fraction;
 };
 
