@@ -262,7 +262,8 @@ TEST_CASE("tabulated critical velocities are those of the backward integration t
     }
 }
 
-TEST_CASE("critical velocities beyond yield are those of the backward integration to 1e-9, on any threads") {
+TEST_CASE("critical velocities beyond yield are those of the backward integration to 1e-9, on any threads" *
+          doctest::test_suite("long")) {
     int yielded = 0;
     int sets = 0;
     for (const Impacts& impacts : random_impacts(sanitized ? 2 : 24, 1.5, 37)) {
