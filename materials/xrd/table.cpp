@@ -443,7 +443,7 @@ std::optional<Finding> sheet_not_read(const std::vector<TextBeside>& texts) {
         if (!text.text.starts_with(sheet_name_mark)) continue;
         const std::string name = text.text.substr(sheet_name_mark.size());
         const std::string word(trimmed(name.substr(0, name.find_first_of("0123456789"))));
-        if (words.list_of(word) != "given")
+        if (!words.holds(word))
             return Finding{xrd_code, Severity::remark,
                            "the name of the sheet, " + in_quotes(name) + ", is not read"};
     }

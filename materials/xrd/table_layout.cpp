@@ -1340,6 +1340,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
             cut.heading.cells, [&](const std::string& cell) { return cell.starts_with(group.text); });
         const bool holds_more = !bases_in(group.text, false).contains("weight") ||
                                 std::ranges::any_of(group.text, is_digit) ||  // "wt% (n=3, P=0.95)"
+                                !read_coverage(group.text).problem.empty() ||
                                 may_state_more(read_heading(group.text).text);
         if (!is_name && !is_unit(group.text) && holds_more)
             cut.findings.push_back(

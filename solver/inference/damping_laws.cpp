@@ -235,6 +235,7 @@ class DampingLawFit {
         return result_at(law, constants, last.about(back, ratio), Eigen::VectorXd::Zero(2), last_reaches);
     }
 
+    /// A number of each impact, in their order.
     template <class Function>
     [[nodiscard]] Eigen::ArrayXd array_of(const Function& function) const {
         Eigen::ArrayXd all(static_cast<Eigen::Index>(impacts_.size()));
@@ -571,7 +572,7 @@ class DampingLawFit {
             (inverse * weighted.transpose()).array().square().matrix() * variances.matrix();
         // A capture that the law captures, too, is no scatter of 0.
         const auto told = ((slope.array() != 0).rowwise().any() || differences != 0).count();
-        const double freedom = static_cast<double>(std::max<Eigen::Index>(1, told - slope.cols()));
+        const int freedom = static_cast<int>(std::max<Eigen::Index>(1, told - slope.cols()));
         const double wider = gsl::student_quantile(0.5 + 0.5 * confidence, freedom) / confidence_quantile();
         const Eigen::ArrayXd equal =
             (weights_ * differences.square()).sum() / freedom * wider * wider * inverse.diagonal().array();
@@ -594,7 +595,8 @@ class DampingLawFit {
         return secants;
     }
 
-    /// The same in units of the reaches; they are the widths of the secants, too.
+    /// Standard uncertainties of the constants in units of their reaches, which are the widths of their
+    /// secants, too.
     [[nodiscard]] Eigen::VectorXd uncertainties_near(const NearbyRatios& nearby, const Eigen::VectorXd& shift,
                                                      const Eigen::ArrayXd& variances) const {
         constexpr int most = 8;

@@ -461,16 +461,22 @@ def _table_of(impacts: Any, given: Mapping[str, npt.ArrayLike], mark: str) -> st
         raise _core.InputError(
             f"{', '.join(given) or 'nothing'} is given; allowed: a file, a pandas table, or velocity with rebound_velocity or restitution"
         )
-    arrays, shape = flat_arrays(readings)
-    rows = [list(row) for row in zip(*(np.broadcast_to(array, int(np.prod(shape))) for array in arrays.values()))]
     names = [headings[name] for name in readings]
     if "captured" not in given:
-        return _csv_text(names, rows, mark)
-    truths = np.asarray(given["captured"])
-    if truths.dtype != np.bool_ or truths.size != len(rows):
-        raise _core.InputError(f"captured is {truths.size} of {truths.dtype}; allowed: {len(rows)} truth values, one an impact")
-    outcomes = [[velocity, "", "capture"] if stays else [velocity, reading, "rebound"] for (velocity, reading), stays in zip(rows, truths.ravel())]
+        return _csv_text(names, _rows_of(readings), mark)
+    truths: Any = given["captured"] if hasattr(given["captured"], "astype") else np.asarray(given["captured"])
+    count, kind = len(_rows_of(readings)), np.asanyarray(truths).dtype
+    if kind != np.bool_ or truths.size != count:
+        raise _core.InputError(f"captured is {truths.size} of {kind}; allowed: {count} truth values, one an impact")
+    rows = _rows_of({**readings, "captured": truths.astype(float)})
+    outcomes = [[velocity, "", "capture"] if stays else [velocity, reading, "rebound"] for velocity, reading, stays in rows]
     return _csv_text(names + ["outcome"], outcomes, mark)
+
+
+def _rows_of(columns: Mapping[str, npt.ArrayLike]) -> list[list[Any]]:
+    """Columns that broadcast, row by row."""
+    arrays, shape = flat_arrays(columns)
+    return [list(row) for row in zip(*(np.broadcast_to(array, int(np.prod(shape))) for array in arrays.values()))]
 
 
 def _csv_text(headings: Sequence[str], rows: Sequence[Sequence[Any]], mark: str) -> str:

@@ -27,7 +27,7 @@ double normal_log_probability_slope(double x) {
     return x > no_density ? 0.0 : gsl_sf_hazard(-x);
 }
 
-double student_quantile(double probability, double degrees_of_freedom) {
+double student_quantile(double probability, int degrees_of_freedom) {
     return degrees_of_freedom > 0 ? gsl_cdf_tdist_Pinv(probability, degrees_of_freedom)
                                   : normal_quantile(probability);
 }

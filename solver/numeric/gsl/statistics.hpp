@@ -19,7 +19,7 @@ namespace ashimpact::gsl {
 [[nodiscard]] double normal_log_probability_slope(double x);
 
 /// Quantile of Student's t; that of the normal distribution for 0 degrees of freedom.
-[[nodiscard]] double student_quantile(double probability, double degrees_of_freedom);
+[[nodiscard]] double student_quantile(double probability, int degrees_of_freedom);
 
 /// Probability of a chi^2 at least this large; 1 for 0 degrees of freedom.
 [[nodiscard]] double chi_squared_exceedance(double chi_squared, int degrees_of_freedom);

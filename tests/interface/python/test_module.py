@@ -528,6 +528,11 @@ class Documents(unittest.TestCase):
             (dict(columns, velocity=[1.0, 2.0]), "shapes do not fit"),
             (dict(columns, captured=[1, 0, 0]), "captured is 3 of int64; allowed: 3 truth values, one an impact"),
             (dict(columns, captured=[True]), "captured is 1 of bool; allowed: 3 truth values, one an impact"),
+            (dict(columns, captured=np.ma.array([True, False, False], mask=[0, 1, 0])), "captured has masked values"),
+            (
+                dict(velocity=pandas.Series([1.0, 2.0]), restitution=[0.1, 0.2], captured=pandas.Series([True, False], index=[1, 0])),
+                "velocity and captured have different indices",
+            ),
             (dict(columns, impacts=table, captured=[True]), "impacts, velocity, restitution, captured: both are given"),
             (dict(columns, order=True), "order holds bool; allowed: numbers"),
             (dict(columns, order=2.5), "--order"),
