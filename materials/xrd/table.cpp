@@ -363,7 +363,7 @@ void note_readings(const Table& table, Layout layout, std::vector<Finding>& warn
     const auto intensity = table.column(Role::intensity);
     if (layout != Layout::peaks || !intensity) return;
     const std::string& written = table.headings[*intensity].written;
-    const auto open = written.find('(');
+    const auto open = written.find_first_of("([");
     if (open != std::string::npos && written.find(' ', open) != std::string::npos)
         warnings.push_back(
             {xrd_code, Severity::remark,
@@ -416,17 +416,9 @@ std::optional<Finding> names_alone(const std::vector<XrdSample>& samples, const 
     const auto is_alone = [&](const XrdSample& sample) {
         const auto heading = std::ranges::find(table.headings, sample.name, &Heading::text);
         const bool is_column = heading != table.headings.end() && heading->role == Role::other;
-        const bool of_bare_unit = is_column && heading->states == HeadingUnit::fraction &&
-                                  !bases_in(heading->written, false).contains("weight");
-        const bool is_uncertain = std::ranges::any_of(sample.analysis.phases, [](const PhaseFraction& phase) {
-            return phase.standard_uncertainty.value_or(0) != 0;
-        });
-        const auto words = std::ranges::count_if(
-            words_in(sample.name), [](const std::string& word) { return !is_digit(word.front()); });
         return may_state_more(sample.name) ||
-               (is_column && heading->written.find('#') != std::string::npos) ||
-               (is_column && any_unit && !has_unit(*heading)) ||
-               ((of_bare_unit || is_uncertain) && words > 1);
+               (is_column &&
+                (heading->written.find('#') != std::string::npos || (any_unit && !has_unit(*heading))));
     };
     std::vector<std::string> names;
     for (const XrdSample& sample : samples)

@@ -532,6 +532,11 @@ void refuse_unread_heading(const Heading& heading, std::size_t line) {
     const auto open = heading.text.find_first_of("([");
     std::string said = heading.states == HeadingUnit::other ? heading.unit : std::string();
     if (open != std::string::npos) said = heading.text.substr(open) + said;
+    const StatedCoverage coverage = read_coverage(heading.written);  // "Oxide \u00b1 2 SE", "Oxide CI"
+    if (said.empty() &&
+        (heading.written.find("\u00b1") != std::string::npos || !coverage.stated.empty() ||
+         !coverage.problem.empty() || std::ranges::any_of(words_in(heading.written), is_uncertainty_word)))
+        said = heading.written;
     const auto is_known = [&](const std::string& word) {
         const Role role = role_of_text(word);
         return role == Role::phase || role == Role::sample || beside.holds(word) || methods.holds(word) ||
@@ -1395,14 +1400,18 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
             require_no_common_uncertainty(each.coverage.rest, each.written, table.heading_line);
     table.warnings = cut.findings;
     table.texts = cut.texts;
-    for (std::size_t k = 0; k < table.headings.size(); ++k)
-        if (is_uncertainty(table.headings[k]))
-            table.marks.holds_uncertainties(k);
-        else if (table.headings[k].role == Role::intensity || table.headings[k].scale == Scale::ppm ||
-                 table.headings[k].scale == Scale::per_mille)
-            table.marks.may_hold_thousands(k);
-        else if (table.headings[k].role == Role::weight || table.headings[k].role == Role::volume)
+    bool thousands = false;  // of the amounts, and so of the uncertainties behind them
+    for (std::size_t k = 0; k < table.headings.size(); ++k) {
+        const Heading& each = table.headings[k];
+        const bool uncertain = is_uncertainty(each);
+        if (!uncertain)
+            thousands =
+                each.role == Role::intensity || each.scale == Scale::ppm || each.scale == Scale::per_mille;
+        if (uncertain) table.marks.holds_uncertainties(k);
+        if (thousands) table.marks.may_hold_thousands(k);
+        if (!uncertain && (each.role == Role::weight || each.role == Role::volume) && !thousands)
             table.marks.stays_below_thousand(k);
+    }
     require_agreeing_texts(table, cut.texts, cut.rows);
     for (const TextLine& line : cut.rows) {
         table.rows.push_back(cut_row(line, table.separator));
