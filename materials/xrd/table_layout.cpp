@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <functional>
 #include <map>
 #include <regex>
 #include <set>
@@ -532,10 +533,13 @@ void refuse_unread_heading(const Heading& heading, std::size_t line) {
     const auto open = heading.text.find_first_of("([");
     std::string said = heading.states == HeadingUnit::other ? heading.unit : std::string();
     if (open != std::string::npos) said = heading.text.substr(open) + said;
-    const StatedCoverage coverage = read_coverage(heading.written);  // "Oxide \u00b1 2 SE", "Oxide CI"
-    if (said.empty() &&
-        (heading.written.find("\u00b1") != std::string::npos || !coverage.stated.empty() ||
-         !coverage.problem.empty() || std::ranges::any_of(words_in(heading.written), is_uncertainty_word)))
+    const std::vector<std::string> words = words_in(heading.written);  // "Oxide \u00b1 2 SE", "Oxide 95% CI"
+    const auto is_of_uncertainty = [](const std::string& word) {
+        return is_uncertainty_word(word) || (word.size() > 1 && is_summary(word));
+    };
+    if (said.empty() && (heading.written.find("\u00b1") != std::string::npos ||
+                         std::ranges::any_of(words, is_of_uncertainty) ||
+                         (holds_per_cent(heading.written) && std::ranges::any_of(heading.written, is_digit))))
         said = heading.written;
     const auto is_known = [&](const std::string& word) {
         const Role role = role_of_text(word);
@@ -887,6 +891,53 @@ void leave_out(Heading& heading) {
     if (heading.text.empty()) heading.text = heading.written;  // "2 sigma"
 }
 
+/// Leaves out columns of texts beside phases and a column with numbers: "ICDD" above "46-1045".
+void leave_texts_out(Table& table, std::span<const TextLine> rows) {
+    const auto is_amount = [](const Heading& heading) {
+        return heading.role == Role::other && !heading.text.empty();
+    };
+    const std::vector<bool> holds_numbers = columns_with_numbers(table, rows);
+    std::vector<bool> holds_texts(table.headings.size(), false);
+    std::vector<bool> states_none(table.headings.size(), false);  // "n.d."
+    for (const TextLine& row : rows)
+        for_each_cell(row, table.separator, [&](std::string_view cell, std::size_t k) {
+            if (k >= table.headings.size() || cell.empty()) return;
+            holds_texts[k] = true;
+            states_none[k] = states_none[k] || says_no_number(cell);
+        });
+    bool any = false;
+    for (std::size_t k = 0; k < table.headings.size(); ++k)
+        any = any || (is_amount(table.headings[k]) && holds_numbers[k]);
+    for (std::size_t k = 0; any && k < table.headings.size(); ++k)
+        if (is_amount(table.headings[k]) && table.headings[k].unit.empty() && holds_texts[k] &&
+            !holds_numbers[k] && !states_none[k])
+            leave_out(table.headings[k]);
+}
+
+/// Takes the unit that a column states for all rows, "Content;Unit" above "20;wt%", into the headings without
+/// one. @return the column; none without one, or where it states several units
+std::optional<std::size_t> take_unit_column(TableRow& names, std::span<const TextLine> rows, char separator,
+                                            const std::function<bool(std::string_view)>& is_unit) {
+    static const WordLists units("unit columns");
+    const auto found =
+        std::ranges::find_if(names.cells, [](const std::string& cell) { return units.holds(cell); });
+    if (found == names.cells.end()) return std::nullopt;
+    const auto column = static_cast<std::size_t>(found - names.cells.begin());
+    std::set<std::string, std::less<>> stated;
+    for (const TextLine& row : rows)
+        for_each_cell(row, separator, [&](std::string_view cell, std::size_t k) {
+            if (k == column && !cell.empty()) stated.emplace(cell);
+        });
+    if (stated.size() != 1 || !is_unit(*stated.begin())) return std::nullopt;
+    for (std::size_t k = 0; k < names.cells.size(); ++k) {
+        const Role role = role_of_text(names.cells[k]);
+        if (k != column && !names.cells[k].empty() && role != Role::phase && role != Role::sample &&
+            !names.cells[k].ends_with(']'))
+            names.cells[k] += " [" + *stated.begin() + "]";
+    }
+    return column;
+}
+
 /// Leaves out uncertainties without a name behind a column that is not used: they are of that column.
 void drop_uncertainties_of_unused(Table& table, std::span<const TextLine> rows) {
     const bool is_long = names_amounts(table.headings);
@@ -1013,9 +1064,13 @@ void find_blank_rows(Table& table) {
         bool is_blank = !name.empty();
         for (std::size_t k = 0; k < row.cells.size(); ++k)
             is_blank = is_blank && (k == label || k == sample || row.cells[k].empty());
+        const PhaseMark mark = read_phase_name(name).mark;
+        if (is_blank && amounts_follow && mark == PhaseMark::standard)
+            refuse_line(row.line, in_quotes(name) + " has no cells: it may call the rows below it so",
+                        "the mark beside the name of the phase: \"Corundum (internal standard)\"");
         const bool heads = is_blank && amounts_follow && !heads_alike(name, "phases") &&
                            !names_loss(name, true) && meaning_of_row(name) == RowMeaning::phase &&
-                           read_phase_name(name).mark == PhaseMark::none;
+                           mark == PhaseMark::none;
         if (heads) {
             const Heading as_heading = read_heading(name);
             if (as_heading.role == Role::measure &&
@@ -1354,6 +1409,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     }
     std::ranges::move(groups, std::back_inserter(cut.texts));
     TableRow names = cut.heading;
+    const auto units = take_unit_column(names, cut.rows, cut.separator, is_unit);
     const std::vector<std::size_t> repeated = take_sides(names, cut.rows, cut.separator);
     Table table{.heading_line = cut.heading.line,
                 .headings = headings_of(names),
@@ -1363,11 +1419,16 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     for (std::size_t k = 0; k < names.cells.size(); ++k)
         if (names.cells[k] != cut.heading.cells[k]) table.headings[k].written = cut.heading.cells[k];
     for (const std::size_t k : repeated) leave_out(table.headings[k]);
+    if (units) {
+        table.headings[*units].role = Role::measure;
+        table.headings[*units].text.clear();
+    }
     refuse_two_methods(cut.heading.cells, cut.heading.line);
     name_crystalline_totals(table);
     drop_numbers_of_phases(table, cut.rows);
     const bool is_wide = table.has(Role::phase) != table.has(Role::sample) && !names_amounts(table.headings);
     if (is_wide) {
+        if (table.has(Role::phase)) leave_texts_out(table, cut.rows);
         find_amounts_with_uncertainties(table);
         find_uncertainties(table);
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <regex>
 
 #include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
@@ -332,7 +333,8 @@ void number_patterns(std::vector<XrdSample>& samples) {
 bool looks_like_topas(const TextLines& file) {
     constexpr std::array<std::string_view, 3> weights{"MVW(", "MVW (", "weight_percent"};
     const std::string& text = file.text();
-    return text.find("phase_name") != std::string::npos &&
+    static const std::regex name("phase_name[ \t]+(?!weight)");  // unlike the headings of a table
+    return std::regex_search(text, name) &&
            std::any_of(weights.begin(), weights.end(),
                        [&](std::string_view word) { return text.find(word) != std::string::npos; });
 }

@@ -11,6 +11,7 @@
 #include "core/text/text.hpp"
 #include "core/units/units.hpp"
 #include "pipeline/case/case_parts.hpp"
+#include "solver/inference/impacts/impact_rows.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 
 namespace ashimpact {
@@ -108,6 +109,17 @@ bool explained(const Measurement& point) {
     return point.rebound - point.velocity <= 3 * std::sqrt(variance);
 }
 
+/// Refuses impacts that the columns of a case hold twice, or doubts them, as those of a file: "line 21" is
+/// the 21st value. @throws InputError
+void check_repeated(const View& node, MeasurementSet& set) {
+    RepeatedRows repeated;
+    for (std::size_t i = 0; i < set.points.size(); ++i)
+        repeated.take({i + 1, {shortest(set.points[i].velocity), shortest(set.points[i].rebound)}}, 0, 1);
+    at_place(node.pointer(), [&] {
+        if (auto doubt = repeated.doubtful()) set.warnings.push_back(*std::move(doubt));
+    });
+}
+
 std::string place_of(const Measurement& point, std::size_t index) {
     return point.line > 0 ? "line " + std::to_string(point.line) : "point " + std::to_string(index + 1);
 }
@@ -174,6 +186,7 @@ MeasuredRestitution read_measured(const View& node, InputFiles& files, const std
         });
     } else {
         data.impacts = read_measurement_columns(node);
+        check_repeated(node, data.impacts);
     }
     if (const auto source = node.find("source")) data.source = source->text();
     if (const auto own = node.find("camera")) {

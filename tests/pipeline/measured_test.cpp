@@ -312,6 +312,27 @@ TEST_CASE("impacts without a capture leave v_c open below, whatever the damping 
     CHECK_FALSE(says_so());
 }
 
+TEST_CASE("impacts that the columns of a case hold twice are refused") {
+    Json document = one_sample("jkr");
+    Json& data = document["samples"][0]["restitution"];
+    std::vector<double> velocity{1.72, 1.81, 1.95, 2.11, 2.31, 2.55, 2.93, 3.35, 3.94, 4.61};
+    std::vector<double> rebound{0.12, 0.22, 0.33, 0.44, 0.57, 0.73, 0.93, 1.21, 1.51, 1.84};
+    data = {{"velocity", velocity}, {"rebound_velocity", rebound}};
+    CHECK_NOTHROW(static_cast<void>(computed_from(document, "restitution")));
+    for (std::size_t i = 0; i < 10; ++i) {
+        data["velocity"].push_back(velocity[i]);
+        data["rebound_velocity"].push_back(rebound[i]);
+    }
+    std::string refusal;
+    try {
+        static_cast<void>(computed_from(document, "restitution"));
+    } catch (const InputError& error) {
+        refusal = error.what();
+    }
+    CHECK(refusal ==
+          test::containing("/restitution: line 11: the rows to line 20 repeat those from line 1 to 10"));
+}
+
 TEST_CASE("a restitution that falls from the first rebound on is no rising branch") {
     Json document = one_sample("dmt");
     Json& data = document["samples"][0]["restitution"];

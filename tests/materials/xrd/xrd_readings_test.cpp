@@ -460,7 +460,7 @@ TEST_CASE("what the heading of the names says is read, or refused") {
     for (const char* heading :
          {"Phase (Fehler 2s)", "Phase (2 sigma)", "Phase (\u00b1 2\u03c3)", "Phase [Fehler 2s]",
           "Mineral [Vol.-%]", "Phase (area)", "Phase (values / 10)", "Phase [scaled]", "Phase (estimated)",
-          "Phase (cation %)"})
+          "Phase (cation %)", "Phase \u00b1 2 SE", "Phase CI", "Phase 95% conf."})
         CHECK_MESSAGE(!refusal(heading + rows).empty(), heading);
     CHECK(contains(
         refusal("Phase (values / 10)" + rows),
@@ -470,6 +470,25 @@ TEST_CASE("what the heading of the names says is read, or refused") {
           "Phase (n=3)", "Phase (Name, Formel)", "Phases (Rietveld refinement)", "Mineral [ICSD no.]",
           "Phase (\u00b0C)", "Phase name (ICDD PDF-4+)"})
         CHECK_MESSAGE(refusal(heading + rows).empty(), heading);
+}
+
+TEST_CASE("texts and units in columns of their own are no samples") {
+    for (const char* table : {"Phase;ICDD;FA1 [wt%]\nQuartz;46-1045;20\nMullite;15-0776;30\nGlass;;50\n",
+                              "Phase;Content;Unit\nQuartz;20;wt%\nMullite;30;wt%\nGlass;50;wt%\n",
+                              "phase_name,weight_percent\nQuartz,20\nMullite,30\nGlass,50\n"}) {
+        const XrdResult result = read_xrd(table, "t.csv");
+        REQUIRE_MESSAGE(result.samples.size() == 1, table);
+        CHECK(result.format == XrdFormat::table);
+        CHECK(result.samples[0].analysis.phases[0].fraction == doctest::Approx(0.2));
+    }
+    CHECK(contains(told("Phase;ICDD;FA1 [wt%]\nQuartz;46-1045;20\nGlass;;80\n"), "\"ICDD\" is not used"));
+    CHECK(first_of("Phase;Value;Unit\nQuartz;200;g/kg\nGlass;800;g/kg\n").analysis.phases[0].fraction ==
+          doctest::Approx(0.2));
+    CHECK_FALSE(refusal("Phase;Value;Unit\nQuartz;200;g/kg\nGlass;80;wt%\n").empty());
+    CHECK(contains(refusal("Phase;wt%\nQuartz;20\nInternal standard;\nCorundum;10\nGlass;70\n"),
+                   "line 3: \"Internal standard\" has no cells: it may call the rows below it so"));
+    CHECK(contains(refusal("Phase;FA1 [ppm];esd\nQuartz;182 000;9.000\nGlass;818 000;8.000\n"),
+                   "\"9.000\" is 9.000 or 9000"));
 }
 
 TEST_CASE("a coverage in the heading of the amounts is that of the uncertainties behind them") {
