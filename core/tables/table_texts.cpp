@@ -628,18 +628,20 @@ bool divides_otherwise(std::string_view cell, double factor) {
     return std::abs(stated - factor) > rounding * factor;
 }
 
+bool holds_signs(std::string_view name) {
+    return name.find_first_of("()[]{}=#%+") != std::string_view::npos ||
+           name.find("\u00b1") != std::string_view::npos;
+}
+
 bool may_state_more(std::string_view name) {
-    if (name.find_first_of("()[]{}=#%+") != std::string_view::npos ||
-        name.find("\u00b1") != std::string_view::npos)
-        return true;
     static const WordLists plain("names of samples");
-    const auto is_label = [](const std::string& word) {  // "FA1", "2019", "A"
-        return word.find_first_of("0123456789") != std::string::npos || word.size() == 1;
-    };
-    const std::vector<std::string> words = words_in(name);
-    return words.size() > 1 && !std::ranges::all_of(words, [&](const std::string& word) {
-               return is_label(word) || plain.holds(word);
-           });
+    std::vector<std::string> words = words_in(name);
+    std::erase_if(words, [](const std::string& word) {
+        return word.size() == 1 || std::ranges::all_of(word, is_digit);
+    });
+    return holds_signs(name) || (words.size() > 1 && std::ranges::any_of(words, [&](const std::string& word) {
+                                     return !plain.holds(word) && std::ranges::none_of(word, is_digit);
+                                 }));
 }
 
 std::optional<Finding> names_not_read(std::string_view code, std::vector<std::string> names,

@@ -185,8 +185,11 @@ void refuse_sign_of_bound(std::string_view cell, const std::string& column, std:
 void refuse_coverages(std::string_view heading, std::span<const TableRow> rows, std::size_t column,
                       std::span<const double> factors);
 
-/// Whether the name of a sample may state more than that: it holds brackets, a sign of a unit or an
-/// uncertainty, or several words of which one is neither a label ("FA1") nor common in names ("fly ash").
+/// Whether a name holds brackets, or a sign of a unit or an uncertainty.
+[[nodiscard]] bool holds_signs(std::string_view name);
+
+/// Whether the name of a sample may state more than that: it holds such signs, or several words beside
+/// numbers, of which one is neither a label ("FA1") nor common in names ("fly ash").
 [[nodiscard]] bool may_state_more(std::string_view name);
 
 /// The remark on samples with such names; none if there are none. @param counted how the amounts are read

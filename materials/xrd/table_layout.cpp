@@ -1401,7 +1401,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
         const bool holds_more = !bases_in(group.text, false).contains("weight") ||
                                 std::ranges::any_of(group.text, is_digit) ||  // "wt% (n=3, P=0.95)"
                                 !read_coverage(group.text).problem.empty() ||
-                                may_state_more(read_heading(group.text).text);
+                                holds_signs(read_heading(group.text).text);
         if (!is_name && !is_unit(group.text) && holds_more)
             cut.findings.push_back(
                 {xrd_code, Severity::remark,

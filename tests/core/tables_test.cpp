@@ -734,9 +734,11 @@ TEST_CASE("what fractions are by counts wherever it stands, or the table is refu
         CHECK(contains(error("Phase;" + std::string(heading) + "\nQuartz;20\nGlass;80\n"),
                        "may hold fractions by volume, as modes and areas are, or by weight"));
     CHECK(error("Phase;modal vol%\nQuartz;20\nGlass;80\n").empty());
+    CHECK(read_xrd("Phase;content;unit\nQuartz;20;vol%\nGlass;80;vol%\n", "a.csv")
+              .samples.front()
+              .analysis.basis == FractionBasis::volume);
     for (const char* table :
-         {"Phase;content;unit\nQuartz;20;vol%\nGlass;80;vol%\n",
-          "Phase;wt%;;\nQuartz;20;;amounts are volume %\nGlass;80;;\n",
+         {"Phase;wt%;;\nQuartz;20;;amounts are volume %\nGlass;80;;\n",
           "Phase;%;remark\nQuartz;20;vol%\nGlass;80;vol%\n", "Phase;wt%\nQuartz (vol%);20\nGlass;80\n"})
         CHECK(contains(error(table), "line 2: \""));
     for (const char* group : {"mol%", "Molenbruch", "Fl\u00e4chen-%", "intensit\u00e9 [%]"})
