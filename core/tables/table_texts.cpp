@@ -386,9 +386,11 @@ void check_coverage(std::string_view code, const std::vector<TextBeside>& texts,
                 "numbers with \"\u00b1\", a column of uncertainties behind it, or a heading "
                 "without this text");
         if (!column->is_uncertainty)
-            findings.push_back({code, Severity::remark,
-                                fmt::format("column {} states a coverage and holds no uncertainties",
-                                            in_quotes(column->heading))});
+            findings.push_back(
+                {code, Severity::remark,
+                 fmt::format("column {} {} and holds no uncertainties", in_quotes(column->heading),
+                             coverage.stated.empty() ? "has a word beside its name that is not read"
+                                                     : "states a coverage")});
         else if (!coverage.problem.empty())
             findings.push_back({code, Severity::doubt,
                                 fmt::format("uncertainties of column {} are not read, as {}",

@@ -360,14 +360,20 @@ void note_readings(const Table& table, Layout layout, std::vector<Finding>& warn
         warnings.push_back({xrd_code, Severity::remark,
                             "the column " + in_quotes(found->written) + " is taken as the sample " +
                                 in_quotes(found->text) + ", in % by weight"});
-    const auto intensity = table.column(Role::intensity);
-    if (layout != Layout::peaks || !intensity) return;
-    const std::string& written = table.headings[*intensity].written;
-    const auto open = written.find_first_of("([");
-    if (open != std::string::npos && written.find(' ', open) != std::string::npos)
-        warnings.push_back(
-            {xrd_code, Severity::remark,
-             "the column " + in_quotes(written) + " is taken as net intensities of the strongest peaks"});
+    if (layout != Layout::peaks) return;
+    static const WordLists units("units of intensities", "%");
+    for (const auto& [role, taken_as] : {std::pair{Role::intensity, "net intensities of the strongest peaks"},
+                                         {Role::ratio, "reference intensity ratios, I/Ic"}}) {
+        const auto column = table.column(role);
+        if (!column) continue;
+        const std::string& written = table.headings[*column].written;
+        const auto open = written.find_first_of("([");
+        if (open == std::string::npos) continue;
+        const auto close = std::min(written.find_first_of(")]", open), written.size());
+        if (!units.holds(written.substr(open + 1, close - open - 1)) || close + 1 < written.size())
+            warnings.push_back({xrd_code, Severity::remark,
+                                "the column " + in_quotes(written) + " is taken as " + taken_as});
+    }
 }
 
 void warn_of_ignored(const Table& table, Layout layout, std::vector<Finding>& warnings) {
@@ -428,6 +434,21 @@ std::optional<Finding> names_alone(const std::vector<XrdSample>& samples, const 
                               (divided ? "" : ", the uncertainties as standard ones"));
 }
 
+/// A remark on names of phases that state an amount: "Corundum (added 20 %)".
+std::optional<Finding> amounts_in_names(const Table& table) {
+    std::vector<std::string> names;
+    const auto take = [&](const std::string& name) {
+        if (name.find('%') != std::string::npos && std::ranges::any_of(name, is_digit))
+            names.push_back(in_quotes(name));
+    };
+    if (const auto label = table.column(Role::phase))
+        for (const TableRow& row : table.rows) take(row.cells[*label]);
+    else
+        for (const Heading& heading : table.headings) take(heading.text);
+    if (names.empty()) return std::nullopt;
+    return Finding{xrd_code, Severity::remark, "the amounts in these names are not read: " + joined(names)};
+}
+
 /// A remark on the name of a sheet, unless it is one that spreadsheets give.
 std::optional<Finding> sheet_not_read(const std::vector<TextBeside>& texts) {
     static const WordLists words("names of sheets");
@@ -485,7 +506,8 @@ XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) 
         result.samples.push_back(
             standardised(sample, group, table, layout == Layout::peaks ? not_stated : scale));
     }
-    for (auto& remark : {names_alone(result.samples, table, volumes), sheet_not_read(table.texts)})
+    for (auto& remark :
+         {names_alone(result.samples, table, volumes), amounts_in_names(table), sheet_not_read(table.texts)})
         if (remark) result.warnings.push_back(*remark);
     std::vector<NamedSum> sums;
     if (layout == Layout::fractions || layout == Layout::peaks) return result;  // a column names the samples

@@ -291,7 +291,8 @@ Heading read_heading(std::string_view text) {
     coverage.rest = replaced(coverage.rest, per_mille);
     take_uncertain_cells(coverage.rest);
     take_repeats(coverage.rest);
-    heading.of_crystalline = take_crystalline(coverage.rest);
+    if (meaning_of_row(coverage.rest) != RowMeaning::crystalline_total)
+        heading.of_crystalline = take_crystalline(coverage.rest);
     split_unit(heading, coverage.rest);
     if (heading.unit.empty() && fraction_unit(heading.text) != nullptr) heading.unit = heading.text;
     heading.states = unit_of(heading.unit);

@@ -472,6 +472,21 @@ TEST_CASE("what the heading of the names says is read, or refused") {
         CHECK_MESSAGE(refusal(heading + rows).empty(), heading);
 }
 
+TEST_CASE("brackets in headings of peaks that are no known units are quoted") {
+    const std::string rows = "\nQuartz;4382;3.4\nMullite;2188;0.7\n";
+    for (const char* heading :
+         {"I (gross);RIR", "Intensity (log);RIR", "Intensity [2nd peak];RIR", "I (raw);RIR"})
+        CHECK_MESSAGE(contains(told("Phase;" + std::string(heading) + rows),
+                               "is taken as net intensities of the strongest peaks"),
+                      heading);
+    for (const char* heading : {"I;RIR (1/x)", "I (counts);RIR (inverse)"})
+        CHECK_MESSAGE(contains(told("Phase;" + std::string(heading) + rows),
+                               "is taken as reference intensity ratios, I/Ic"),
+                      heading);
+    for (const char* heading : {"I (cps);RIR", "Intensity [a.u.];RIR (I/Ic)", "Int. (net);RIR", "I [%];RIR"})
+        CHECK_FALSE_MESSAGE(contains(told("Phase;" + std::string(heading) + rows), "is taken as"), heading);
+}
+
 TEST_CASE("texts and units in columns of their own are no samples") {
     for (const char* table : {"Phase;ICDD;FA1 [wt%]\nQuartz;46-1045;20\nMullite;15-0776;30\nGlass;;50\n",
                               "Phase;Content;Unit\nQuartz;20;wt%\nMullite;30;wt%\nGlass;50;wt%\n",
@@ -487,6 +502,11 @@ TEST_CASE("texts and units in columns of their own are no samples") {
     CHECK_FALSE(refusal("Phase;Value;Unit\nQuartz;200;g/kg\nGlass;80;wt%\n").empty());
     CHECK(contains(refusal("Phase;wt%\nQuartz;20\nInternal standard;\nCorundum;10\nGlass;70\n"),
                    "line 3: \"Internal standard\" has no cells: it may call the rows below it so"));
+    CHECK(first_of("Sample;Quartz;Mullite;Total crystalline\nFA1;12;28;40\n").analysis.phases[0].fraction ==
+          doctest::Approx(0.12));
+    for (const char* standard : {"Corundum (added 20 %)", "Corundum (internal standard, 20 wt%)"})
+        CHECK(contains(told("Phase;wt%\nQuartz;20\n" + std::string(standard) + ";10\nGlass;70\n"),
+                       "the amounts in these names are not read: \"Corundum"));
     CHECK(contains(refusal("Phase;FA1 [ppm];esd\nQuartz;182 000;9.000\nGlass;818 000;8.000\n"),
                    "\"9.000\" is 9.000 or 9000"));
 }
