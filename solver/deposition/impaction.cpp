@@ -30,7 +30,7 @@ using PathState = std::array<double, 4>;
 using PathStepper = boost::numeric::odeint::runge_kutta_fehlberg78<PathState>;
 
 double distance_of(const PathState& state) {
-    return std::hypot(state[0], state[1]);
+    return std::sqrt(state[0] * state[0] + state[1] * state[1]);
 }
 /// Distance times its rate of change.
 double opening_of(const PathState& state) {
@@ -53,7 +53,7 @@ class PathMotion {
         const auto [u, v] = gas_at(state[0], state[1]);
         const double slip_x = u - state[2];
         const double slip_y = v - state[3];
-        const double reynolds = particle_.reynolds * std::hypot(slip_x, slip_y);
+        const double reynolds = particle_.reynolds * std::sqrt(slip_x * slip_x + slip_y * slip_y);
         const double drag = particle_.drag.factor(reynolds) / particle_.stokes;
         rate = {state[2], state[3], drag * slip_x, drag * slip_y};
     }

@@ -19,6 +19,9 @@ namespace {
 
 const std::string superheater =
     " --tube-diameter '38 mm' --gas-velocity '12 m/s' --gas-temperature '900 C' -o tube";
+/// So slow that no particle arrives: what is read of sizes does not take the time of their paths.
+const std::string slow_gas =
+    " --tube-diameter '38 mm' --gas-velocity '0.3 m/s' --gas-temperature '900 C' -o tube";
 const std::string sticky_ash =
     " --law jkr --density '2300 kg/m3' --contact-modulus '90 GPa' --work-of-adhesion '0.3 J/m2' "
     "--damping-law tsuji "
@@ -268,9 +271,6 @@ TEST_CASE("of a run v_c by size counts, and beyond the measured sizes the headli
 
 TEST_CASE("what a sieve table has beside sizes and shares is said") {
     const Sandbox sandbox;
-    // So slow that all particles flow around the tube, which takes no time to compute.
-    const std::string slow_gas =
-        " --tube-diameter '38 mm' --gas-velocity '0.3 m/s' --gas-temperature '900 C' -o tube";
     for (const auto& [table, says] :
          {std::pair{"size [um];passing [wt%];Bemerkung\n10;20;x\n20;100;\n",
                     "column \"Bemerkung\" is not used"},
@@ -305,15 +305,15 @@ TEST_CASE("what a sieve table has beside sizes and shares is said") {
     }
 }
 
-TEST_CASE("one sieve table in the forms that laboratories write is one result" *
-          doctest::test_suite("long")) {
+TEST_CASE("one sieve table in the forms that laboratories write is one result") {
     const Sandbox sandbox;
     const auto captured = [&](const std::string& table) {
         sandbox.write("sieve.csv", table);
-        return deposited(sandbox, sticky_ash + " --sizes sieve.csv")["result"].dump();
+        succeeded(sandbox, "deposit" + slow_gas + sticky_ash + " --sizes sieve.csv");
+        return sandbox.json("tube/deposit.json")["result"]["sizes"].dump();
     };
     const std::string plain = captured("size [um];passing [%]\n10;20\n20;50\n40;100\n");
-    CHECK(plain.size() > 40);
+    CHECK(contains(plain, "mass_fraction"));
     for (const char* table :
          {"Siebweite / \u00b5m;Durchgang / %\n10;20\n20;50\n40;100\n",
           "x [\u00b5m];Q3(x) [%]\n10;20\n20;50\n40;100\n",
