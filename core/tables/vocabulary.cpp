@@ -506,7 +506,9 @@ StatedCoverage read_coverage(std::string_view heading) {
         coverage.stated = coverage.rest.substr(per_cent->begin, per_cent->length);
         const auto known = factor_of_coverage(per_cent->number);
         coverage.factor = known.value_or(1);
+        const bool has_sign = holds_plus_minus(coverage.rest);  // "95 % CI (±)"
         coverage.rest = without(coverage.rest, *per_cent);
+        if (has_sign && !holds_plus_minus(coverage.rest)) coverage.rest = "\u00b1 " + coverage.rest;
         coverage.problem = problem_of_coverage(coverage.rest, known.has_value());
         return coverage;
     }
@@ -538,7 +540,7 @@ StatedCoverage read_coverage(std::string_view heading) {
 }
 
 bool is_uncertainty_word(std::string_view text) {
-    return uncertainty_words().holds(text);
+    return trimmed(text) != "+" && uncertainty_words().holds(text);  // "+" is one side
 }
 
 namespace {
@@ -621,7 +623,8 @@ std::string without_name(std::string_view heading, const std::string& name) {
 std::optional<UncertaintyBeside> uncertainty_beside(std::string_view heading, std::string_view name) {
     if (heading.size() > longest_heading) return std::nullopt;
     heading = trimmed(heading);
-    const auto bracket = heading.ends_with(']') ? heading.rfind('[') : std::string_view::npos;
+    auto bracket = heading.ends_with(']') ? heading.rfind('[') : std::string_view::npos;
+    if (heading.ends_with("%)")) bracket = heading.rfind('(');  // "FA1 σ (wt%)"
     const std::string unit(bracket == std::string_view::npos ? "" : heading.substr(bracket));
     const std::string said = without_name(trimmed(heading.substr(0, bracket)), lower_case(trimmed(name)));
     if (said.empty()) return std::nullopt;

@@ -472,6 +472,30 @@ TEST_CASE("what the heading of the names says is read, or refused") {
         CHECK_MESSAGE(refusal(heading + rows).empty(), heading);
 }
 
+TEST_CASE("a coverage before its unit is that of uncertainties") {
+    for (const char* headings : {"FA1 (wt%);2\u03c3 (wt%)", "FA1 (wt%);2s [wt%]", "FA1 (wt%);2SD wt%",
+                                 "wt%;2\u03c3 (wt%)", "FA1 [wt%];FA1 2\u03c3 (wt%)", "wt%;k=2 (wt%)"}) {
+        CAPTURE(headings);
+        const Analysis analysis =
+            first_of("Phase;" + std::string(headings) + "\nQuartz;20;1\nGlass;80;2\n").analysis;
+        CHECK(analysis.phases[0].fraction == doctest::Approx(0.2));
+        CHECK(analysis.phases[0].standard_uncertainty.value() == doctest::Approx(0.005));
+    }
+    for (const char* headings :
+         {"FA1 (wt%);FA1 \u03c3 (wt%)", "FA1 (wt%);\u03c3(FA1) (wt%)", "wt%;1\u03c3 (wt%)"})
+        CHECK_MESSAGE(first_of("Phase;" + std::string(headings) + "\nQuartz;20;1\nGlass;80;2\n")
+                              .analysis.phases[0]
+                              .standard_uncertainty.value() == doctest::Approx(0.01),
+                      headings);
+    for (const char* heading : {"95 % CI (\u00b1)", "CI 95 % (\u00b1)"})
+        CHECK_MESSAGE(first_of("Phase;wt%;" + std::string(heading) + "\nQuartz;20;1.96\nGlass;80;2\n")
+                              .analysis.phases[0]
+                              .standard_uncertainty.value() == doctest::Approx(0.01).epsilon(1e-3),
+                      heading);
+    CHECK_FALSE(
+        first_of("Phase;wt%;+;-\nQuartz;20;1;2\nGlass;80;2;3\n").analysis.phases[0].standard_uncertainty);
+}
+
 TEST_CASE("brackets in headings of peaks that are no known units are quoted") {
     const std::string rows = "\nQuartz;4382;3.4\nMullite;2188;0.7\n";
     for (const char* heading :
