@@ -540,7 +540,7 @@ StatedCoverage read_coverage(std::string_view heading) {
 }
 
 bool is_uncertainty_word(std::string_view text) {
-    return trimmed(text) != "+" && uncertainty_words().holds(text);  // "+" is one side
+    return uncertainty_words().holds(text);
 }
 
 namespace {

@@ -79,7 +79,9 @@ std::vector<Heading> headings_of(const TableRow& row) {
         const bool is_amount = heading.role == Role::weight || heading.role == Role::volume;
         const bool is_uncertainty_alone =
             is_amount && !has_amounts && (cell.starts_with("\u00b1") || cell.starts_with("+"));
-        if (names_other_basis(heading) || is_ambiguous(heading) || is_uncertainty_alone)
+        const bool is_one_side = heading.role == Role::uncertainty && cell.starts_with('+') &&
+                                 !cell.starts_with("+-") && !cell.starts_with("+/");
+        if (names_other_basis(heading) || is_ambiguous(heading) || is_uncertainty_alone || is_one_side)
             heading.role = Role::measure;
         has_amounts = has_amounts || is_amount;
     }
