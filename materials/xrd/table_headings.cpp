@@ -286,9 +286,10 @@ Heading read_heading(std::string_view text) {
     StatedCoverage coverage = read_coverage(trimmed(plain));
     heading.written = text;
     heading.coverage = coverage;
-    if (const std::string_view rest = coverage.rest;  // "2σ (wt%)" behind a column of amounts
-        coverage.stated_first &&
-        (rest.starts_with('(') || rest.starts_with('[') || fraction_unit(rest) != nullptr))
+    const HeadingUnit behind = unit_of(coverage.rest);
+    if (coverage.stated_first &&  // "2σ (wt%)" behind a column of amounts
+        (coverage.rest.starts_with('(') || coverage.rest.starts_with('[') ||
+         (behind != HeadingUnit::none && behind != HeadingUnit::other)))
         coverage.rest = "\u00b1 " + coverage.rest;
     constexpr std::array<std::pair<std::string_view, std::string_view>, 1> per_mille{{{"\u2030", "%"}}};
     const bool is_per_mille = coverage.rest.find("\u2030") != std::string::npos;
