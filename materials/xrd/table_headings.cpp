@@ -386,13 +386,20 @@ MarkedPhase read_phase_name(std::string_view text) {
         if (start == std::string_view::npos || !text.ends_with(close)) continue;
         const std::string_view before = text.substr(0, start);
         const std::string_view inside = text.substr(start + 1, text.size() - start - 2);
-        // "(spike)", and "(spike, 15 %)"
-        for (const std::string_view mark : {inside, trimmed(inside.substr(0, inside.find_first_of(",;:")))})
+        // "(spike)", "(spike, 15 %)" and "(15 % spike)"
+        const auto behind_number = std::min(inside.find_first_not_of("0123456789.,% "), inside.size());
+        for (const std::string_view mark :
+             {inside, trimmed(inside.substr(0, inside.find_first_of(",;:"))), inside.substr(behind_number)})
             if (auto found = marked(before, mark); found.mark != PhaseMark::none) return found;
         if (auto found = marked(trimmed(inside), before); found.mark == PhaseMark::standard) return found;
     }
     for (auto at = text.find_first_of(" ,:"); at != std::string_view::npos;
          at = text.find_first_of(" ,:", at + 1)) {
+        if (text.substr(0, at).find_first_of("([") != std::string_view::npos &&
+            text.find_last_of(")]") > at && text.find_last_of(")]") != std::string_view::npos)
+            break;  // inside a bracket
+        const bool in_bracket = text.find_first_of("([") < at && text.find_first_of(")]", at) < text.size();
+        if (in_bracket) break;
         const auto blank = text[at] == ' ' ? at : at + 1;
         if (auto found = marked(text.substr(0, at), text.substr(blank)); found.mark != PhaseMark::none)
             return found;

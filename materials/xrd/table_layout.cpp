@@ -837,6 +837,19 @@ void set_aside_traces(Table& table) {
         if (heading.role == Role::other && is_trace(heading)) heading.role = Role::measure;
 }
 
+/// Sets aside quantities of samples beside their phases, "T (°C)" and "d50 [µm]"; masses are refused.
+void set_aside_quantities(Table& table) {
+    if (table.has(Role::phase)) return;
+    for (Heading& heading : table.headings) {
+        const std::string unit = cut_heading(heading.written).unit;
+        const bool is_amount =
+            heading.role == Role::other && !unit.empty() && unit_of(unit) == HeadingUnit::other;
+        const auto quantity = is_amount ? read_unit(ascii_unit(unit)) : std::nullopt;
+        if (quantity && quantity->powers != Unit{}.powers && quantity->powers[1] == 0)
+            heading.role = Role::measure;
+    }
+}
+
 /// Sets aside the columns of other names beside phases and their amounts, which are not used: their units are
 /// not those of the amounts.
 void set_aside_others(Table& table) {
@@ -1438,6 +1451,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     refuse_pairs_of_bases(table);
     if (table.has(Role::phase) && !table.has(Role::sample)) mark_sums(table);
     set_aside_traces(table);
+    set_aside_quantities(table);
     if (is_wide) require_owner_of_last(table);
     set_aside_others(table);
     for (const Heading& each : table.headings)

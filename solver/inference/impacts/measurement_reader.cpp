@@ -947,9 +947,9 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
             } else {
                 ++set.unknown;
                 unread.take_unknown(row);
-                unknown.push_back(row_as_written(
-                    heading, row.line,
-                    {cells.normal_velocity(row).value, std::numeric_limits<double>::quiet_NaN()}));
+                unknown.push_back(row_as_written(heading, row.line,
+                                                 {cells.entry(row, MeasuredQuantity::velocity).value,
+                                                  std::numeric_limits<double>::quiet_NaN()}));
             }
         });
     }
@@ -968,9 +968,12 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
     if (!labels.number_rows()) {
         std::vector<MeasuredRow> measured;
         for (const Measurement& point : set.points) {
+            const double velocity = heading.normal_velocity
+                                        ? point.velocity
+                                        : std::hypot(point.velocity, point.tangential.value_or(0));
             measured.push_back(row_as_written(
                 heading, point.line,
-                {point.velocity, heading.reading().is_fraction ? point.restitution() : point.rebound}));
+                {velocity, heading.reading().is_fraction ? point.restitution() : point.rebound}));
             measured.back().noted = point.outcome != NotedOutcome::from_reading;
         }
         refuse_summaries(measured, set.warnings);

@@ -528,6 +528,11 @@ TEST_CASE("texts and units in columns of their own are no samples") {
                    "line 3: \"Internal standard\" has no cells: it may call the rows below it so"));
     CHECK(first_of("Sample;Quartz;Mullite;Total crystalline\nFA1;12;28;40\n").analysis.phases[0].fraction ==
           doctest::Approx(0.12));
+    for (const char* column : {"T (\u00b0C)", "d50 [\u00b5m]"})
+        CHECK(contains(told("Sample;" + std::string(column) + ";Quartz;Glass\nFA1;900;20;80\n"),
+                       "is not used"));
+    CHECK_FALSE(refusal("Sample;Quartz [mg];Glass [mg]\nFA1;20;80\n").empty());
+    CHECK(first_of("Phase;wt%\nQuartz;20\nCorundum (20 % added);10\nGlass;70\n").analysis.phases.size() == 3);
     for (const char* standard : {"Corundum (added 20 %)", "Corundum (internal standard, 20 wt%)"})
         CHECK(contains(told("Phase;wt%\nQuartz;20\n" + std::string(standard) + ";10\nGlass;70\n"),
                        "the amounts in these names are not read: \"Corundum"));

@@ -1058,6 +1058,14 @@ TEST_CASE("means below a table are found in any unit, and beside readings that a
                      "the row holds the means"));
 }
 
+TEST_CASE("means beside angles are those of the velocities as written") {
+    const std::string table(
+        "v_in [m/s];angle [deg];v_rn [m/s]\n2.10;5.0;0.81\n3.42;12.5;1.36\n4.88;22.0;2.05\n"
+        "1.52;15.5;0.43\n4.21;19.0;1.85\n3.44;30.0;1.38\n3.26;17.3;1.31\n");
+    CHECK(contains(input_error_of([&] { static_cast<void>(read_measurements(table, "t.csv")); }),
+                   "the row holds the means"));
+}
+
 TEST_CASE("a last row without a label that holds the means of the others is refused") {
     const std::string rows = "v_in;v_r\n1,52;0,48\n2,51;0,93\n3,03;1,22\n3,91;1,70\n";
     for (const char* sums : {"\n2,74;1,08\n", "2,7425;1,0825\n1,0;0,5\n"})
