@@ -608,6 +608,13 @@ class Unread {
 
     /// An impact, whose remarks may be other texts than words for an outcome.
     void take_impact(const TableRow& row) {
+        static const std::regex marked("[0-9]+ *(?:[*!?#+]+|[xX]|\u2020|\u2021)");  // "8*" in "Nr."
+        for (const TextColumn& column : heading_.unused)
+            if (const std::string& cell = row.cells[column.position];
+                !column.name.empty() && cell.size() <= longest_heading && std::regex_match(cell, marked)) {
+                if (marked_.empty()) first_marked_ = in_quotes(cell) + " in column " + in_quotes(column.name);
+                marked_.push_back(row.line);
+            }
         for (const TextColumn& column : heading_.unused)
             if (column.name.empty() && !row.cells[column.position].empty())
                 take_nameless(column, row.cells[column.position]);
@@ -660,6 +667,11 @@ class Unread {
             warnings.push_back({impacts_code, Severity::remark,
                                 first_not_read_ + " is not read (" + numbered("line", not_read_) +
                                     "); only words for an outcome are, such as haftet or rebound"});
+        if (!marked_.empty())
+            warnings.push_back({impacts_code, Severity::remark,
+                                "the mark of " + first_marked_ +
+                                    " is not read, and the rows with one count (" +
+                                    numbered("line", marked_) + ")"});
         if (!remarked_.empty())
             warnings.push_back({impacts_code, Severity::remark,
                                 "column " + names_of(heading_.remarks) + " tells the outcome in " +
@@ -736,6 +748,8 @@ class Unread {
     std::vector<std::size_t> elsewhere_;
     std::vector<std::size_t> not_read_;
     std::string first_not_read_;
+    std::vector<std::size_t> marked_;
+    std::string first_marked_;
     std::size_t nameless_ = 0;  ///< number of a column without a heading
     std::vector<std::string> nameless_texts_;
     std::string column_elsewhere_;

@@ -1058,6 +1058,16 @@ TEST_CASE("means below a table are found in any unit, and beside readings that a
                      "the row holds the means"));
 }
 
+TEST_CASE("marks behind the numbers of rows are quoted") {
+    const MeasurementSet set = read_measurements(
+        "Nr.;v_in [m/s];v_r [m/s]\n1;1.27;0\n2;4.95;2.28\n3*;1.90;0.40\n4*;2.56;0.81\n", "t.csv");
+    CHECK(set.points.size() == 4);
+    CHECK(std::ranges::any_of(set.warnings, [](const Finding& each) {
+        return contains(each.text,
+                        "the mark of \"3*\" in column \"Nr.\" is not read, and the rows with one count");
+    }));
+}
+
 TEST_CASE("means beside angles are those of the velocities as written") {
     const std::string table(
         "v_in [m/s];angle [deg];v_rn [m/s]\n2.10;5.0;0.81\n3.42;12.5;1.36\n4.88;22.0;2.05\n"
