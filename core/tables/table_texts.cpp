@@ -728,4 +728,12 @@ NameAndUnit cut_heading(std::string_view heading) {
     return {std::string(heading), {}};
 }
 
+std::optional<Unit> unit_of_quantity(std::string_view heading) {
+    const NameAndUnit cut = cut_heading(heading);
+    const std::string_view text = cut.unit;
+    if (text.substr(0, 2) == "\u00b0") return read_unit("K");
+    const auto unit = text.empty() ? std::nullopt : read_unit(ascii_unit(text));
+    return unit && unit->powers != Unit{}.powers ? unit : std::nullopt;
+}
+
 }  // namespace ashimpact

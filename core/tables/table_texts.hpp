@@ -220,4 +220,7 @@ struct NameAndUnit {
 };
 [[nodiscard]] NameAndUnit cut_heading(std::string_view heading);
 
+/// The unit of a quantity in a heading, "d [um]" or "T (°C)"; none for fractions and other words.
+[[nodiscard]] std::optional<Unit> unit_of_quantity(std::string_view heading);
+
 }  // namespace ashimpact

@@ -841,12 +841,9 @@ void set_aside_traces(Table& table) {
 void set_aside_quantities(Table& table) {
     if (table.has(Role::phase)) return;
     for (Heading& heading : table.headings) {
-        const std::string unit = cut_heading(heading.written).unit;
-        const bool is_amount =
-            heading.role == Role::other && !unit.empty() && unit_of(unit) == HeadingUnit::other;
-        const auto quantity = is_amount ? read_unit(ascii_unit(unit)) : std::nullopt;
-        if (quantity && quantity->powers != Unit{}.powers && quantity->powers[1] == 0)
-            heading.role = Role::measure;
+        const auto unit = heading.role == Role::other ? unit_of_quantity(heading.written) : std::nullopt;
+        const bool is_fraction = unit_of(cut_heading(heading.written).unit) != HeadingUnit::other;  // "g"
+        if (unit && unit->powers[1] == 0 && !is_fraction) heading.role = Role::measure;
     }
 }
 

@@ -175,6 +175,7 @@ void RowLabels::Column::take(std::string_view cell) {
     }
     if (const auto number = row_number(cell)) {
         in_order = in_order && (numbers == 0 || *number == last_number + 1);
+        repeats = repeats || (numbers > 0 && *number == last_number);
         ++numbers;
         last_number = *number;
         inner_empty = empty;

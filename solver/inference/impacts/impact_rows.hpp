@@ -47,6 +47,7 @@ class RowLabels {
         std::size_t empty = 0;
         bool in_order = true;         ///< each number is one more than that before
         long last_number = 0;         ///< of the column
+        bool repeats = false;         ///< a number equals that before, as sizes of groups do
         std::size_t inner_empty = 0;  ///< before the last number
         std::string stem{};           ///< of numbered labels, "P" of "P1": that of the first
         std::size_t stemmed = 0;      ///< labels with it
@@ -67,7 +68,8 @@ class RowLabels {
         bool has_letters = false;               ///< one letter is the name of some row
         bool describes_rows = false;            ///< "mean of 3" in the first row, which sums up no others
         [[nodiscard]] bool counts_rows() const {
-            return numbers >= 2 && numbers > texts + measures && (column.position == 0 || in_order);
+            return numbers >= 2 && numbers > texts + measures && (column.position == 0 || in_order) &&
+                   !repeats && !unit_of_quantity(column.name);
         }
         /// Whether nearly all rows have labels that differ by a number, "P1" and "P2"; in the first column
         /// any labels with a number, "1a" and "B2".

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <map>
 #include <numbers>
+#include <regex>
 #include <span>
 #include <string>
 

@@ -1058,6 +1058,18 @@ TEST_CASE("means below a table are found in any unit, and beside readings that a
                      "the row holds the means"));
 }
 
+TEST_CASE("a first column of sizes or groups does not number the rows") {
+    for (const char* heading : {"d [um]", "T [\u00b0C]", "Serie"}) {
+        std::string table = std::string(heading) + ";v_in [m/s];v_r [m/s]\n";
+        for (const char* row :
+             {"2.10;0.81", "3.42;1.36", "4.88;2.05", "1.52;0.43", "4.21;1.85", "3.44;1.38", "3.26;1.31"})
+            table += "88;" + std::string(row) + "\n";
+        CHECK_MESSAGE(contains(input_error_of([&] { static_cast<void>(read_measurements(table, "t.csv")); }),
+                               "the row holds the means"),
+                      heading);
+    }
+}
+
 TEST_CASE("marks behind the numbers of rows are quoted") {
     const MeasurementSet set = read_measurements(
         "Nr.;v_in [m/s];v_r [m/s]\n1;1.27;0\n2;4.95;2.28\n3*;1.90;0.40\n4*;2.56;0.81\n", "t.csv");
