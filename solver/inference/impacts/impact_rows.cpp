@@ -175,6 +175,7 @@ void RowLabels::Column::take(std::string_view cell) {
     }
     if (const auto number = row_number(cell)) {
         in_order = in_order && (numbers == 0 || *number == last_number + 1);
+        rises = rises && (numbers == 0 || *number > last_number);
         repeats = repeats || (numbers > 0 && *number == last_number);
         ++numbers;
         last_number = *number;
@@ -305,7 +306,7 @@ void RowLabels::require_one_verdict(std::span<const TextLine> lines, char separa
 }
 
 bool RowLabels::number_rows() const {
-    return std::ranges::any_of(columns_, &Column::counts_rows);
+    return std::ranges::any_of(columns_, [](const Column& each) { return each.counts_rows() && each.rises; });
 }
 
 bool RowLabels::sums_up(const TableRow& row) const {

@@ -1068,6 +1068,14 @@ TEST_CASE("a first column of sizes or groups does not number the rows") {
                                "the row holds the means"),
                       heading);
     }
+    CHECK(contains(input_error_of([] {
+                       static_cast<void>(
+                           read_measurements("frames;v_in [m/s];v_r [m/s]\n5;2.10;0.81\n6;3.42;1.36\n"
+                                             "5;4.88;2.05\n7;1.52;0.43\n6;4.21;1.85\n8;3.44;1.38\n"
+                                             ";3.26;1.31\n",
+                                             "t.csv"));
+                   }),
+                   "the row holds the means"));
 }
 
 TEST_CASE("marks behind the numbers of rows are quoted") {
