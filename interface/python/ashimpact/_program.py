@@ -116,7 +116,7 @@ def _read(path: Union[str, Path]) -> Document:
 
 
 def modulus(
-    file: PathLike,
+    file: Union[PathLike, "pandas.DataFrame"],
     *,
     amorphous_fraction: Union[float, str, None] = None,
     crystalline_total: Union[float, str, None] = None,
@@ -141,7 +141,8 @@ def modulus(
     """Young's modulus of an ash, with bounds, from an XRD result; as `ashimpact modulus --json`.
 
     Args:
-        file: BGMN/Profex or GSAS-II .lst, CSV, TSV or JSON.
+        file: BGMN/Profex or GSAS-II .lst, CSV, TSV or JSON; or a pandas table whose headings are those of such a
+            table ("Phase", "FA1 [wt%]").
         amorphous_fraction: weight fraction of the whole, such as 0.42, "42 +- 2 %", "none", "remainder".
         oxides: chemical analysis of the sample, CSV, .xlsx or .ods: the glass from its chemistry.
         glass: "from-chemistry" (with oxides) or "catalogue", the glass that counts.
@@ -159,8 +160,14 @@ def modulus(
     for name, other in (("phases", phases), ("oxides", oxides)):
         if other is not None:
             options[name] = _path(other)
-    document: Document = json.loads(_call("modulus", _path(file), *_options(modulus, options), "--json"))
-    return document
+    with tempfile.TemporaryDirectory() as scratch:
+        table, hidden = os.path.join(scratch, "table.csv"), f"{scratch}{os.sep}table.csv: "
+        if isinstance(file, (str, bytes, os.PathLike)):
+            table = _path(file)
+        else:
+            Path(table).write_text(_pandas_text("file", file, "." if decimal != "comma" else ","), encoding="utf-8")
+        document: Document = json.loads(_call("modulus", table, *_options(modulus, options), "--json", hidden=hidden))
+        return document
 
 
 def contact(
@@ -446,15 +453,18 @@ def _plain(value: Any) -> Any:
     return value.tolist()
 
 
+def _pandas_text(name: str, table: Any, mark: str, otherwise: str = "") -> str:
+    """A pandas table as the program reads it."""
+    if not hasattr(table, "columns") or not hasattr(table, "itertuples"):
+        raise _core.InputError(f"{name} is a {type(table).__name__}; allowed: a file name, a pandas table{otherwise}")
+    cells = table.astype(object).where(table.notna(), "")
+    return _csv_text([str(heading) for heading in table.columns], list(cells.itertuples(index=False)), mark)
+
+
 def _table_of(impacts: Any, given: Mapping[str, npt.ArrayLike], mark: str) -> str:
     """Measured impacts as a table for the program, with the decimal mark that its texts have."""
     if impacts is not None:
-        if not hasattr(impacts, "columns") or not hasattr(impacts, "itertuples"):
-            raise _core.InputError(
-                f"impacts is a {type(impacts).__name__}; allowed: a file name, a pandas table, or velocity"
-            )
-        cells = impacts.astype(object).where(impacts.notna(), "")
-        return _csv_text([str(name) for name in impacts.columns], list(cells.itertuples(index=False)), mark)
+        return _pandas_text("impacts", impacts, mark, ", or velocity")
     headings = {"velocity": "v_in [m/s]", "rebound_velocity": "v_r [m/s]", "restitution": "e_n [1]"}
     readings = {name: values for name, values in given.items() if name != "captured"}
     if "velocity" not in readings or len(readings) != 2:
@@ -480,7 +490,7 @@ def _rows_of(columns: Mapping[str, npt.ArrayLike]) -> list[list[Any]]:
 
 
 def _csv_text(headings: Sequence[str], rows: Sequence[Sequence[Any]], mark: str) -> str:
-    """A table of measured impacts as the program reads it; numbers with all their digits."""
+    """A table as the program reads it; numbers with all their digits."""
 
     def text_of(cell: Any) -> str:
         return repr(float(cell)).replace(".", mark) if is_real(cell) else cell if isinstance(cell, str) else repr(cell)

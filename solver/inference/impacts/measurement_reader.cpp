@@ -732,10 +732,20 @@ class Unread {
         if (found == values_.end() || found->second.size() < 2 || found->second.size() > most_groups) return;
         refuse_flags(column, found->second);
         std::vector<std::string> names;
+        std::size_t filled = 0;
+        bool may_be_groups = true;
         for (const auto& [value, count] : found->second) {
-            if (value.empty() || count < 2) return;
+            may_be_groups = may_be_groups && !value.empty() && count >= 2;
+            if (value.empty()) continue;
             names.push_back(in_quotes(value));
+            filled += count;
         }
+        const auto empty = found->second.find("");
+        if (empty != found->second.end() && empty->second > filled)  // "Literatur" in one row
+            warnings.push_back({impacts_code, Severity::remark,
+                                "column " + in_quotes(column.name) + " has " + joined(names) +
+                                    " in few rows: it is not read, and these rows count"});
+        if (!may_be_groups) return;
         warnings.push_back({impacts_code, Severity::remark,
                             "column " + in_quotes(column.name) + " has " + joined(names) +
                                 ": all impacts count as those of one particle and wall"});

@@ -511,6 +511,19 @@ class Documents(unittest.TestCase):
             self.assertEqual(analysed["impacts"], again["impacts"])
             self.assertEqual(analysed["extrapolated"], again["extrapolated"])
 
+    def test_a_composition_may_be_a_pandas_table(self):
+        import pandas
+
+        table = pandas.DataFrame({"Phase": ["Quartz", "Mullite"], "FA1 [wt%]": [40.125, 59.875], "esd": [0.5, np.nan]})
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            read = ashimpact.modulus(table, amorphous_fraction="none")
+        self.assertAlmostEqual(read["phases"][0]["weight_fraction"], 0.40125)
+        with self.assertRaisesRegex(ashimpact.InputError, "^line 2, cell 2"):
+            ashimpact.modulus(pandas.DataFrame({"Phase": ["Quartz"], "wt%": ["x"]}))
+        with self.assertRaisesRegex(ashimpact.InputError, "file is a list; allowed: a file name, a pandas table$"):
+            ashimpact.modulus([1.0])
+
     def test_options_are_what_they_are_meant_to_be(self):
         import pandas
 

@@ -1078,6 +1078,15 @@ TEST_CASE("a first column of sizes or groups does not number the rows") {
                    "the row holds the means"));
 }
 
+TEST_CASE("a word in an otherwise empty column is quoted") {
+    const MeasurementSet set = read_measurements(
+        "Datum;v_imp [m/s];v_reb [m/s]\n;1.27;0\n;4.95;2.28\n;1.90;0.40\nLiteratur;2.56;0.81\n", "t.csv");
+    CHECK(set.points.size() == 4);
+    CHECK(std::ranges::any_of(set.warnings, [](const Finding& each) {
+        return contains(each.text, "column \"Datum\" has \"Literatur\" in few rows");
+    }));
+}
+
 TEST_CASE("marks behind the numbers of rows are quoted") {
     const MeasurementSet set = read_measurements(
         "Nr.;v_in [m/s];v_r [m/s]\n1;1.27;0\n2;4.95;2.28\n3*;1.90;0.40\n4*;2.56;0.81\n", "t.csv");
