@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <regex>
+#include <set>
 #include <span>
 #include <string>
 
@@ -658,10 +659,11 @@ class Unread {
     }
 
     void tell(std::vector<Finding>& warnings) const {
-        if (nameless_ > 0)
+        if (!nameless_.empty())
             warnings.push_back({impacts_code, Severity::remark,
-                                "column " + std::to_string(nameless_) +
-                                    ", which has no heading, is not used" +
+                                numbered("column", {nameless_.begin(), nameless_.end()}) +
+                                    (nameless_.size() > 1 ? ", which have no heading, are not used"
+                                                          : ", which has no heading, is not used") +
                                     (nameless_texts_.empty() ? "" : ": " + joined(nameless_texts_))});
         for (const TextColumn& column : heading_.unused) tell_groups(column, warnings);
         if (!not_read_.empty())
@@ -698,7 +700,7 @@ class Unread {
     /// A cell without a heading, and its text if it is no number: "u: k=2".
     void take_nameless(const TextColumn& column, const std::string& cell) {
         constexpr std::size_t most = 3;
-        nameless_ = column.position + 1;
+        nameless_.insert(column.position + 1);
         const std::string text = in_quotes(cell);
         if (nameless_texts_.size() < most && !read_number(cell, true) &&
             std::ranges::find(nameless_texts_, text) == nameless_texts_.end())
@@ -761,7 +763,7 @@ class Unread {
     std::string first_not_read_;
     std::vector<std::size_t> marked_;
     std::string first_marked_;
-    std::size_t nameless_ = 0;  ///< number of a column without a heading
+    std::set<std::size_t> nameless_;  ///< numbers of columns without a heading
     std::vector<std::string> nameless_texts_;
     std::string column_elsewhere_;
     std::string free_text_;

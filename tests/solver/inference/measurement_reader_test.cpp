@@ -966,6 +966,8 @@ TEST_CASE("a row among numbered ones that has another label is no impact, or is 
               .points.size() == 3);
     CHECK(contains(warnings_of(read_measurements("v_in [m/s];v_r [m/s];\n1,5;0,5;x\n", "t.csv")),
                    "column 3, which has no heading, is not used: \"x\""));
+    CHECK(contains(warnings_of(read_measurements("v_in;v_r;;\n1.2;0.1;x;\n1.5;0.4;;y\n", "t.csv")),
+                   "columns 3, 4, which have no heading, are not used: \"x\", \"y\""));
 }
 
 TEST_CASE("a row with an outcome is an impact; equal rows are equal with other digits, too") {
