@@ -543,6 +543,10 @@ bool is_uncertainty_word(std::string_view text) {
     return uncertainty_words().holds(text);
 }
 
+bool names_uncertainty(std::string_view name) {
+    return trimmed(name) != "+" && is_uncertainty_word(name);
+}
+
 namespace {
 
 /// Removes the word or sign for a side from the start or end of a text. @return whether it is the upper one

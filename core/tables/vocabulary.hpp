@@ -113,6 +113,9 @@ struct StatedCoverage {
 /// Whether a text is a word for an uncertainty and names no quantity: "Fehler", "u", "s.u.", "±".
 [[nodiscard]] bool is_uncertainty_word(std::string_view text);
 
+/// Whether the name of a column is such a word; "+" alone is one side of an uncertainty.
+[[nodiscard]] bool names_uncertainty(std::string_view name);
+
 /// One side of an asymmetric uncertainty: "-err", "err+", "upper error [wt%]".
 struct UncertaintySide {
     std::string text;  ///< the heading without the side, "err", "error [wt%]"

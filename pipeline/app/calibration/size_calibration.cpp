@@ -79,7 +79,7 @@ SizeHeading read_size_heading(const std::string& cell, const SizeHeading* before
     const xrd::UncertaintyName uncertain = xrd::uncertainty_name(heading.column ? "" : name.c_str());
     const bool follows = before != nullptr && before->column == SizeColumn::velocity;
     const bool is_coverage = !heading.coverage.stated.empty() && (name.empty() || name.starts_with('['));
-    if (!heading.column && (uncertain.is_uncertainty || is_uncertainty_word(name) || is_coverage) &&
+    if (!heading.column && (uncertain.is_uncertainty || names_uncertainty(name) || is_coverage) &&
         (uncertain.of.empty() ? follows : words.list_of(uncertain.of) == "v_c")) {
         heading.column = SizeColumn::uncertainty;
         if (is_coverage && name.size() > 2) unit = name.substr(1, name.size() - 2);

@@ -120,7 +120,7 @@ NameAndUnit split(std::string_view cell) {
         const std::string_view name = trimmed(cell.substr(0, open));
         std::string_view inside = trimmed(cell.substr(open + 1, cell.size() - open - 2));
         if (inside.starts_with("in ")) inside = trimmed(inside.substr(3));
-        const bool is_named = meaning_of(name) || is_uncertainty_word(name) || is_sideways(name);
+        const bool is_named = meaning_of(name) || names_uncertainty(name) || is_sideways(name);
         if (pair == "[]" || (is_named && !meaning_of(inside))) return {name, inside};
     }
     // "e_n/%" and "v_r/(m/s)": a quantity over its unit.
@@ -135,7 +135,7 @@ NameAndUnit split(std::string_view cell) {
         while (name.ends_with(',') || name.ends_with(';') || name.ends_with(':')) name.remove_suffix(1);
         std::string_view unit = trimmed(cell.substr(at));
         if (unit.starts_with("in ")) unit = trimmed(unit.substr(3));  // "v_in in ms-1": no inches
-        if ((meaning_of(name) || is_uncertainty_word(name)) && is_velocity_unit(unit)) return {name, unit};
+        if ((meaning_of(name) || names_uncertainty(name)) && is_velocity_unit(unit)) return {name, unit};
     }
     if (const auto in = cell.rfind(" in "); in != std::string_view::npos) {
         const std::string_view name = trimmed(cell.substr(0, in));
@@ -177,7 +177,7 @@ std::optional<Meaning> meaning_in(const MeasurementHeading& heading, std::string
     auto meaning = meaning_of(name);
     if (meaning && !meaning->is_uncertainty && !coverage.stated.empty())
         meaning->is_uncertainty = coverage.stated_first || heading.of(meaning->quantity).has_value();
-    const bool bare = is_uncertainty_word(name) || !coverage.stated.empty();
+    const bool bare = names_uncertainty(name) || !coverage.stated.empty();
     if (meaning || !bare || position == 0) return meaning;
     const auto before = value_at(heading, position - 1);
     return before ? std::optional(Meaning{*before, true}) : std::nullopt;
@@ -385,7 +385,7 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
                 "column " + in_quotes(cell) + " may hold the angle of incidence, or another one",
                 "\"angle [deg]\" for that from the normal, \"rebound angle [deg]\" for one that is "
                 "not used, or a file without this column");
-        if (is_uncertainty_word(name) || !coverage.stated.empty())
+        if (names_uncertainty(name) || !coverage.stated.empty())
             heading.notes.push_back(
                 {impacts_code, Severity::remark,
                  "column " + in_quotes(cell) +

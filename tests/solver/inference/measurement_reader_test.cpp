@@ -1080,6 +1080,17 @@ TEST_CASE("a first column of sizes or groups does not number the rows") {
                    "the row holds the means"));
 }
 
+TEST_CASE("columns of the sides of an uncertainty, + and -, are not used") {
+    const MeasurementSet set = read_measurements(
+        "v_in [m/s];+ [m/s];- [m/s];v_r [m/s];+ [m/s];- "
+        "[m/s]\n1.4;0.03;0.06;0.11;0.02;0.04\n2.6;0.03;0.06;0.9;0.02;0.04\n",
+        "t.csv");
+    CHECK_FALSE(set.has_noise());
+    CHECK(std::ranges::any_of(set.warnings, [](const Finding& each) {
+        return contains(each.text, "column \"+ [m/s]\" is not used");
+    }));
+}
+
 TEST_CASE("a word in an otherwise empty column is quoted") {
     const MeasurementSet set = read_measurements(
         "Datum;v_imp [m/s];v_reb [m/s]\n;1.27;0\n;4.95;2.28\n;1.90;0.40\nLiteratur;2.56;0.81\n", "t.csv");
