@@ -145,7 +145,12 @@ XrdResult read_xrd(std::string_view text, std::string_view name, const TableOpti
 std::optional<Finding> other_sample_finding(std::string_view code, std::string_view data,
                                             const std::string& named, std::string_view file,
                                             const std::string& sample) {
-    if (named == xrd::file_stem(file) || sample_key(named) == sample_key(sample)) return std::nullopt;
+    const auto plain = [](const std::string& name) {  // "FA 1" and "fa1", but not "FA1'" and "FA -45"
+        std::string text = lower_case(name);
+        std::erase_if(text, [](char c) { return c == ' ' || c == '_'; });
+        return text;
+    };
+    if (named == xrd::file_stem(file) || plain(named) == plain(sample)) return std::nullopt;
     return Finding{code, Severity::remark,
                    fmt::format("the {} are those of the sample {}", data, in_quotes(named))};
 }

@@ -412,6 +412,7 @@ TEST_CASE("phases of a sample of another name are told") {
                               "Phase,FA 8 [wt%]\nQuartz,12\nMullite,19\nGlass,69\n"}) {
         CHECK(remark(table, "FA 7")->text == "the phases are those of the sample \"FA 8\"");
         CHECK_FALSE(remark(table, "fa8"));
+        for (const char* other : {"FA 8'", "FA 8*", "FA -8"}) CHECK(remark(table, other));
     }
     CHECK_FALSE(remark("Phase,wt%\nQuartz,12\nMullite,19\nGlass,69\n", "FA 7"));
 }
