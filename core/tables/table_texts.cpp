@@ -728,6 +728,16 @@ NameAndUnit cut_heading(std::string_view heading) {
     return {std::string(heading), {}};
 }
 
+std::optional<std::string> nameless_column(std::span<const TextLine> rows, char separator,
+                                           std::size_t column) {
+    for (const TextLine& line : rows)
+        if (const TableRow row = cut_row(line, separator);
+            column < row.cells.size() && !row.cells[column].empty())
+            return fmt::format("{}: {} in a column without a heading is not used", at_cell(row.line, column),
+                               in_quotes(row.cells[column]));
+    return std::nullopt;
+}
+
 std::optional<Unit> unit_of_quantity(std::string_view heading) {
     const NameAndUnit cut = cut_heading(heading);
     const std::string_view text = cut.unit;

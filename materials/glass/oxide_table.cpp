@@ -229,7 +229,10 @@ class OxideTable {
             refuse_line(lines[most_lines].number, "the table is too long for a chemical analysis",
                         std::to_string(most_lines) + " lines or fewer");
         std::map<char, std::size_t> separators;
-        for (const TextLine& line : lines) ++separators[separator_of(line.text)];
+        for (const TextLine& line : lines)  // titles and footnotes have none
+            if (const char separator = separator_of(line.text);
+                line.text.find(separator) != std::string::npos)
+                ++separators[separator];
         if (!separators.empty())
             separator_ =
                 std::ranges::max_element(separators, {}, &std::pair<const char, std::size_t>::second)->first;

@@ -798,6 +798,13 @@ void mark_sums(Table& table) {
         return heading.role == Role::other && !heading.text.empty() && !sums_up(heading) &&
                !uncertainty_name(heading.text).is_uncertainty;
     };
+    // "n;Mean (wt%)": the one column without a unit beside a mean with one is no sample.
+    const bool is_counted = std::ranges::count_if(table.headings, is_sample) == 1 &&
+                            std::ranges::any_of(table.headings, [&](const Heading& heading) {
+                                return sums_up(heading) && names_mean(heading.text) && !heading.unit.empty();
+                            });
+    for (Heading& heading : table.headings)
+        if (is_counted && is_sample(heading) && heading.unit.empty()) heading.role = Role::measure;
     bool is_result = !std::ranges::any_of(table.headings, is_sample);
     bool follows = false;
     for (Heading& heading : table.headings) {

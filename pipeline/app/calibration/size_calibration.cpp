@@ -175,13 +175,7 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
         const SizeHeading& heading = headings[k];
         if (!heading.column) {
             if (!heading.written.empty()) continue;
-            for (const TextLine& line : rows)
-                if (const TableRow row = cut_row(line, separator);
-                    k < row.cells.size() && !row.cells[k].empty()) {
-                    note(fmt::format("{}: {} in a column without a heading is not used", at_cell(row.line, k),
-                                     in_quotes(row.cells[k])));
-                    break;
-                }
+            if (const auto nameless = nameless_column(rows, separator, k)) note(*nameless);
             continue;
         }
         uncertain[k] = {heading.written, heading.coverage, heading.column == SizeColumn::uncertainty};

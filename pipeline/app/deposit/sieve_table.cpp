@@ -285,6 +285,8 @@ class SieveTable {
     void take_units_of_cells(std::size_t heading_line, std::span<const TextLine> rows) {
         for (std::size_t k = 0; k < columns_.size(); ++k) {
             SieveHeading& heading = columns_[k];
+            if (heading.written.empty())
+                if (const auto nameless = nameless_column(rows, separator_, k)) note(*nameless);
             if (!heading.column || !is_size(*heading.column) || !heading.unit.empty()) continue;
             for (const TextLine& row : rows)
                 for_each_cell(row, separator_, [&](std::string_view cell, std::size_t column) {

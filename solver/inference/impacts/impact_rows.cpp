@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <tuple>
@@ -124,14 +125,17 @@ bool is_rounded_to_digits(double value, double exact) {
     return std::abs(value - exact) <= last_digit(value);
 }
 
-/// Whether a number is the other one, rounded to its last digit; a fine one may be cut there.
-bool is_rounded(double value, double exact) {
+/// Whether a number is the other one, rounded to a digit; a fine one may be cut there.
+bool is_rounded_to(double last, double value, double exact) {
     constexpr double coarsest = 0.2;  // of the value; a number of one digit matches too easily
     constexpr double fine = 0.02;     // of the value
     if (std::abs(value - exact) > coarsest * value) return false;
-    const double last = last_digit(value);
     return last <= coarsest * value &&
            std::abs(value - exact) <= 1.001 * last * (last <= fine * value ? 1 : 0.5);
+}
+/// The same for its last digit.
+bool is_rounded(double value, double exact) {
+    return is_rounded_to(last_digit(value), value, exact);
 }
 
 }  // namespace
@@ -175,7 +179,9 @@ void RowLabels::Column::take(std::string_view cell) {
     }
     if (const auto number = row_number(cell)) {
         in_order = in_order && (numbers == 0 || *number == last_number + 1);
-        rises = rises && (numbers == 0 || *number > last_number);
+        constexpr std::size_t few = 3;
+        rises = rises &&
+                (numbers == 0 || (*number > last_number && (numbers < few || *number < 2 * last_number)));
         repeats = repeats || (numbers > 0 && *number == last_number);
         ++numbers;
         last_number = *number;
@@ -418,10 +424,11 @@ void refuse_summary_row(std::size_t line, const std::string& holds, const std::s
 
 namespace {
 
-/// Whether a number is the other one, rounded to its digits; with more digits than the numbers it sums up,
-/// whose last is @p finest, it may be that of numbers which were not rounded.
+/// Whether a number is the other one, rounded to its digits, or, as "0.60", to the last of the numbers it
+/// sums up, @p finest; with more digits than these it may be that of numbers which were not rounded.
 bool is_rounded(double value, double exact, double finest) {
-    if (is_rounded(value, exact)) return true;
+    if (is_rounded(value, exact) || is_rounded_to(std::min(last_digit(value), finest), value, exact))
+        return true;
     return last_digit(value) < 0.5 * finest && std::abs(value - exact) <= 0.5 * finest;
 }
 
@@ -508,6 +515,22 @@ void refuse_summary_at_end(std::span<const MeasuredRow> rows) {
         refuse_summary_row(rows.back().line, "the medians");
 }
 
+/// Refuses rows that hold the means of the others with their labels, if two labels or more have one.
+void refuse_means_of_labels(std::span<const MeasuredRow> rows) {
+    std::map<std::string_view, std::vector<MeasuredRow>> labelled;
+    for (const MeasuredRow& row : rows)
+        if (!row.label.empty()) labelled[row.label].push_back(row);
+    std::vector<std::size_t> found;  // lines
+    for (const auto& [label, all] : labelled) {
+        const std::span<const MeasuredRow> of_label(all);
+        if (Block::of(of_label.first(all.size() - 1)).summed_up_in(all.back()) == "means")
+            found.push_back(all.back().line);
+        else if (Block::of(of_label.subspan(1)).summed_up_in(all.front()) == "means")
+            found.push_back(all.front().line);
+    }
+    if (found.size() > 1) refuse_summary_row(std::ranges::min(found), "the means", "with its label");
+}
+
 /// Whether a number may be a mean, written with any number of digits.
 bool may_be_mean(double value, double mean, double velocity, double finest) {
     constexpr double shown = 0.01;  // of the velocity; a smaller mean may be written as 0
@@ -561,6 +584,7 @@ double as_written(double value, double unit) {
 void refuse_summaries(std::span<const MeasuredRow> rows, std::vector<Finding>& findings) {
     refuse_summary_at_end(rows);
     refuse_means_of_groups(rows);
+    refuse_means_of_labels(rows);
     constexpr std::size_t most_rows = 60;   // in longer files some rows equal such means by chance,
     constexpr std::size_t most_group = 20;  // but not one behind each group of so many rows
     Block all;

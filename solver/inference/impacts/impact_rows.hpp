@@ -48,7 +48,8 @@ class RowLabels {
         bool in_order = true;         ///< each number is one more than that before
         long last_number = 0;         ///< of the column
         bool repeats = false;         ///< a number equals that before, as sizes of groups do
-        bool rises = true;            ///< each number is greater than that before, as of impacts in order
+        bool rises = true;            ///< each number is greater than that before, as of impacts in order,
+                                      ///< and not twice as great from the fourth on, as their sum is
         std::size_t inner_empty = 0;  ///< before the last number
         std::string stem{};           ///< of numbered labels, "P" of "P1": that of the first
         std::size_t stemmed = 0;      ///< labels with it
@@ -113,7 +114,8 @@ class RowLabels {
 struct MeasuredRow {
     std::size_t line;
     std::array<double, 2> values;
-    bool noted = false;  ///< its outcome, as no row does that sums up others
+    bool noted = false;   ///< its outcome, as no row does that sums up others
+    std::string label{};  ///< in the first column, if that is no velocity
 };
 
 /// A number in its unit, with the digits of the file, which rounding by the unit would change.

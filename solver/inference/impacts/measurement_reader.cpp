@@ -951,6 +951,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
     SignsOfReadings signs;
     RepeatedRows repeated;
     std::vector<MeasuredRow> unknown;
+    std::map<std::size_t, std::string> row_labels;  // by line
     for (const TextLine& line : rows) {
         TableRow row = cut_row(line, table.separator);
         at_place(at_line(row.line), [&] {
@@ -971,6 +972,9 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
                 repeated.take(row, heading.of(MeasuredQuantity::velocity)->position,
                               heading.reading().position);
                 set.points.push_back(*point);
+                if (std::ranges::any_of(heading.unused,
+                                        [](const TextColumn& each) { return each.position == 0; }))
+                    row_labels.emplace(row.line, row.cells.front());
             } else {
                 ++set.unknown;
                 unread.take_unknown(row);
@@ -1002,6 +1006,8 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
                 heading, point.line,
                 {velocity, heading.reading().is_fraction ? point.restitution() : point.rebound}));
             measured.back().noted = point.outcome != NotedOutcome::from_reading;
+            if (const auto label = row_labels.find(point.line); label != row_labels.end())
+                measured.back().label = label->second;
         }
         refuse_summaries(measured, set.warnings);
         if (!unknown.empty()) {  // the mean of v_in may be that of all rows

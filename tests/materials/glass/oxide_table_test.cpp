@@ -41,6 +41,12 @@ bool tells(const std::vector<Finding>& warnings, std::string_view text) {
 
 }  // namespace
 
+TEST_CASE("titles and footnotes without a separator do not decide on it") {
+    const OxideResult result =
+        read_oxides("XRF of ash\nOxide;wt%\nSiO2;60\nAl2O3;40\n* dried at 105 C\nby XRF\n", "xrf.csv");
+    CHECK(result.samples.front().analysis.oxides.size() == 2);
+}
+
 TEST_CASE("what the headings of names and amounts of oxides say counts") {
     const auto refusal = [](const std::string& table) {
         return input_error_of([&] { return read_oxides(table, "xrf.csv"); });

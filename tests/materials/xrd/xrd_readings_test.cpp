@@ -528,6 +528,8 @@ TEST_CASE("texts and units in columns of their own are no samples") {
                    "line 3: \"Internal standard\" has no cells: it may call the rows below it so"));
     CHECK(first_of("Sample;Quartz;Mullite;Total crystalline\nFA1;12;28;40\n").analysis.phases[0].fraction ==
           doctest::Approx(0.12));
+    CHECK(first_of("Phase;n;Mean (wt%);SD\nQuartz;3;20;1\nGlass;3;80;2\n").analysis.phases[0].fraction ==
+          doctest::Approx(0.2));
     for (const char* column : {"T (\u00b0C)", "d50 [\u00b5m]"})
         CHECK(contains(told("Sample;" + std::string(column) + ";Quartz;Glass\nFA1;900;20;80\n"),
                        "is not used"));

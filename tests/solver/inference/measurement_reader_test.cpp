@@ -966,8 +966,8 @@ TEST_CASE("a row among numbered ones that has another label is no impact, or is 
               .points.size() == 3);
     CHECK(contains(warnings_of(read_measurements("v_in [m/s];v_r [m/s];\n1,5;0,5;x\n", "t.csv")),
                    "column 3, which has no heading, is not used: \"x\""));
-    CHECK(contains(warnings_of(read_measurements("v_in;v_r;;\n1.2;0.1;x;\n1.5;0.4;;y\n", "t.csv")),
-                   "columns 3, 4, which have no heading, are not used: \"x\", \"y\""));
+    CHECK(contains(warnings_of(read_measurements("v_in;v_r;;\n1.2;0.1;ab;\n1.5;0.4;;cd\n", "t.csv")),
+                   "columns 3, 4, which have no heading, are not used: \"ab\", \"cd\""));
 }
 
 TEST_CASE("a row with an outcome is an impact; equal rows are equal with other digits, too") {
@@ -1108,6 +1108,24 @@ TEST_CASE("marks behind the numbers of rows are quoted") {
         return contains(each.text,
                         "the mark of \"3*\" in column \"Nr.\" is not read, and the rows with one count");
     }));
+}
+
+TEST_CASE("rows that sum up counters, with last zeros or under the labels of groups are refused") {
+    const auto refusal = [](const std::string& text) {
+        return input_error_of([&] { static_cast<void>(read_measurements(text, "t.csv")); });
+    };
+    const std::string counted =
+        "Nr;v_in;v_r\n1;1.31;0.11\n2;1.40;0.21\n3;2.55;0.83\n4;3.90;1.51\n5;4.60;1.84\n6;3.10;1.13\n";
+    CHECK(refusal(counted).empty());
+    CHECK(contains(refusal(counted + "3.5;2.81;0.94\n"), "the row holds the means"));
+    CHECK(contains(refusal(counted + "21;16.86;5.63\n"), "the row holds the sums"));
+    CHECK(contains(refusal("v_in;v_r\n1.41;0.12\n2.43;0.81\n3.39;1.32\n0.99;0.60\n"), "standard deviations"));
+    const std::string groups =
+        "Serie;v_in;v_r\nA;1.31;0.12\nA;1.40;0.22\nA;1.55;0.31\nB;1.95;0.33\nB;2.31;0.52\n"
+        "B;2.55;0.71\n";
+    CHECK(refusal(groups).empty());
+    CHECK(contains(refusal(groups + "A;1.42;0.22\nB;2.27;0.52\n"),
+                   "the row holds the means of the rows with its label"));
 }
 
 TEST_CASE("means beside angles are those of the velocities as written") {
