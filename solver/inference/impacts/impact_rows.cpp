@@ -181,7 +181,7 @@ void RowLabels::Column::take(std::string_view cell) {
         in_order = in_order && (numbers == 0 || *number == last_number + 1);
         constexpr std::size_t few = 3;
         rises = rises &&
-                (numbers == 0 || (*number > last_number && (numbers < few || *number < 2 * last_number)));
+                (numbers == 0 || (*number > last_number && (numbers < few || *number < 3 * last_number)));
         repeats = repeats || (numbers > 0 && *number == last_number);
         ++numbers;
         last_number = *number;
@@ -312,7 +312,8 @@ void RowLabels::require_one_verdict(std::span<const TextLine> lines, char separa
 }
 
 bool RowLabels::number_rows() const {
-    return std::ranges::any_of(columns_, [](const Column& each) { return each.counts_rows() && each.rises; });
+    return std::ranges::any_of(
+        columns_, [](const Column& each) { return each.counts_rows() && each.rises && each.measures == 0; });
 }
 
 bool RowLabels::sums_up(const TableRow& row) const {

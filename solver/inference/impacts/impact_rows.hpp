@@ -49,7 +49,7 @@ class RowLabels {
         long last_number = 0;         ///< of the column
         bool repeats = false;         ///< a number equals that before, as sizes of groups do
         bool rises = true;            ///< each number is greater than that before, as of impacts in order,
-                                      ///< and not twice as great from the fourth on, as their sum is
+                                      ///< and not three times as great from the fourth on, as their sum is
         std::size_t inner_empty = 0;  ///< before the last number
         std::string stem{};           ///< of numbered labels, "P" of "P1": that of the first
         std::size_t stemmed = 0;      ///< labels with it
