@@ -631,8 +631,12 @@ bool divides_otherwise(std::string_view cell, double factor) {
 }
 
 bool holds_signs(std::string_view name) {
-    return name.find_first_of("()[]{}=#%+") != std::string_view::npos ||
-           name.find("\u00b1") != std::string_view::npos;
+    static const std::regex factor(
+        "(?:^| )[xX*/\u00d7\u00b7] *[0-9]|[0-9] *(?:[xX*]|\u00d7|\u00b7)(?: "
+        "|$|[0-9])|\u00b7[0-9]|\u00d7[0-9]");
+    return name.find_first_of("()[]{}=#%+*") != std::string_view::npos ||
+           name.find("\u00b1") != std::string_view::npos ||
+           (name.size() <= longest_heading && std::regex_search(std::string(name), factor));
 }
 
 bool may_state_more(std::string_view name) {

@@ -484,6 +484,8 @@ StatedCoverage read_coverage(std::string_view heading) {
     coverage.rest = std::regex_replace(coverage.rest, repeats, "");          // "FA1 (n=3, 2s)"
     static const std::regex probability(R"(\b[Pp] *= *0[.,](\d\d)(?!\d))");  // "P = 0.95"
     coverage.rest = std::regex_replace(coverage.rest, probability, "$1 %");
+    static const std::regex percentage(R"(\b[Pp] *= *(\d\d(?:[.,]\d+)?) *%)");  // "P = 95 %"
+    coverage.rest = std::regex_replace(coverage.rest, percentage, "$1 %");
     static const std::regex twice = in_words("two|twice the|zwei|doppelte|deux|dos|due|twee");
     static const std::regex thrice = in_words("three|drei|dreifache[nrs]?|trois|tres|tre|drie|trzy");
     coverage.rest = std::regex_replace(coverage.rest, twice, "2 ");

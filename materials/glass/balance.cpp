@@ -455,9 +455,14 @@ GlassInSample compose_with_glass(const Analysis& analysis, const PhaseCatalogue&
     if (PhaseFraction* glass = glass_in(by_chemistry, sample.composition))
         if (const auto of_file = take_density(*glass, density); of_file && !density)
             density = make_quantity(*of_file, Dimension::density);
-    sample.glass = glass_from_chemistry(*inputs.oxides, sample.composition, density);
-    PhaseSet set{.name = "chemistry", .phases = {chemical_phase(*sample.glass, sample.composition)}};
-    sample.other = compose(by_chemistry, catalogue.overridden_by(std::move(set)), how_to_state);
+    const auto take_glass_of = [&](const Composition& composition) {
+        sample.glass = glass_from_chemistry(*inputs.oxides, composition, density);
+        PhaseSet set{.name = "chemistry", .phases = {chemical_phase(*sample.glass, sample.composition)}};
+        sample.other = compose(by_chemistry, catalogue.overridden_by(std::move(set)), how_to_state);
+    };
+    take_glass_of(sample.composition);
+    // Of volumes the weights, which the balance needs, follow from the density of this glass.
+    if (analysis.basis == FractionBasis::volume) take_glass_of(Composition(*sample.other));
     if (from_chemistry) std::swap(sample.composition, *sample.other);
     return sample;
 }

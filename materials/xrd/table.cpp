@@ -405,9 +405,12 @@ void take_crystalline_part(XrdSample& sample, const std::string& stated_by) {
             .at(sample.analysis.phases.back().place);
     normalise(sample.analysis.phases, sum);
     sample.analysis.of_crystalline_part = stated_by;
-    sample.warnings.push_back({xrd_code, Severity::remark,
-                               "the fractions are those of the crystalline part, as " + stated_by +
-                                   " states: an amorphous part is not among them"});
+    constexpr double shown = 5e-4;
+    sample.warnings.push_back(
+        {xrd_code, Severity::remark,
+         "the fractions are those of the crystalline part, as " + stated_by +
+             " states: an amorphous part is not among them" +
+             (std::abs(sum - 1) > shown ? "; they are scaled from " + per_cent(sum) : "")});
 }
 
 /// A remark on samples whose names may state more than a sample, such as a basis or a coverage in words that

@@ -191,8 +191,8 @@ void run_measured_damping_command(const CommandOptions& options, std::ostream& o
     if (options.has("--velocity-scale-uncertainty"))
         how.estimate.scale_uncertainty = read_relative(options, "--velocity-scale-uncertainty");
     const MeasuredDamping result = analyse_impacts(choice.law, choice.detachment, choice.contact, set, how);
-    const auto dampings =
-        study_dampings({choice.law, choice.detachment}, {{choice.contact, set.points}}, {"impacts"});
+    const auto dampings = study_dampings({choice.law, choice.detachment}, {{choice.contact, set.points}},
+                                         {"impacts"}, how.estimate.scale_uncertainty);
     std::vector<Finding> doubts = options.doubts();
     for (const auto* option : {"--size-scatter", "--velocity-scale-uncertainty"})
         if (options.has(option) && !result.estimate)

@@ -285,7 +285,8 @@ SampleComparison comparison_of(const ComparedSample& of, const Case& data) {
 void set_other_sizes(const Run& run, ComparisonResult& result, StageRecord& record) {
     if (!result.reported) return;
     const LawChoice choice = *std::ranges::find(run.data.laws, result.reported->law, &LawChoice::law);
-    const auto study = study_dampings(choice, run.contact, run.restitution);
+    const auto study =
+        study_dampings(choice, run.contact, run.restitution, run.data.fit.estimate.scale_uncertainty);
     if (study) result.dampings = study->comparison;
     const auto sizes = velocities_by_size({choice, run.data.damping_law, run.contact, run.critical_velocity,
                                            study ? study->fits : std::vector<FittedDamping>{}});

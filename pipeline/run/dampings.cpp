@@ -103,11 +103,39 @@ Eigen::ArrayXd near_dampings(const std::vector<DampingProblem>& problems) {
     return all;
 }
 
+namespace {
+
+/// Adds to the uncertainties of constants what an error of scale of all velocities moves them by.
+void add_common_error(std::vector<FittedDamping>& fits, const LawChoice& choice,
+                      std::vector<ImpactsOfSample> samples, double scale_uncertainty) {
+    const double factor = 1 + scale_uncertainty;
+    for (ImpactsOfSample& sample : samples)
+        for (Measurement& impact : sample.impacts) {
+            impact.velocity *= factor;
+            impact.rebound *= factor;
+            if (!impact.noise) continue;
+            for (double VelocityNoise::*variance :
+                 {&VelocityNoise::incident, &VelocityNoise::rebound, &VelocityNoise::covariance})
+                (*impact.noise).*variance *= factor * factor;
+        }
+    const auto moved = fit_damping_laws(choice.law, choice.detachment, samples);
+    for (FittedDamping& fit : fits) {
+        const auto other = std::ranges::find(moved, fit.law, &FittedDamping::law);
+        if (other == moved.end() || other->constants.size() != fit.constants.size()) continue;
+        for (std::size_t k = 0; k < fit.constants.size(); ++k)
+            fit.constants[k].uncertainty =
+                std::hypot(fit.constants[k].uncertainty, other->constants[k].value - fit.constants[k].value);
+    }
+}
+
+}  // namespace
+
 std::optional<DampingStudy> study_dampings(const LawChoice& choice,
                                            const std::vector<ImpactsOfSample>& samples,
-                                           const std::vector<std::string>& names) {
+                                           const std::vector<std::string>& names, double scale_uncertainty) {
     std::vector<FittedDamping> fits = fit_damping_laws(choice.law, choice.detachment, samples);
     if (fits.empty()) return std::nullopt;
+    if (scale_uncertainty > 0) add_common_error(fits, choice, samples, scale_uncertainty);
     DampingStudy study{{.law = choice.law}, std::move(fits)};
     study.comparison.laws = in_parallel(study.fits, [&](const FittedDamping& fitted) {
         ComparedDamping damping{.law = fitted.law,
@@ -126,7 +154,7 @@ std::optional<DampingStudy> study_dampings(const LawChoice& choice,
 }
 
 std::optional<DampingStudy> study_dampings(const LawChoice& choice, const ContactResult& contacts,
-                                           const RestitutionResult& restitutions) {
+                                           const RestitutionResult& restitutions, double scale_uncertainty) {
     std::vector<ImpactsOfSample> samples;
     std::vector<std::string> names;
     for (std::size_t i = 0; i < restitutions.samples.size(); ++i) {
@@ -135,7 +163,7 @@ std::optional<DampingStudy> study_dampings(const LawChoice& choice, const Contac
         samples.push_back({contacts.samples[i].pair, series->impacts.points});
         names.push_back(restitutions.samples[i].name);
     }
-    return study_dampings(choice, samples, names);
+    return study_dampings(choice, samples, names, scale_uncertainty);
 }
 
 }  // namespace ashimpact

@@ -26,14 +26,16 @@ struct DampingStudy {
 };
 
 /// Which damping law explains the impacts, by one contact law; none for too few impacts or without a rebound.
-/// @param names of the samples
+/// @param names of the samples @param scale_uncertainty as in EstimateOptions: part of those of the constants
 [[nodiscard]] std::optional<DampingStudy> study_dampings(const LawChoice& choice,
                                                          const std::vector<ImpactsOfSample>& samples,
-                                                         const std::vector<std::string>& names);
+                                                         const std::vector<std::string>& names,
+                                                         double scale_uncertainty);
 
 /// The same for the samples of a run that have impacts by that contact law.
 [[nodiscard]] std::optional<DampingStudy> study_dampings(const LawChoice& choice,
                                                          const ContactResult& contacts,
-                                                         const RestitutionResult& restitutions);
+                                                         const RestitutionResult& restitutions,
+                                                         double scale_uncertainty);
 
 }  // namespace ashimpact

@@ -256,7 +256,10 @@ void RowLabels::find_footer(std::span<const TextLine> lines, char separator) {
     for (std::size_t i = lines.size(); i-- > 0;) {
         const TableRow row = cut_row(lines[i], separator);
         const std::size_t below = std::exchange(footer_, row.line);
-        if (sums_up(row)) continue;
+        if (sums_up(row)) {
+            footer_labels_.insert(lower_case(label_in(row.cells.front())));
+            continue;
+        }
         footer_ = below;
         return;
     }
@@ -757,6 +760,11 @@ std::string RowLabels::summary_in(const TableRow& row) const {
             refuse_figures_beside(column, row);
             return row.cells[column.column.position];
         }
+    const std::string_view label = label_in(first);
+    if (!label.empty() && footer_labels_.contains(lower_case(label)))  // "s" behind each group
+        throw InputError(in_quotes(label) + " stands at the end for a row that sums up others, and here, too",
+                         "\"mean\" or \"SD\" for such rows, or another name")
+            .at(at_cell(row.line, 0));
     for (const Column& column : columns_) {
         refuse_sign(column, row);
         require_number(column, row);

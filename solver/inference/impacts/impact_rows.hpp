@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -104,6 +105,7 @@ class RowLabels {
     void require_valid(const TableRow& row) const;
 
     std::vector<Column> columns_;
+    std::set<std::string> footer_labels_;  ///< in small letters
     /// First line of the rows at the end that sum up others.
     std::size_t footer_ = std::numeric_limits<std::size_t>::max();
     /// Last line of such rows at the start of the table, of which one has a label longer than three letters.

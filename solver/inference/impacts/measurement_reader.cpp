@@ -123,6 +123,7 @@ class TableCells {
     [[nodiscard]] Entry entry(const TableRow& row, MeasuredQuantity quantity) const {
         const MeasuredColumn& column = *heading_.of(quantity);
         Entry entry = read(row, column);
+        refuse_bound(row, quantity);
         if (const auto& uncertainty = heading_.uncertainty_of(quantity);
             uncertainty && !says_nothing(row.cells[uncertainty->position])) {
             if (entry.standard_uncertainty) fail(*uncertainty, row, "is given twice", "one uncertainty");
@@ -141,10 +142,19 @@ class TableCells {
     /// Zero with the uncertainty of its own column, for a row without a reading.
     [[nodiscard]] Entry uncertainty(const TableRow& row, MeasuredQuantity quantity) const {
         Entry entry{0.0, std::nullopt};
+        refuse_bound(row, quantity);
         const auto& column = heading_.uncertainty_of(quantity);
         if (column && !column->is_relative && !says_nothing(row.cells[column->position]))
             entry.standard_uncertainty = read(row, *column).value / column->coverage;
         return entry;
+    }
+
+    /// Refuses "<0.03" as an uncertainty. @throws InputError
+    void refuse_bound(const TableRow& row, MeasuredQuantity quantity) const {
+        const auto& column = heading_.uncertainty_of(quantity);
+        const std::string_view cell = column ? trimmed(row.cells[column->position]) : "";
+        if (cell.starts_with('<') || cell.starts_with("\u2264"))
+            fail(*column, row, "is a bound", "a number, or an empty cell");
     }
 
     /// Refuses an e_n that is not v_r over v_in, but for rounding. @throws InputError

@@ -433,9 +433,10 @@ TEST_CASE("names of samples that may state more than a sample are quoted") {
         for (const Finding& each : read_xrd(text, "t.csv").warnings) all += each.text + "\n";
         return all;
     };
-    for (const char* heading : {"FA1 particle %", "FA1 number %", "FA1 (Min-Max)", "FA1 rel. Int. [%]",
-                                "FA1 (cov. factor 2) [wt%]", "FA1 I/Imax [%]", "FA1 #%", "FA1 95er VB [wt%]",
-                                "FA1 + MgO", "FA1 kristallin [wt%]", "FA1 mit Standard"}) {
+    for (const char* heading :
+         {"FA1 particle %", "FA1 number %", "FA1 (Min-Max)", "FA1 rel. Int. [%]", "FA1 (cov. factor 2) [wt%]",
+          "FA1 I/Imax [%]", "FA1 #%", "FA1 95er VB [wt%]", "FA1 + MgO", "FA1 kristallin [wt%]",
+          "FA1 x 2 [wt%]", "2 x FA1", "FA1\u00b710", "FA1 mit Standard"}) {
         const std::string text =
             "Phase;" + std::string(heading) + "\nQuartz;20 \u00b1 1\nGlass;80 \u00b1 2\n";
         CHECK_MESSAGE((!refusal(text).empty() ||
@@ -459,7 +460,8 @@ TEST_CASE("what the heading of the names says is read, or refused") {
     for (const char* heading :
          {"Phase (Fehler 2s)", "Phase (2 sigma)", "Phase (\u00b1 2\u03c3)", "Phase [Fehler 2s]",
           "Mineral [Vol.-%]", "Phase (area)", "Phase (values / 10)", "Phase [scaled]", "Phase (estimated)",
-          "Phase (cation %)", "Phase \u00b1 2 SE", "Phase CI", "Phase 95% conf."})
+          "Phase (cation %)", "Phase \u00b1 2 SE", "Phase CI", "Phase 95% conf.", "Phase (spiked)",
+          "Phase (/10)", "Phase (1:10)"})
         CHECK_MESSAGE(!refusal(heading + rows).empty(), heading);
     CHECK(contains(
         refusal("Phase (values / 10)" + rows),

@@ -1091,6 +1091,21 @@ TEST_CASE("columns of the sides of an uncertainty, + and -, are not used") {
     }));
 }
 
+TEST_CASE("coverages P = 95 %, bounds of uncertainties, and signs of summaries behind each group") {
+    const auto refusal = [](const std::string& text) {
+        return input_error_of([&] { static_cast<void>(read_measurements(text, "t.csv")); });
+    };
+    const MeasurementSet set = read_measurements(
+        "v_in;u(v_r) (P=95%);v_r;u(v_in) (k=2, P=95%)\n1.4;0.0392;0.11;0.1\n2.6;0.0392;0.9;0.1\n", "t.csv");
+    CHECK(std::sqrt(set.points[0].noise.value().incident) == doctest::Approx(0.05));
+    CHECK(std::sqrt(set.points[0].noise.value().rebound) == doctest::Approx(0.02).epsilon(1e-3));
+    CHECK(
+        contains(refusal("v_in;u(v_in);v_r;u(v_r)\n1.4;<0.03;0.1;0.02\n2.6;0.03;0.9;0.02\n"), "is a bound"));
+    CHECK(contains(
+        refusal("Gruppe;v_in;v_r\nA;1.4;0.1\nA;1.9;0.4\ns;0.3;0.2\nB;2.4;0.7\nB;2.9;1.0\ns;0.4;0.2\n"),
+        "sum"));
+}
+
 TEST_CASE("a word in an otherwise empty column is quoted") {
     const MeasurementSet set = read_measurements(
         "Datum;v_imp [m/s];v_reb [m/s]\n;1.27;0\n;4.95;2.28\n;1.90;0.40\nLiteratur;2.56;0.81\n", "t.csv");
