@@ -536,11 +536,7 @@ void refuse_unread_heading(const Heading& heading, std::size_t line) {
     std::string said = heading.states == HeadingUnit::other ? heading.unit : std::string();
     if (open != std::string::npos) said = heading.text.substr(open) + said;
     static const std::regex factor("(?:[*/:^]|\u00d7|\u00b7) *[0-9]");  // "Phase (/10)", "Phase (1:10)"
-    const auto is_of_phases = [](const std::string& text) {             // "(n.d. = not detected)"
-        const PhaseMark mark = read_phase_name("x " + text).mark;
-        return mark != PhaseMark::none && mark != PhaseMark::standard;
-    };
-    const std::vector<std::string> words = words_in(heading.written);  // "Oxide \u00b1 2 SE", "Oxide 95% CI"
+    const std::vector<std::string> words = words_in(heading.written);   // "Oxide \u00b1 2 SE", "Oxide 95% CI"
     const auto is_of_uncertainty = [](const std::string& word) {
         return is_uncertainty_word(word) || (word.size() > 1 && is_summary(word));
     };
@@ -553,7 +549,7 @@ void refuse_unread_heading(const Heading& heading, std::size_t line) {
         return role == Role::phase || role == Role::sample || beside.holds(word) || methods.holds(word) ||
                std::ranges::all_of(word, is_digit);
     };
-    if (said.empty() || beside.holds(said) || is_of_phases(said) ||
+    if (said.empty() || beside.holds(said) || read_phase_name("x " + said).mark != PhaseMark::none ||
         (!holds_per_cent(said) && std::ranges::all_of(words_in(said), is_known) &&
          (said.size() > longest_heading || !std::regex_search(said, factor))))
         return;

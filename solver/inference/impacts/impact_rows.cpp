@@ -264,6 +264,7 @@ void RowLabels::find_footer(std::span<const TextLine> lines, char separator) {
         return;
     }
     footer_ = std::numeric_limits<std::size_t>::max();  // such words are then the names of all rows
+    footer_labels_.clear();
 }
 
 void RowLabels::find_header(std::span<const TextLine> lines, char separator) {

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "tests/pipeline/sandbox.hpp"
+#include "tests/support/checks.hpp"
 
 using namespace ashimpact;
 using test::check_refused;
@@ -72,6 +73,28 @@ TEST_CASE("modulus --oxides: the glass from its chemistry, in every shape of the
         succeeded(sandbox, "modulus xrd.csv --json --oxides xrf.csv --glass-density '2.6 g/cm3'").out);
     CHECK(number(stated.at("glass").at("density")) == 2600);
     CHECK(stated.at("glass").at("density_assumed") == false);
+}
+
+TEST_CASE("fractions by volume balance with the weights that the stated density of the glass gives") {
+    const Sandbox sandbox;
+    write_laboratory(sandbox);
+    const std::string stated = " --json --oxides xrf.csv --glass-density '2.2 g/cm3'";
+    sandbox.write("volumes.csv", "phase,volume %\nquartz,10\nmullite,17\namorphous,73\n");
+    const Json by_volume = Json::parse(succeeded(sandbox, "modulus volumes.csv" + stated).out);
+    double mass = 0;
+    for (const Json& phase : by_volume.at("phases"))
+        mass += phase.at("volume_fraction").get<double>() * number(phase.at("density"));
+    std::string weights = "phase,weight %\n";
+    for (const Json& phase : by_volume.at("phases"))
+        weights += phase.at("name").get<std::string>() + "," +
+                   std::to_string(100 * phase.at("volume_fraction").get<double>() *
+                                  number(phase.at("density")) / mass) +
+                   "\n";
+    sandbox.write("weights.csv", weights);
+    const Json by_weight = Json::parse(succeeded(sandbox, "modulus weights.csv" + stated).out);
+    for (const char* oxide : {"SiO2", "Al2O3"})
+        CHECK(relative_difference(number(by_volume.at("glass").at("composition").at(oxide)),
+                                  number(by_weight.at("glass").at("composition").at(oxide))) < 1e-6);
 }
 
 TEST_CASE("modulus --oxides: wrong chemistry is refused in one line that says what is wrong") {

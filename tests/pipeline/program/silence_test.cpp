@@ -4,10 +4,13 @@
 #include <filesystem>
 #include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include <doctest/doctest.h>
 
 #include "tests/pipeline/sandbox.hpp"
+#include "tests/support/checks.hpp"
 
 using namespace ashimpact;
 using test::ashimpact_program;
@@ -40,6 +43,33 @@ Json bare_case() {
 }
 
 }  // namespace
+
+TEST_CASE("an error of scale of all velocities is part of the uncertainties of damping constants") {
+    const Sandbox sandbox;
+    const std::vector<std::pair<double, double>> impacts{{1.31, 0.11}, {1.40, 0.21}, {2.55, 0.83},
+                                                         {3.90, 1.51}, {4.60, 1.84}, {3.10, 1.13}};
+    const auto constant_of = [&](double factor, const std::string& option) {
+        std::string table = "v_in [m/s];v_r [m/s]\n";
+        for (const auto& [velocity, rebound] : impacts)
+            table += std::to_string(factor * velocity) + ";" + std::to_string(factor * rebound) + "\n";
+        sandbox.write("impacts.csv", table);
+        const Json json = parse_json(succeeded(sandbox,
+                                               "damping --law dmt --diameter 88um --density 2300kg/m3 "
+                                               "--contact-modulus 87.75GPa --work-of-adhesion 0.3J/m2 "
+                                               "--json --impacts impacts.csv" +
+                                                   option)
+                                         .out);
+        const Json& law = json.at("dampings").at("laws").at(0);
+        CHECK(law.at("damping_law") == "constant");
+        return std::pair{law.at("constants").at("damping").at("value").get<double>(),
+                         law.at("constants").at("damping").at("standard_uncertainty").get<double>()};
+    };
+    const auto [value, alone] = constant_of(1, "");
+    const auto [same, whole] = constant_of(1, " --velocity-scale-uncertainty 0.05");
+    CHECK(same == value);
+    const double moved = constant_of(1.05, "").first - value;
+    CHECK(relative_difference(std::sqrt(whole * whole - alone * alone), std::abs(moved)) < 1e-4);
+}
 
 TEST_CASE("export, report and figure refuse artifacts computed from another state than the edited one" *
           doctest::test_suite("long")) {
