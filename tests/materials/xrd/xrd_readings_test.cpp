@@ -460,7 +460,7 @@ TEST_CASE("what the heading of the names says is read, or refused") {
     for (const char* heading :
          {"Phase (Fehler 2s)", "Phase (2 sigma)", "Phase (\u00b1 2\u03c3)", "Phase [Fehler 2s]",
           "Mineral [Vol.-%]", "Phase (area)", "Phase (values / 10)", "Phase [scaled]", "Phase (estimated)",
-          "Phase (cation %)", "Phase \u00b1 2 SE", "Phase CI", "Phase 95% conf.", "Phase (spiked)",
+          "Phase (cation %)", "Phase \u00b1 2 SE", "Phase CI", "Phase 95% conf.", "Phase (10 % ZnO added)",
           "Phase (/10)", "Phase (1:10)"})
         CHECK_MESSAGE(!refusal(heading + rows).empty(), heading);
     CHECK(contains(
