@@ -646,7 +646,7 @@ bool may_state_more(std::string_view name) {
         return word.size() == 1 || std::ranges::all_of(word, is_digit);
     });
     return holds_signs(name) || (words.size() > 1 && std::ranges::any_of(words, [&](const std::string& word) {
-                                     return !plain.holds(word) && std::ranges::none_of(word, is_digit);
+                                     return !plain.holds(word) && !std::ranges::any_of(word, is_digit);
                                  }));
 }
 

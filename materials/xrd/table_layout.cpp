@@ -550,7 +550,7 @@ void refuse_unread_heading(const Heading& heading, std::size_t line) {
                std::ranges::all_of(word, is_digit);
     };
     if (said.empty() || beside.holds(said) ||
-        (read_phase_name("x " + said).mark != PhaseMark::none && std::ranges::none_of(said, is_digit)) ||
+        (read_phase_name("x " + said).mark != PhaseMark::none && !std::ranges::any_of(said, is_digit)) ||
         (!holds_per_cent(said) && std::ranges::all_of(words_in(said), is_known) &&
          (said.size() > longest_heading || !std::regex_search(said, factor))))
         return;

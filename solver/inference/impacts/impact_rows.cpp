@@ -533,7 +533,7 @@ void refuse_means_of_labels(std::span<const MeasuredRow> rows) {
         else if (Block::of(of_label.subspan(1)).summed_up_in(all.front()) == "means")
             found.push_back(all.front().line);
     }
-    if (found.size() > 1) refuse_summary_row(std::ranges::min(found), "the means", "with its label");
+    if (found.size() > 1) refuse_summary_row(*std::ranges::min_element(found), "the means", "with its label");
 }
 
 /// Whether a number may be a mean, written with any number of digits.
