@@ -162,7 +162,7 @@ def modulus(
             options[name] = _path(other)
     with tempfile.TemporaryDirectory() as scratch:
         table, hidden = os.path.join(scratch, "table.csv"), f"{scratch}{os.sep}table.csv: "
-        if isinstance(file, (str, bytes, os.PathLike)):
+        if isinstance(file, (str, os.PathLike)):
             table = _path(file)
         else:
             Path(table).write_text(_pandas_text("file", file, "." if decimal != "comma" else ","), encoding="utf-8")
