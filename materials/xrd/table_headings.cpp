@@ -162,7 +162,7 @@ HeadingUnit unit_of(std::string_view text) {
 }
 
 UncertaintyName uncertainty_name(std::string_view text) {
-    if (is_uncertainty_word(text)) return {.is_uncertainty = true};
+    if (names_uncertainty(text)) return {.is_uncertainty = true};
     if (text.size() > longest_heading) return {};
     UncertaintyName name;  // the longest word counts: "error of", not "error"
     for (auto at = text.find_first_of(" _("); at != std::string_view::npos;

@@ -268,6 +268,9 @@ TEST_CASE(
     sandbox.write("no-remarks.csv", "d [um];v_c [m/s]\n1;0.1\n2;0.06\n4;0.03\n");
     CHECK(test::succeeded(sandbox, "calibrate" + of_one + "remarks.csv").out ==
           test::succeeded(sandbox, "calibrate" + of_one + "no-remarks.csv").out);
+    sandbox.write("sides.csv", "d [um];v_c [m/s];+;-\n1;0.1;0.01;0.02\n2;0.06;0.01;0.02\n4;0.03;0.01;0.02\n");
+    CHECK(test::succeeded(sandbox, "calibrate" + of_one + "sides.csv").err ==
+          test::containing("column \"+\" is not used"));
     // What the reader of impacts refuses in titles, labels and rows below is refused here.
     const std::string four = "d [um];v_c [m/s]\n1;0.1\n2;0.06\n4;0.03\n8;0.018\n";
     for (const auto& [text, says] :
@@ -275,6 +278,10 @@ TEST_CASE(
           {"Velocities in cm/s\n" + four, "states cm/s, and column \"v_c [m/s]\" is taken in another unit"},
           {four + "3.75;0.052\n", "line 6: the row holds the means of the rows above"},
           {four + "15;0.208\n", "line 6: the row holds the sums of the rows above"},
+          {std::string(
+               "wall;d [um];v_c [m/s]\nA;10;0.40\nA;20;0.24\nA;33;0.17\nB;40;0.23\nB;60;0.17\nB;83;0.11\n"
+               "A;21;0.27\nB;61;0.17\n"),
+           "line 8: the row holds the means of the rows with its label"},
           {"d [um];v_c [m/s]\n20;0.42\n40;0.24\n60;0.17\n20;0.42\n40;0.24\n60;0.17\n",
            "line 5: the rows to line 7 repeat those from line 2 to 4: they may be there twice"},
           {std::string("d [um];v_c [m/s];excluded\n1;0.1;\n2;0.06;x\n"),

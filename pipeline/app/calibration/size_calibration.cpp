@@ -253,6 +253,7 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
         measured.push_back(
             {row.line,
              {written(sized.diameter, SizeColumn::diameter), written(sized.velocity, SizeColumn::velocity)}});
+        if (!headings.front().column) measured.back().label = row.cells.front();
         repeated.take(row, place_of(headings, SizeColumn::diameter),
                       place_of(headings, SizeColumn::velocity));
         found.push_back(sized);
