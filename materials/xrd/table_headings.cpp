@@ -395,11 +395,8 @@ MarkedPhase read_phase_name(std::string_view text) {
     }
     for (auto at = text.find_first_of(" ,:"); at != std::string_view::npos;
          at = text.find_first_of(" ,:", at + 1)) {
-        if (text.substr(0, at).find_first_of("([") != std::string_view::npos &&
-            text.find_last_of(")]") > at && text.find_last_of(")]") != std::string_view::npos)
-            break;  // inside a bracket
-        const bool in_bracket = text.find_first_of("([") < at && text.find_first_of(")]", at) < text.size();
-        if (in_bracket) break;
+        if (text.find_first_of("([") < at && text.find_first_of(")]", at) < text.size())
+            break;  // in a bracket
         const auto blank = text[at] == ' ' ? at : at + 1;
         if (auto found = marked(text.substr(0, at), text.substr(blank)); found.mark != PhaseMark::none)
             return found;
