@@ -631,11 +631,10 @@ bool divides_otherwise(std::string_view cell, double factor) {
 }
 
 bool holds_signs(std::string_view name) {
-    static const std::regex factor(
-        "(?:^| )[xX*/\u00d7\u00b7] *[0-9]|[0-9] *(?:[xX*]|\u00d7|\u00b7)(?: "
-        "|$|[0-9])|\u00b7[0-9]|\u00d7[0-9]");
+    static const std::regex factor("(?:^| )[xX/] *[0-9]|[0-9] *[xX](?: |$|[0-9])");  // "FA1 x 2"
     return name.find_first_of("()[]{}=#%+*") != std::string_view::npos ||
-           name.find("\u00b1") != std::string_view::npos ||
+           std::ranges::any_of(std::array{"\u00b1", "\u00d7", "\u00b7"},
+                               [&](const char* sign) { return name.find(sign) != std::string_view::npos; }) ||
            (name.size() <= longest_heading && std::regex_search(std::string(name), factor));
 }
 

@@ -185,7 +185,7 @@ void refuse_sign_of_bound(std::string_view cell, const std::string& column, std:
 void refuse_coverages(std::string_view heading, std::span<const TableRow> rows, std::size_t column,
                       std::span<const double> factors);
 
-/// Whether a name holds brackets, or a sign of a unit or an uncertainty.
+/// Whether a name holds brackets, a factor ("x 2"), or a sign of a unit or an uncertainty.
 [[nodiscard]] bool holds_signs(std::string_view name);
 
 /// Whether the name of a sample may state more than that: it holds such signs, or several words beside

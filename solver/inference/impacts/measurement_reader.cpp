@@ -961,7 +961,9 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
     SignsOfReadings signs;
     RepeatedRows repeated;
     std::vector<MeasuredRow> unknown;
-    std::map<std::size_t, std::string> row_labels;  // by line
+    const bool has_labels =
+        std::ranges::find(heading.unused, std::size_t{0}, &TextColumn::position) != heading.unused.end();
+    std::vector<std::string> row_labels;  // of the points, in their order
     for (const TextLine& line : rows) {
         TableRow row = cut_row(line, table.separator);
         at_place(at_line(row.line), [&] {
@@ -982,9 +984,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
                 repeated.take(row, heading.of(MeasuredQuantity::velocity)->position,
                               heading.reading().position);
                 set.points.push_back(*point);
-                if (std::ranges::any_of(heading.unused,
-                                        [](const TextColumn& each) { return each.position == 0; }))
-                    row_labels.emplace(row.line, row.cells.front());
+                if (has_labels) row_labels.push_back(row.cells.front());
             } else {
                 ++set.unknown;
                 unread.take_unknown(row);
@@ -1016,8 +1016,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
                 heading, point.line,
                 {velocity, heading.reading().is_fraction ? point.restitution() : point.rebound}));
             measured.back().noted = point.outcome != NotedOutcome::from_reading;
-            if (const auto label = row_labels.find(point.line); label != row_labels.end())
-                measured.back().label = label->second;
+            if (has_labels) measured.back().label = row_labels[measured.size() - 1];
         }
         refuse_summaries(measured, set.warnings);
         if (!unknown.empty()) {  // the mean of v_in may be that of all rows
