@@ -226,7 +226,9 @@ bool RowLabels::Column::stands_alone(std::string_view label) const {
 RowLabels::RowLabels(const LabelColumns& heading, std::span<const TextLine> lines, char separator) {
     for (const auto* all : {&heading.unused, &heading.remarks})
         for (const TextColumn& column : *all)
-            columns_.push_back({.column = column, .is_remark = all == &heading.remarks});
+            columns_.push_back({.column = column,
+                                .is_remark = all == &heading.remarks,
+                                .has_unit = unit_of_quantity(column.name).has_value()});
     if (columns_.empty()) return;
     std::vector<Column*> at(heading.columns, nullptr);
     for (Column& column : columns_) at[column.column.position] = &column;

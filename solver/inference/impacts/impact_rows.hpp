@@ -42,6 +42,7 @@ class RowLabels {
     struct Column {
         TextColumn column;
         bool is_remark = false;
+        bool has_unit = false;     ///< in its heading, "d [um]"
         std::size_t numbers = 0;   ///< whole numbers
         std::size_t measures = 0;  ///< other numbers
         std::size_t texts = 0;     ///< anything else
@@ -72,7 +73,7 @@ class RowLabels {
         bool describes_rows = false;            ///< "mean of 3" in the first row, which sums up no others
         [[nodiscard]] bool counts_rows() const {
             return numbers >= 2 && numbers > texts + measures && (column.position == 0 || in_order) &&
-                   !repeats && !unit_of_quantity(column.name);
+                   !repeats && !has_unit;
         }
         /// Whether nearly all rows have labels that differ by a number, "P1" and "P2"; in the first column
         /// any labels with a number, "1a" and "B2".

@@ -621,9 +621,13 @@ class Unread {
     /// An impact, whose remarks may be other texts than words for an outcome.
     void take_impact(const TableRow& row) {
         static const std::regex marked("[0-9]+ *(?:[*!?#+]+|[xX]|\u2020|\u2021)");  // "8*" in "Nr."
+        const auto is_marked = [](const std::string& cell) {
+            return !cell.empty() && cell.size() <= longest_heading && is_digit(cell.front()) &&
+                   !is_digit(cell.back()) && std::regex_match(cell, marked);
+        };
         for (const TextColumn& column : heading_.unused)
             if (const std::string& cell = row.cells[column.position];
-                !column.name.empty() && cell.size() <= longest_heading && std::regex_match(cell, marked)) {
+                !column.name.empty() && is_marked(cell)) {
                 if (marked_.empty()) first_marked_ = in_quotes(cell) + " in column " + in_quotes(column.name);
                 marked_.push_back(row.line);
             }
