@@ -10,6 +10,7 @@
 #include <set>
 #include <tuple>
 
+#include "core/tables/table_reading.hpp"
 #include "core/tables/table_texts.hpp"
 #include "core/tables/text_lines.hpp"
 #include "core/tables/vocabulary.hpp"
@@ -1192,6 +1193,44 @@ class OxideSampleMaker {
     std::vector<Iron> iron_{};
 };
 
+/// What the columns and rows are taken as.
+std::string reading_of(const std::vector<OxideColumn>& columns, const std::vector<OxideSample>& samples) {
+    constexpr std::size_t most = 4;  // samples with their sums
+    TableReading reading;
+    reading.add(counted(samples.size(), "sample"));
+    for (const OxideSample& sample : samples) {
+        if (samples.size() > most) break;
+        double sum = 0;
+        for (const OxideShare& share : sample.analysis.oxides) sum += share.fraction;
+        const auto& loss = sample.analysis.loss_on_ignition;
+        reading.add((samples.size() > 1 ? sample.name + " " : "") + per_cent(sum) + " by weight in oxides" +
+                    (loss ? ", LOI " + per_cent(loss->fraction) : ""));
+    }
+    for (const OxideColumn& column : columns)
+        for (const OxideCell& cell : column.cells) {
+            const std::string& name = cell.what.heading.written;
+            switch (cell.what.role) {
+                case OxideRole::oxide:
+                    reading.take("oxides", name);
+                    break;
+                case OxideRole::loss:
+                    reading.take("loss on ignition", name);
+                    break;
+                case OxideRole::total:
+                    reading.take("total", name);
+                    break;
+                default:
+                    continue;
+            }
+            if (cell.unit != nullptr && cell.unit->written != name)
+                reading.take("amounts", cell.unit->written);
+            if (cell.error_heading != nullptr && cell.error_heading->coverage.problem.empty())
+                reading.take("standard uncertainties", cell.error_heading->written,
+                             divided_by(cell.error_heading->coverage.factor));
+        }
+    return reading.text();
+}
+
 OxideResult read_oxide_lines(const TextLines& file, std::optional<DecimalMark> decimal) {
     const OxideTable table(file, decimal);
     OxideResult result{.samples = {}, .warnings = table.warnings};
@@ -1222,6 +1261,7 @@ OxideResult read_oxide_lines(const TextLines& file, std::optional<DecimalMark> d
     for (Finding& each : table.marks().findings(glass_code)) result.warnings.push_back(std::move(each));
     if (result.samples.empty())
         refuse_line(file.last_line(), "there are no amounts of oxides", "a number for each oxide");
+    result.reading = reading_of(table.samples, result.samples);
     return result;
 }
 

@@ -23,6 +23,7 @@ struct OxideSample {
 struct OxideResult {
     std::vector<OxideSample> samples;
     std::vector<Finding> warnings{};  ///< about the file as a whole
+    std::string reading{};            ///< how the table was read, by TableReading
 };
 
 /// Reads a chemical analysis by XRF or wet chemistry: a CSV or TSV table, or a sheet of a spreadsheet (.xlsx,

@@ -11,6 +11,7 @@
 
 #include "core/json/document.hpp"
 #include "core/quantities/checks.hpp"
+#include "core/tables/table_reading.hpp"
 #include "core/tables/table_texts.hpp"
 #include "core/text/text.hpp"
 #include "materials/xrd/readers.hpp"
@@ -452,6 +453,59 @@ std::optional<Finding> amounts_in_names(const Table& table) {
     return Finding{xrd_code, Severity::remark, "the amounts in these names are not read: " + joined(names)};
 }
 
+/// What the columns of a table of fractions or peaks are taken as.
+/// @param scale of the amounts to fractions
+std::string reading_of(const Table& table, Layout layout, bool volumes, double scale,
+                       const std::vector<Entry>& entries, std::size_t samples) {
+    static constexpr std::array units{"in parts of 1", "in %", "in parts per thousand",
+                                      "in ppm"};  // by factors
+    const auto unit = static_cast<std::size_t>(
+        std::ranges::find(factors, scale, &std::pair<Scale, double>::second) - factors.begin());
+    const bool peaks = layout == Layout::peaks;
+    const std::string amounts =
+        fmt::format("amounts by {}, {}", volumes ? "volume" : "weight", units.at(unit));
+    TableReading reading;
+    reading.add(counted(samples, "sample"));
+    const Heading* before = nullptr;  // the last with amounts
+    for (const Heading& heading : table.headings) {
+        const bool is_amount =
+            layout == Layout::fractions
+                ? heading.role == Role::weight || heading.role == Role::volume
+                : !peaks && heading.role == Role::other && !heading.text.empty() && !heading.sums_up;
+        if (is_amount) {
+            const double coverage = heading.coverage.factor;
+            reading.take(amounts, heading.written,
+                         coverage == 1 ? "" : " (uncertainties" + divided_by(coverage) + ")");
+            before = &heading;
+        } else if (heading.role == Role::phase || heading.role == Role::sample) {
+            reading.take(heading.role == Role::phase ? "phases" : "samples", heading.written);
+        } else if (heading.role == Role::uncertainty && heading.coverage.problem.empty() &&
+                   !heading.sums_up) {
+            const bool of_one = !peaks && before != nullptr && before->written != heading.written;
+            reading.take(
+                "standard uncertainties", heading.written,
+                (of_one ? " of " + in_quotes(before->written) : "") + divided_by(heading.coverage.factor));
+        } else if (heading.role == Role::density && layout != Layout::one_column_a_phase) {
+            reading.take("densities", heading.written);
+        } else if (heading.role == Role::standard) {
+            reading.take("weight of the internal standard", heading.written);
+        } else if (peaks && heading.role == Role::intensity) {
+            reading.take("net intensities", heading.written);
+        } else if (peaks && heading.role == Role::ratio) {
+            reading.take("reference intensity ratios", heading.written);
+        } else if (peaks && heading.role == Role::ratio_uncertainty) {
+            reading.take("standard uncertainties of the ratios", heading.written,
+                         divided_by(heading.coverage.factor));
+        }
+    }
+    const auto in_cell = [](const Entry& entry) {
+        return (entry.amount && entry.amount->standard_uncertainty) ||
+               (entry.intensity && entry.intensity->standard_uncertainty);
+    };
+    if (std::ranges::any_of(entries, in_cell)) reading.add("standard uncertainties in the cells");
+    return reading.text();
+}
+
 /// A remark on the name of a sheet, unless it is one that spreadsheets give.
 std::optional<Finding> sheet_not_read(const std::vector<TextBeside>& texts) {
     static const WordLists words("names of sheets");
@@ -499,7 +553,9 @@ XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) 
     warn_of_ignored(table, layout, result.warnings);
     note_readings(table, layout, result.warnings);
     refuse_oxides(entries, table.heading_line);
-    for (const Group& group : groups_of(std::move(entries))) {
+    const std::vector<Group> groups = groups_of(entries);
+    result.reading = reading_of(table, layout, volumes, scale, entries, groups.size());
+    for (const Group& group : groups) {
         refuse_repeated(group.entries);
         XrdSample sample = layout == Layout::peaks ? sample_of_peaks(group)
                                                    : sample_of_fractions(group, scale, table.blank_rows);

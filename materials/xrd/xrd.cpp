@@ -133,6 +133,9 @@ XrdResult read(std::string_view bytes, const TableOptions& options) {
 XrdResult read_xrd(std::string_view text, std::string_view name, const TableOptions& options) {
     return at_place(FileName{std::string(name)}, [&] {
         XrdResult result = read(text, options);
+        if (result.reading.empty())
+            result.reading =
+                fmt::format("{}, {}", name_of(result.format), counted(result.samples.size(), "sample"));
         for (XrdSample& sample : result.samples) {
             if (sample.name.empty()) sample.name = xrd::file_stem(name);
             if (auto doubt = xrd::mark_standards(sample.analysis, sample.name))

@@ -42,6 +42,7 @@ struct XrdResult {
     XrdFormat format = XrdFormat::table;
     std::vector<XrdSample> samples;
     std::vector<Finding> warnings{};  ///< about the file as a whole
+    std::string reading{};            ///< how a table was read, by TableReading
 };
 
 /// Reads an XRD result; its content shows the format: BGMN/Profex .lst, GSAS-II .lst, FullProf .sum, TOPAS

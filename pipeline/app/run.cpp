@@ -72,6 +72,7 @@ void run_run_command(const CommandOptions& options, std::ostream& out) {
                        .on_step = [&](const std::string& step) { line.show(step); }};
     const RunSummary summary = run_stages(plan);
     line.clear();
+    tell_readings(summary.files);
     tell(summary);
     for (const Artifact& artifact : summary.written)
         if (artifact.file == comparison_artifact)

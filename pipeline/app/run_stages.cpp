@@ -400,6 +400,7 @@ RunSummary run_stages(const RunPlan& plan) {
         LoadedCase loaded = load_case(plan.case_file, plan.allow_outside);
         if (plan.temperature) loaded.data.temperature = {plan.temperature, plan.temperature};
         refuse_to_overwrite(loaded.inputs, plan.folder);
+        summary.files = loaded.inputs;
         summary.written.push_back(begin(loaded, work));
     } else {
         add_earlier(case_artifact, "case");

@@ -33,6 +33,7 @@ struct RunSummary {
     std::size_t samples = 0;         ///< samples of the case
     std::string scope{};             ///< for what the results hold, see scope_sentence()
     std::string inputs{};            ///< what was read, see inputs_text()
+    std::vector<InputFile> files{};  ///< those of the case
     std::vector<Remark> remarks{};   ///< of all artifacts in the folder, also those of earlier runs
     std::filesystem::path report{};  ///< file of the report; empty: none was made
     std::size_t figures = 0;         ///< files of figures written

@@ -44,14 +44,32 @@ std::string InputFiles::read_built_in(const std::string& path) {
 
 const XrdResult& InputFiles::xrd(const std::string& name, const TableOptions& options) {
     const auto [known, is_new] = xrd_.try_emplace({name, options.sheet, options.decimal});
-    if (is_new) known->second = read_xrd(read(name), shown(name), options);
+    if (is_new) {
+        known->second = read_xrd(read(name), shown(name), options);
+        record_reading(name, known->second.reading);
+    }
     return known->second;
 }
 
 const OxideResult& InputFiles::oxides(const std::string& name, const TableOptions& options) {
     const auto [known, is_new] = oxides_.try_emplace({name, options.sheet, options.decimal});
-    if (is_new) known->second = read_oxides(read(name), shown(name), options);
+    if (is_new) {
+        known->second = read_oxides(read(name), shown(name), options);
+        record_reading(name, known->second.reading);
+    }
     return known->second;
+}
+
+MeasurementSet InputFiles::impacts(const std::string& name, const TableOptions& options) {
+    MeasurementSet set = read_measurements(read(name), shown(name), options);
+    record_reading(name, set.reading);
+    return set;
+}
+
+void InputFiles::record_reading(const std::string& name, const std::string& reading) {
+    const auto file = std::ranges::find(used_, shown(name), &InputFile::file);
+    if (file == used_.end()) return;  // carried by the program
+    if (std::ranges::find(file->readings, reading) == file->readings.end()) file->readings.push_back(reading);
 }
 
 std::string InputFiles::shown(const std::string& name) const {

@@ -10,13 +10,15 @@
 
 #include "materials/glass/oxide_table.hpp"
 #include "materials/xrd/xrd.hpp"
+#include "solver/inference/impacts/measurement.hpp"
 
 namespace ashimpact {
 
 /// A file that went into a result.
 struct InputFile {
-    std::string file;    ///< as the user named it, or "builtin:" and its path in the program
-    std::string sha256;  ///< of its bytes
+    std::string file;                     ///< as the user named it, or "builtin:" and its path in the program
+    std::string sha256;                   ///< of its bytes
+    std::vector<std::string> readings{};  ///< how its tables were read, by TableReading
 };
 
 /// Reads the files that a case names, relative to it, and records those that were read.
@@ -44,6 +46,9 @@ class InputFiles {
     /// The chemical analysis in a file, likewise read once. @throws InputError
     [[nodiscard]] const OxideResult& oxides(const std::string& name, const TableOptions& options);
 
+    /// The measured impacts in a file. @throws InputError
+    [[nodiscard]] MeasurementSet impacts(const std::string& name, const TableOptions& options);
+
     /// What a message calls a file.
     [[nodiscard]] std::string shown(const std::string& name) const;
     [[nodiscard]] const std::string& case_name() const { return case_name_; }
@@ -52,6 +57,7 @@ class InputFiles {
   private:
     InputFiles(std::string case_name, std::filesystem::path folder, bool is_built_in);
     std::string record(const std::string& name, std::string bytes);
+    void record_reading(const std::string& name, const std::string& reading);
     void require_inside(const std::string& name) const;
 
     std::string case_name_;

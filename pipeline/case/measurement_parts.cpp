@@ -181,8 +181,7 @@ MeasuredRestitution read_measured(const View& node, InputFiles& files, const std
         const std::string name = file->text();
         data.source = name;
         data.impacts = at_place(file->pointer(), [&] {
-            return read_measurements(files.read(name), files.shown(name),
-                                     read_table_options(node, "sheet", "decimal"));
+            return files.impacts(name, read_table_options(node, "sheet", "decimal"));
         });
     } else {
         data.impacts = read_measurement_columns(node);

@@ -128,8 +128,10 @@ std::string schema_of(std::string_view file) {
 Artifact sealed_artifact(const Envelope& envelope, Json result, const std::string& run) {
     const StageRecord& record = envelope.record;
     Json inputs = Json::array();
-    for (const InputFile& input : envelope.inputs)
+    for (const InputFile& input : envelope.inputs) {
         inputs.push_back({{"file", input.file}, {"sha256", input.sha256}});
+        if (!input.readings.empty()) inputs.back()["read_as"] = input.readings;
+    }
     Json warnings = Json::array();
     Json notes = Json::array();
     for (const Note& note : record.notes) {

@@ -44,8 +44,12 @@ void read_case_document(const View& document, Run& run) {
     const View provenance = document.at("provenance");
     run.version = provenance.at("version").text();
     run.revision = provenance.at("revision").text();
-    for (const View& input : provenance.at("inputs").elements())
+    for (const View& input : provenance.at("inputs").elements()) {
         run.inputs.push_back({input.at("file").text(), input.at("sha256").text()});
+        if (const auto readings = input.find("read_as"))
+            for (const View& reading : readings->elements())
+                run.inputs.back().readings.push_back(reading.text());
+    }
 }
 
 /// How an artifact is written, and read into a run.

@@ -9,6 +9,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import logging
 import os
 import shutil
 import subprocess
@@ -28,6 +29,8 @@ if TYPE_CHECKING:
 
 PathLike = Union[str, "os.PathLike[str]"]
 Document = dict[str, Any]
+
+_log = logging.getLogger("ashimpact")
 
 _WRONG_INPUT = 2
 _NOT_CONVERGED = 3
@@ -59,14 +62,18 @@ def _messages(text: str) -> list[str]:
 
 
 def _call(command: str, *arguments: str, hidden: str = "") -> str:
-    """Standard output of a command; its messages, without a hidden place, become warnings, its errors exceptions."""
+    """Standard output of a command; its errors become exceptions, its warnings, without a hidden place, those of
+    Python; how tables were read goes to the logger "ashimpact"."""
     finished = subprocess.run(
         [_program(), command, *arguments], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
     )
     messages = [message.replace(hidden, "") for message in _messages(finished.stderr)]
     if finished.returncode == 0:
         for message in messages:
-            warnings.warn(message.removeprefix("warning: "), UserWarning, stacklevel=3)
+            if message.startswith("warning: "):
+                warnings.warn(message.removeprefix("warning: "), UserWarning, stacklevel=3)
+            else:
+                _log.info(message)
         return finished.stdout
     message = messages[-1] if messages else f"ashimpact {command} ended with status {finished.returncode}"
     if finished.returncode == _WRONG_INPUT:

@@ -17,6 +17,7 @@
 #include "core/quantities/checks.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/tables/number_marks.hpp"
+#include "core/tables/table_reading.hpp"
 #include "core/tables/table_texts.hpp"
 #include "core/tables/text_lines.hpp"
 #include "core/tables/workbook/workbook.hpp"
@@ -135,8 +136,27 @@ std::size_t size_heading_place(const std::vector<TextLine>& lines) {
                 "no line names the columns of a table of critical velocities", size_headings);
 }
 
-std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<DecimalMark> decimal,
-                                           std::vector<Finding>& findings) {
+/// Critical velocities of sizes, and how their table was read.
+struct SizeTable {
+    std::vector<SizedVelocity> rows{};
+    std::string reading{};
+};
+
+/// What the columns are taken as.
+std::string reading_of(const std::vector<SizeHeading>& headings, std::size_t rows) {
+    TableReading reading;
+    reading.add(counted(rows, "size"));
+    static constexpr std::array names{"diameters", "v_c", "standard uncertainties of v_c"};  // by SizeColumn
+    for (const SizeHeading& heading : headings)
+        if (heading.column)
+            reading.take(fmt::format("{} [{}]", names.at(static_cast<std::size_t>(*heading.column)),
+                                     heading.unit_name),
+                         heading.written, divided_by(heading.coverage.factor));
+    return reading.text();
+}
+
+SizeTable read_size_lines(const TextLines& file, std::optional<DecimalMark> decimal,
+                          std::vector<Finding>& findings) {
     constexpr auto code = "calibration";
     std::vector<TextLine> lines = lines_with_content(file);
     const auto note = [&](std::string text) {
@@ -262,11 +282,11 @@ std::vector<SizedVelocity> read_size_lines(const TextLines& file, std::optional<
     if (!row_labels.number_rows()) refuse_summaries(measured, findings);
     if (auto doubt = repeated.doubtful()) findings.push_back(*std::move(doubt));
     if (found.empty()) refuse_line(file.last_line(), "there are no rows below the heading", size_headings);
-    return found;
+    return {std::move(found), reading_of(headings, measured.size())};
 }
 
-std::vector<SizedVelocity> read_size_table(const std::string& bytes, const TableOptions& options,
-                                           std::vector<Finding>& findings) {
+SizeTable read_size_table(const std::string& bytes, const TableOptions& options,
+                          std::vector<Finding>& findings) {
     const TableFile file(bytes, {.name = options.sheet,
                                  .option = "--sheet",
                                  .code = "calibration",
@@ -275,9 +295,9 @@ std::vector<SizedVelocity> read_size_table(const std::string& bytes, const Table
                                      return size_heading_place(lines_with_content(lines)), true;
                                  }});
     return file.read([&](const TextLines& lines) {
-        auto rows = read_size_lines(lines, options.decimal, findings);
+        SizeTable table = read_size_lines(lines, options.decimal, findings);
         file.add_findings(findings);
-        return rows;
+        return table;
     });
 }
 
@@ -312,10 +332,11 @@ std::vector<SizedVelocity> read_sizes(const CommandOptions& options) {
     }
     const std::string bytes = read_file(name);
     std::vector<Finding> findings;
-    auto rows =
+    SizeTable table =
         at_place(FileName{name}, [&] { return read_size_table(bytes, table_options(options), findings); });
+    tell_reading(name, table.reading);
     warn_of(findings, name);
-    return rows;
+    return std::move(table.rows);
 }
 
 /// Sets standard uncertainties that the table does not state.

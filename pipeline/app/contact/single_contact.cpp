@@ -19,6 +19,7 @@
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/present/text/layout.hpp"
+#include "pipeline/run/stage.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
 #include "solver/damping/damping.hpp"
@@ -388,6 +389,20 @@ std::optional<double> read_explicit_step(const CommandOptions& options, const Im
     validate(impact);
     return options.has("--time-step") ? options.positive("--time-step", Dimension::time)
                                       : explicit_time_step(impact, steps);
+}
+
+void tell_reading(const std::string& file, const std::string& reading) {
+    if (!reading.empty()) spdlog::info("{}: read as {}", file, reading);
+}
+
+void tell_readings(const std::vector<InputFile>& files) {
+    constexpr std::size_t most = 12;  // a case may have thousands
+    std::size_t tables = 0;
+    for (const InputFile& file : files)
+        for (const std::string& reading : file.readings)
+            if (++tables <= most) tell_reading(file.file, reading);
+    if (tables > most)
+        spdlog::info("and {} more tables, which {} lists under inputs", tables - most, case_artifact);
 }
 
 void warn_of(const std::vector<Finding>& findings, const std::string& place) {

@@ -11,6 +11,7 @@
 #include "core/finding.hpp"
 #include "core/json/document.hpp"
 #include "core/units/units.hpp"
+#include "pipeline/case/input_files.hpp"
 #include "pipeline/present/text/layout.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/pair.hpp"
@@ -132,5 +133,10 @@ void warn_idle(const std::string& option, const std::string& reason);
 
 /// Puts findings on standard error as warnings. @param place a file, or empty
 void warn_of(const std::vector<Finding>& findings, const std::string& place = {});
+
+/// Prints how a table was read, as a message that is no warning. @param reading empty: nothing
+void tell_reading(const std::string& file, const std::string& reading);
+/// The same of the files of a case, the first of many.
+void tell_readings(const std::vector<InputFile>& files);
 
 }  // namespace ashimpact

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "core/plausibility.hpp"
+#include "core/tables/table_reading.hpp"
 #include "core/tables/table_texts.hpp"
 #include "core/tables/text_lines.hpp"
 #include "core/tables/vocabulary.hpp"
@@ -194,6 +195,28 @@ class SieveTable {
         std::ranges::copy(notes_, std::back_inserter(notes));
         std::ranges::copy(marks_.findings("deposition"), std::back_inserter(notes));
         return kind_ == SieveColumn::share ? by_classes(notes) : cumulative(notes);
+    }
+
+    /// What the columns are taken as.
+    [[nodiscard]] std::string reading() const {
+        static constexpr std::array names{"diameters",
+                                          "lower diameters of classes",
+                                          "upper diameters of classes",
+                                          "finer than the size, by mass",
+                                          "coarser than the size, by mass",
+                                          "coarser than the size, by mass",
+                                          "on each sieve, by mass",
+                                          "in the class, by mass",
+                                          "classes of diameters"};  // by SieveColumn
+        TableReading reading;
+        reading.add(counted(rows_.size(), "size"));
+        for (std::size_t k = 0; k < columns_.size(); ++k) {
+            const SieveHeading& heading = columns_[k];
+            if (!heading.column || (!is_size(*heading.column) && k != *place(kind_))) continue;
+            const std::string unit = heading.unit.empty() ? "" : " [" + heading.unit + "]";
+            reading.take(names.at(static_cast<std::size_t>(*heading.column)) + unit, heading.written);
+        }
+        return reading.text();
     }
 
   private:
@@ -627,8 +650,7 @@ class SieveTable {
 
 }  // namespace
 
-ParticleSizes read_sieve_table(std::string_view bytes, const TableOptions& options,
-                               std::vector<Finding>& notes) {
+SieveResult read_sieve_table(std::string_view bytes, const TableOptions& options) {
     const TableFile file(bytes,
                          {.name = options.sheet,
                           .option = "--sheet",
@@ -636,11 +658,11 @@ ParticleSizes read_sieve_table(std::string_view bytes, const TableOptions& optio
                           .limits = sieve_limits,
                           .holds_table = [](const TextLines& lines) { return SieveTable(lines, {}), true; }});
     return file.read([&](const TextLines& lines) {
-        std::vector<Finding> findings;
-        ParticleSizes sizes = SieveTable(lines, options.decimal).sizes(findings);
-        file.add_findings(findings);
-        std::ranges::move(findings, std::back_inserter(notes));
-        return sizes;
+        const SieveTable table(lines, options.decimal);
+        std::vector<Finding> notes;
+        ParticleSizes sizes = table.sizes(notes);
+        file.add_findings(notes);
+        return SieveResult{std::move(sizes), std::move(notes), table.reading()};
     });
 }
 

@@ -89,8 +89,10 @@ SizesChoice read_sizes(const std::string& spec, const TableOptions& options) {
         SizesChoice choice{.words = "sieve table " + spec};
         const std::string bytes = read_file(spec);
         choice.file = InputFile{spec, sha256(bytes)};
-        choice.sizes =
-            at_place(FileName{spec}, [&] { return read_sieve_table(bytes, options, choice.notes); });
+        SieveResult table = at_place(FileName{spec}, [&] { return read_sieve_table(bytes, options); });
+        choice.sizes = std::move(table.sizes);
+        choice.notes = std::move(table.notes);
+        choice.reading = std::move(table.reading);
         return choice;
     }
     if (!options.sheet.empty() || options.decimal)

@@ -18,6 +18,14 @@ struct SizesChoice {
     std::string words{};              ///< "Rosin-Rammler, 20 um, exponent 1.2, by mass"
     std::optional<InputFile> file{};  ///< of a table
     std::vector<Finding> notes{};
+    std::string reading{};  ///< how a table was read, by TableReading
+};
+
+/// The sizes of a sieve table.
+struct SieveResult {
+    ParticleSizes sizes;
+    std::vector<Finding> notes;
+    std::string reading;
 };
 
 /// Forms of --sizes, for help and messages.
@@ -32,7 +40,6 @@ inline constexpr auto sizes_forms =
 
 /// Reads a sieve table, CSV, TSV, .xlsx or .ods: sizes with the share that is finer ("passing") or coarser
 /// ("residue"), or classes "from", "to" with their "share". Errors: InputError with the line.
-[[nodiscard]] ParticleSizes read_sieve_table(std::string_view bytes, const TableOptions& options,
-                                             std::vector<Finding>& notes);
+[[nodiscard]] SieveResult read_sieve_table(std::string_view bytes, const TableOptions& options);
 
 }  // namespace ashimpact

@@ -428,9 +428,12 @@ Json with_words(const Json& node, bool is_critical = false) {
 std::string provenance_text(const Json& artifact, std::size_t width) {
     const Json& provenance = artifact.at("provenance");
     std::string text;
-    for (const Json& input : provenance.at("inputs"))
+    for (const Json& input : provenance.at("inputs")) {
         text += fmt::format("from {}\n  sha256 {}\n", input.at("file").get<std::string>(),
                             input.at("sha256").get<std::string>());
+        for (const std::string& reading : input.value("read_as", std::vector<std::string>()))
+            text += "  " + wrapped("read as " + reading, width - 2, 2) + "\n";
+    }
     if (!provenance.at("options").empty())
         text += "options\n" + result_text(provenance.at("options"), {.all = true, .width = width});
     for (const Json& citation : artifact.at("citations"))

@@ -78,6 +78,7 @@ struct MeasurementSet {
     bool rebound_alone_uncertain = false;  ///< the file states u(v_r) and not u(v_in)
     std::string sample{};                  ///< name in the column "sample", if all rows have the same
     std::string sheet{};                   ///< of the workbook
+    std::string reading{};                 ///< how the table was read, by TableReading
 
     [[nodiscard]] std::size_t captures() const {
         return static_cast<std::size_t>(std::ranges::count_if(points, &Measurement::captured));

@@ -15,6 +15,7 @@
 #include "core/plausibility.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/tables/number_marks.hpp"
+#include "core/tables/table_reading.hpp"
 #include "core/tables/text_lines.hpp"
 #include "core/tables/workbook/workbook.hpp"
 #include "core/text/error.hpp"
@@ -927,6 +928,46 @@ std::optional<Finding> zeros_not_noted(const MeasurementSet& set) {
                     numbered("line", zeros), zeros.size() == 1 ? "counts" : "count")};
 }
 
+/// "mm/s" of a factor to m/s; "%" of one of fractions.
+std::string unit_of(const MeasuredColumn& column) {
+    if (column.is_relative) return "parts of the value";
+    if (column.is_fraction) return column.to_si == 1 ? "1" : "%";
+    constexpr std::array units{std::pair{1.0, "m/s"}, std::pair{1e-2, "cm/s"}, std::pair{1e-3, "mm/s"}};
+    const auto* const unit = std::ranges::find(units, column.to_si, &std::pair<double, const char*>::first);
+    return unit != units.end() ? unit->second : readable_number(column.to_si) + " m/s";
+}
+
+/// What the columns are taken as, and what the rows hold.
+std::string reading_of(const MeasurementHeading& heading, const std::vector<std::string>& written,
+                       const MeasurementSet& set) {
+    TableReading reading;
+    const auto [slowest, fastest] =
+        std::ranges::minmax(set.points, {}, [](const Measurement& point) { return point.velocity; });
+    reading.add(fmt::format("{}, {} captured, v_in {} to {} m/s", counted(set.points.size(), "impact"),
+                            set.captures(), readable_number(slowest.velocity),
+                            readable_number(fastest.velocity)));
+    static constexpr std::array names{"v_in", "v_r", "e_n"};  // by MeasuredQuantity
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto take = [&](const std::string& what, const MeasuredColumn& column,
+                              const std::string& behind) {
+            reading.take(fmt::format("{}{} [{}]", what, names.at(i), unit_of(column)),
+                         written[column.position], behind);
+        };
+        if (heading.value[i]) take("", *heading.value[i], "");
+        if (const auto& u = heading.uncertainty[i]; u && u->coverage > 0)
+            take("standard uncertainties of ", *u, divided_by(u->coverage));
+    }
+    if (heading.checked) reading.take("e_n, compared with v_r over v_in", written[heading.checked->position]);
+    if (heading.sideways)
+        reading.take(heading.sideways->is_angle ? "angles from the normal" : "velocities along the wall",
+                     written[heading.sideways->position],
+                     heading.normal_velocity ? "" : "; v_in is that of the sphere at this angle");
+    if (heading.outcome)
+        reading.take(heading.outcome_is_capture ? "captures" : "outcomes", written[*heading.outcome]);
+    if (heading.correlation) reading.take("correlation of the velocities", written[*heading.correlation]);
+    return reading.text();
+}
+
 MeasurementSet read_table(const TextLines& file, std::string_view name, std::optional<DecimalMark> decimal) {
     auto lines = lines_with_content(file);
     if (lines.empty()) throw InputError("the file holds no table", "a heading and one line an impact");
@@ -1044,6 +1085,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
     if (set.points.empty())
         throw InputError("there is no measurement below the heading", "one line an impact")
             .at(at_line(file.last_line()));
+    set.reading = reading_of(heading, table.heading.cells, set);
     return set;
 }
 
