@@ -392,7 +392,7 @@ std::optional<double> read_explicit_step(const CommandOptions& options, const Im
 }
 
 void tell_reading(const std::string& file, const std::string& reading) {
-    if (!reading.empty()) spdlog::info("{}: read as {}", file, reading);
+    if (!reading.empty()) spdlog::warn("{}: read as {}", file, reading);
 }
 
 void tell_readings(const std::vector<InputFile>& files) {
@@ -402,7 +402,7 @@ void tell_readings(const std::vector<InputFile>& files) {
         for (const std::string& reading : file.readings)
             if (++tables <= most) tell_reading(file.file, reading);
     if (tables > most)
-        spdlog::info("and {} more tables, which {} lists under inputs", tables - most, case_artifact);
+        spdlog::warn("and {} more tables, which {} lists under inputs", tables - most, case_artifact);
 }
 
 void warn_of(const std::vector<Finding>& findings, const std::string& place) {

@@ -134,7 +134,8 @@ void warn_idle(const std::string& option, const std::string& reason);
 /// Puts findings on standard error as warnings. @param place a file, or empty
 void warn_of(const std::vector<Finding>& findings, const std::string& place = {});
 
-/// Prints how a table was read, as a message that is no warning. @param reading empty: nothing
+/// Prints how a table was read, as a message that is no warning; held as those are. @param reading empty:
+/// nothing
 void tell_reading(const std::string& file, const std::string& reading);
 /// The same of the files of a case, the first of many.
 void tell_readings(const std::vector<InputFile>& files);
