@@ -195,9 +195,15 @@ bool take_units(TableRow& heading, const TableRow& line,
 
 namespace {
 
-/// Whether a line begins as a note does: "Note: measured at 40 kV, 40 mA".
-bool begins_as_note(std::string_view text) {
+/// Whether a line begins as a note does: "Note: measured at 40 kV, 40 mA", "* near the limit", "a) mean".
+/// @param is_alone it has one cell with content
+bool begins_as_note(std::string_view text, bool is_alone) {
     static const WordLists words("remark columns", all_marks);
+    const auto sign = text.substr(0, text.find(' '));
+    const bool is_sign =
+        sign.size() <= 3 && (sign.ends_with(')') || sign.find_first_not_of('*') == std::string::npos ||
+                             sign == "\u2020" || sign == "\u2021");
+    if (is_alone && is_sign && !sign.empty() && sign.size() < text.size()) return true;
     const auto colon = text.find(':');
     return colon != std::string_view::npos && words.holds(trimmed(text.substr(0, colon)));
 }
@@ -215,7 +221,7 @@ std::vector<Finding> take_notes(std::vector<TextLine>& lines, std::size_t first,
             has_value = has_value || read_number(cell, true) || (texts > 0 && says_no_number(cell));
             ++texts;
         });
-        const bool announced = begins_as_note(trimmed(lines[i].text));
+        const bool announced = begins_as_note(trimmed(lines[i].text), texts == 1);
         if (!announced && has_value) break;
         if (announced || (i > first && lines[i].number > lines[i - 1].number + 1)) kept = i;
     }

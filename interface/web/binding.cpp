@@ -308,14 +308,16 @@ const char* ashimpact_validate(const char* case_file) {
     });
 }
 
-/// Which reader takes a table: "impacts", "xrd", or "unknown" with the message of each reader.
+/// Which reader takes a table: "impacts" or "xrd" and how it was read, or "unknown" with the message of each
+/// reader.
 const char* ashimpact_kind(const char* file) {
     return answered([&] {
         const std::string bytes = read_file(file);
-        const auto as_impacts = refusal([&] { static_cast<void>(read_impacts(bytes, file)); });
-        if (!as_impacts) return Json{{"kind", "impacts"}};
-        const auto as_xrd = refusal([&] { static_cast<void>(read_xrd(bytes, file)); });
-        if (!as_xrd) return Json{{"kind", "xrd"}};
+        std::string reading;
+        const auto as_impacts = refusal([&] { reading = read_impacts(bytes, file).reading; });
+        if (!as_impacts) return Json{{"kind", "impacts"}, {"read_as", reading}};
+        const auto as_xrd = refusal([&] { reading = read_xrd(bytes, file).reading; });
+        if (!as_xrd) return Json{{"kind", "xrd"}, {"read_as", reading}};
         return Json{{"kind", "unknown"}, {"impacts", *as_impacts}, {"xrd", *as_xrd}};
     });
 }

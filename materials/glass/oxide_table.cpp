@@ -508,7 +508,10 @@ class OxideTable {
                     "a file without what such a row heads");
             amounts_follow = amounts_follow || xrd::holds_numbers(rows_[r], label);
         }
-        xrd::take_rows_of_uncertainties(rows_, next, label, glass_code, warnings);
+        const double factor = xrd::take_rows_of_uncertainties(rows_, next, label, glass_code, warnings);
+        for (OxideLine& each : headings_)
+            if (each.role == OxideRole::oxide && each.heading.coverage.factor == 1)
+                each.heading.coverage.factor = factor;
         for (std::size_t r = next; r < rows_.size(); ++r) add_row(rows_[r], names, label);
         if (label < headings_.size() && samples.size() > 1 && samples.front().sample.empty())
             refuse_line(samples.front().cells.front().line, "the line names no sample, and others do",
@@ -1224,6 +1227,8 @@ std::string reading_of(const std::vector<OxideColumn>& columns, const std::vecto
             }
             if (cell.unit != nullptr && cell.unit->written != name)
                 reading.take("amounts", cell.unit->written);
+            if (cell.unit != nullptr && cell.unit->coverage.factor != 1)
+                reading.take("uncertainties in the cells" + divided_by(cell.unit->coverage.factor), name);
             if (cell.error_heading != nullptr && cell.error_heading->coverage.problem.empty())
                 reading.take("standard uncertainties", cell.error_heading->written,
                              divided_by(cell.error_heading->coverage.factor));

@@ -115,6 +115,18 @@ bool names_groups(const TextLine& line, const TableRow& heading, const std::vect
            (groups[0].empty() || groups[0] == heading.cells[0]);
 }
 
+/// Whether a line can be the heading of columns of samples beside one of phases without a heading, as
+/// spreadsheets have them: ";FA1 [wt%];FA2 [wt%]".
+bool heads_samples(const TableRow& row) {
+    if (row.cells.size() < 2 || !row.cells.front().empty()) return false;
+    const auto headings = headings_of(row);
+    return std::all_of(headings.begin() + 1, headings.end(), [](const Heading& heading) {
+        const bool is_sample = heading.role == Role::other && heading.states != HeadingUnit::none &&
+                               heading.states != HeadingUnit::other && !heading.text.empty();
+        return is_sample || heading.role == Role::uncertainty;
+    });
+}
+
 /// Index of the heading line among the first lines. Titles such as "Sample;Fly ash 7" may precede it:
 /// the first line that names amounts is preferred to one that may be a title, then the one of most cells,
 /// unless there are numbers between them.
@@ -130,6 +142,7 @@ std::optional<std::size_t> find_heading(const std::vector<TextLine>& lines) {
                             [](const std::string& cell) { return read_number(cell, true).has_value(); });
             if (possible && holds_number) return possible;
             const auto headings = headings_of(row);
+            if (!possible && heads_samples(row)) return i;
             if (!is_heading(headings)) continue;
             if (names_amounts(headings))
                 return i - (i > 0 && names_groups(lines[i - 1], row, headings) ? 1 : 0);
@@ -489,28 +502,29 @@ std::optional<StatedCoverage> coverage_of_row(std::string_view label, std::strin
     return bare || beside ? std::optional(coverage) : std::nullopt;
 }
 
-void take_rows_of_uncertainties(std::vector<TableRow>& rows, std::size_t first, std::size_t label,
-                                std::string_view code, std::vector<Finding>& warnings) {
+double take_rows_of_uncertainties(std::vector<TableRow>& rows, std::size_t first, std::size_t label,
+                                  std::string_view code, std::vector<Finding>& warnings) {
     const auto label_of = [&](std::size_t i) -> const std::string& { return rows[i].cells[label]; };
     std::vector<StatedCoverage> coverages;
     for (std::size_t i = first; i + 1 < rows.size(); i += 2) {
-        if (label >= std::min(rows[i].cells.size(), rows[i + 1].cells.size())) return;
+        if (label >= std::min(rows[i].cells.size(), rows[i + 1].cells.size())) return 1;
         const auto coverage = coverage_of_row(label_of(i + 1), label_of(i));
-        if (!coverage || is_uncertainty_word(label_of(i)) || is_summary(label_of(i))) return;
+        if (!coverage || is_uncertainty_word(label_of(i)) || is_summary(label_of(i))) return 1;
         refuse_two_methods({label_of(i), label_of(i + 1)}, rows[i + 1].line);
         coverages.push_back(*coverage);
     }
-    if (first + 2 * coverages.size() != rows.size()) return;
+    if (coverages.empty() || first + 2 * coverages.size() != rows.size()) return 1;
+    const double factor = coverages.front().factor;
     for (std::size_t i = 0; i < coverages.size(); ++i) {
         if (i > 0) rows[first + i] = std::move(rows[first + 2 * i]);
         TableRow& sample = rows[first + i];
         const TableRow& row = rows[first + 2 * i + 1];
-        if (coverages[i].factor != 1 || !coverages[i].problem.empty()) {
-            warnings.push_back(
-                {code, Severity::doubt,
-                 (coverages[i].problem.empty() ? "the uncertainties in " : "the numbers in ") +
-                     at_line(row.line) + " are not read, as " + in_quotes(row.cells[label]) +
-                     (coverages[i].problem.empty() ? " are no standard ones" : ": " + coverages[i].problem)});
+        if (coverages[i].factor != factor || !coverages[i].problem.empty()) {
+            warnings.push_back({code, Severity::doubt,
+                                (coverages[i].problem.empty() ? "the uncertainties in " : "the numbers in ") +
+                                    at_line(row.line) + " are not read, as " + in_quotes(row.cells[label]) +
+                                    (coverages[i].problem.empty() ? " have another coverage than those above"
+                                                                  : ": " + coverages[i].problem)});
             continue;
         }
         for (std::size_t k = 0; k < std::min(row.cells.size(), sample.cells.size()); ++k)
@@ -518,6 +532,7 @@ void take_rows_of_uncertainties(std::vector<TableRow>& rows, std::size_t first, 
                 sample.cells[k] += " \u00b1 " + row.cells[k];
     }
     rows.resize(first + coverages.size());
+    return factor;
 }
 
 bool heads_alike(std::string_view label, std::string_view kind) {
@@ -913,7 +928,8 @@ void leave_out(Heading& heading) {
     if (heading.text.empty()) heading.text = heading.written;  // "2 sigma"
 }
 
-/// Leaves out columns of texts beside phases and a column with numbers: "ICDD" above "46-1045".
+/// Leaves out columns of texts beside phases or samples and a column with numbers: "ICDD" above "46-1045",
+/// "Location" above "north".
 void leave_texts_out(Table& table, std::span<const TextLine> rows) {
     const auto is_amount = [](const Heading& heading) {
         return heading.role == Role::other && !heading.text.empty();
@@ -1438,6 +1454,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
                 .rows = {},
                 .separator = cut.separator,
                 .marks = NumberMarks(decimal, file.of_sheet())};
+    if (heads_samples(names)) table.headings.front().role = Role::phase;
     for (std::size_t k = 0; k < names.cells.size(); ++k)
         if (names.cells[k] != cut.heading.cells[k]) table.headings[k].written = cut.heading.cells[k];
     for (const std::size_t k : repeated) leave_out(table.headings[k]);
@@ -1450,7 +1467,7 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
     drop_numbers_of_phases(table, cut.rows);
     const bool is_wide = table.has(Role::phase) != table.has(Role::sample) && !names_amounts(table.headings);
     if (is_wide) {
-        if (table.has(Role::phase)) leave_texts_out(table, cut.rows);
+        leave_texts_out(table, cut.rows);
         find_amounts_with_uncertainties(table);
         find_uncertainties(table);
     }
@@ -1529,7 +1546,10 @@ Table parse_table(const TextLines& file, std::optional<DecimalMark> decimal) {
         for (const Heading& each : table.headings)
             if (each.role == Role::other && is_wide) require_plain_sample(each.text, table.heading_line);
     if (table.has(Role::sample) && !table.has(Role::phase)) {
-        take_rows_of_uncertainties(table.rows, 0, *table.column(Role::sample), xrd_code, table.warnings);
+        const double factor =
+            take_rows_of_uncertainties(table.rows, 0, *table.column(Role::sample), xrd_code, table.warnings);
+        for (Heading& each : table.headings)
+            if (each.role == Role::other && each.coverage.factor == 1) each.coverage.factor = factor;
         drop_summaries(table);
     }
     if (table.rows.empty())

@@ -68,8 +68,10 @@ enum class Layout {
 
 /// Takes rows of uncertainties, "esd" or "FA1 esd" behind each sample from the row @p first on, into the
 /// cells above them. @param label column of the names of the samples
-void take_rows_of_uncertainties(std::vector<TableRow>& rows, std::size_t first, std::size_t label,
-                                std::string_view code, std::vector<Finding>& warnings);
+/// @return by what they are to be divided for standard ones: 2 for "U (k=2)"
+[[nodiscard]] double take_rows_of_uncertainties(std::vector<TableRow>& rows, std::size_t first,
+                                                std::size_t label, std::string_view code,
+                                                std::vector<Finding>& warnings);
 
 /// Whether a row without amounts in a table of phases or oxides heads those below it without another meaning:
 /// "Crystalline phases", "Major oxides:". @param kind "phases" or "oxides"

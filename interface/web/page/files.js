@@ -71,7 +71,9 @@ function takeTable([file, bytes], kind) {
 async function placeTable(table) {
     const [name, bytes] = table;
     const { answer } = await quick.ask({ name: 'kind', files: [['dropped', bytes]], words: ['dropped'] });
-    if (answer.kind === 'xrd' || answer.kind === 'impacts') return { text: takeTable(table, answer.kind) };
+    if (answer.kind === 'xrd' || answer.kind === 'impacts') {
+        return { text: `${takeTable(table, answer.kind)} Read as ${answer.read_as}.` };
+    }
     const because = (message) => (message ?? '').replace(/^dropped: /, '');
     const choices = Object.entries(kindNames).map(([kind, words]) => make('button', {
         type: 'button', class: 'small', click: () => tell(takeTable(table, kind)),
