@@ -33,9 +33,9 @@ class TableReading {
     std::vector<Group> groups_{};
 };
 
-/// ", divided by 2" for uncertainties that are as many standard ones; empty for these.
+/// " divided by 2" for uncertainties that are as many standard ones; empty for these.
 [[nodiscard]] inline std::string divided_by(double coverage) {
-    return coverage == 1 ? std::string() : ", divided by " + readable_number(coverage);
+    return coverage == 1 ? std::string() : " divided by " + readable_number(coverage);
 }
 
 }  // namespace ashimpact

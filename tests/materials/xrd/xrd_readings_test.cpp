@@ -31,6 +31,47 @@ std::string told(const std::string& table) {
 
 }  // namespace
 
+TEST_CASE("what each column of a composition is taken as is stated") {
+    const auto reading = [](const std::string& table) { return read_xrd(table, "t.csv").reading; };
+    const std::string rows = "\nQuartz;20;1;30;2\nGlass;80;1;70;2\n";
+    CHECK(reading("Phase;FA1 [wt%];esd;FA2 [wt%];FA2 (2s)" + rows) ==
+          "2 samples; phases: \"Phase\"; amounts by weight, in %: \"FA1 [wt%]\", \"FA2 [wt%]\"; "
+          "standard uncertainties: \"esd\" of \"FA1 [wt%]\", \"FA2 (2s)\" of \"FA2 [wt%]\" divided by 2");
+    CHECK(reading("Phase;vol%;esd;density [g/cm3]\nQuartz;20 \u00b1 1;;2.6\nGlass;80;;2.5\n") ==
+          "1 sample; uncertainties in the cells or in rows; phases: \"Phase\"; amounts by volume, in %: "
+          "\"vol%\"; standard uncertainties: \"esd\" of \"vol%\"; densities: \"density [g/cm3]\"");
+    CHECK(reading("Phase;intensity;RIR\nQuartz;100;3.4\nMullite;50;0.8\n") ==
+          "1 sample; phases: \"Phase\"; net intensities: \"intensity\"; reference intensity ratios: \"RIR\"");
+    CHECK(reading("Sample;Quartz;Glass\nA;200;800\n").find("in %") != std::string::npos);
+    CHECK(reading("Sample;Quartz [g/kg];Glass [g/kg]\nA;200;800\n") ==
+          "1 sample; samples: \"Sample\"; amounts by weight, in parts per thousand: \"Quartz [g/kg]\", "
+          "\"Glass [g/kg]\"");
+    CHECK(reading("phase;A1 [wt%];A2 [wt%];A3 [wt%];A4 [wt%];A5 [wt%];A6 [wt%];A7 [wt%];A8 [wt%];A9 [wt%];"
+                  "B1 [wt%];B2 [wt%];B3 [wt%];B4 [wt%]\nQuartz;1;1;1;1;1;1;1;1;1;1;1;1;1\n")
+              .ends_with("\"B3 [wt%]\", and 1 more"));
+}
+
+TEST_CASE("a footnote under a table, a column of places and an unnamed column of phases") {
+    for (const char* note : {"* near the limit", "a) by difference", "1) fixed", "\u2020 estimated"}) {
+        const std::string table = std::string("Phase;wt%\nQuartz;20\nGlass;80\n") + note;
+        CHECK(contains(told(table + "\n"), std::string("line 4 below the table is not read: \"") + note));
+        CHECK(contains(told(table + ";\n"), "line 4 below the table is not read"));
+        CHECK(first_of(table).analysis.phases.size() == 2);
+    }
+    CHECK_FALSE(refusal("Phase;wt%\nQuartz;20\nGlass;80\nx y\n").empty());
+    const std::string places = "Sample;Location;Quartz;Glass\nA;north;20;80\nB;south;30;70\n";
+    CHECK(contains(told(places), "column \"Location\" is not used: \"north\", \"south\""));
+    CHECK(read_xrd(places, "t.csv").samples[1].analysis.phases[0].fraction == doctest::Approx(0.3));
+    CHECK_FALSE(refusal("Sample;Quartz;Glass\nA;n.d.;80\nB;south;70\n").empty());
+    const std::string unnamed = ";A [wt%];esd;B [wt%]\nQuartz;20;1;30\nGlass;80;2;70\n";
+    const XrdResult result = read_xrd(unnamed, "t.csv");
+    REQUIRE(result.samples.size() == 2);
+    CHECK(result.samples[0].analysis.phases[1].standard_uncertainty.value() == doctest::Approx(0.02));
+    CHECK(contains(result.reading, "phases: a column without a heading"));
+    CHECK_FALSE(refusal(";A;B\nQuartz;20;30\nGlass;80;70\n").empty());
+    CHECK_FALSE(refusal(";Quartz [wt%];Glass [wt%]\nA;20;80\nB;30;70\n").empty());
+}
+
 TEST_CASE("a column that is not used does not scale the amounts") {
     for (const char* column : {"Hg ppm", "Cl mg/kg", "Cl [g/kg]", "Cl \u2030", "microstrain [ppm]"}) {
         for (const auto& [heading, amount] :

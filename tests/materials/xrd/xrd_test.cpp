@@ -830,8 +830,11 @@ TEST_CASE("rows of uncertainties behind each sample") {
         CHECK(result.samples[1].analysis.phases[1].standard_uncertainty.value() == doctest::Approx(0.01));
     }
     const XrdResult doubled = read_xrd("Sample;Quartz;Glass\nA;20;80\n2\u03c3;0.6;1\n", "t.csv");
-    CHECK_FALSE(doubled.samples[0].analysis.phases[0].standard_uncertainty);
-    CHECK(contains(joined(texts_of(doubled.warnings)), "the uncertainties in line 3 are not read"));
+    CHECK(doubled.samples[0].analysis.phases[0].standard_uncertainty.value() == doctest::Approx(0.003));
+    const XrdResult expanded =
+        read_xrd("Sample;Quartz;Glass\nA;20;80\nU (k=2);0.6;1\nB;10;90\nU (k=2);0.8;2\n", "t.csv");
+    CHECK(expanded.samples[1].analysis.phases[0].standard_uncertainty.value() == doctest::Approx(0.004));
+    CHECK(contains(expanded.reading, "\"Quartz\" (uncertainties divided by 2)"));
     for (const char* row : {"% error", "error %"}) {
         const XrdResult result =
             read_xrd("Sample;Quartz;Glass\nA;20;80\n" + std::string(row) + ";5;1\n", "t.csv");

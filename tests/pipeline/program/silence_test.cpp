@@ -530,3 +530,27 @@ TEST_CASE("a range in the place of one value is named as one") {
     check_refused(sandbox, std::string("impact --law hertz --velocity '2 m/s..3 m/s'") + elastic_sphere,
                   "is a range");
 }
+
+TEST_CASE("how each table was read is shown, kept in the artifact, and not said before an error") {
+    const Sandbox sandbox;
+    sandbox.write("ash.csv", "Phase;wt%\nQuartz;20\nGlass;80\n");
+    const std::string reading =
+        "ash.csv: read as 1 sample; phases: \"Phase\"; amounts by weight, in %: \"wt%\"";
+    CHECK(succeeded(sandbox, "modulus ash.csv").err == containing(reading));
+    CHECK(succeeded(sandbox, "-q modulus ash.csv").err.empty());
+    sandbox.write("half.csv", "Phase;wt%\nQuartz;20\nUnobtainium;80\n");
+    check_refused(sandbox, "modulus half.csv", "half.csv: line 3: no phase is called");
+    sandbox.write("sizes.csv", "d [um],v_c [m/s],u(v_c) [m/s]\n20,3,0.3\n60,1,0.1\n");
+    CHECK(succeeded(sandbox,
+                    "calibrate --sizes sizes.csv --law jkr --density 2600 --contact-modulus '90 GPa' "
+                    "--work-of-adhesion 0.3 --free damping")
+              .err == containing("sizes.csv: read as 2 sizes; diameters [um]: \"d [um]\"; v_c [m/s]"));
+    succeeded(sandbox, "init case");
+    const auto run = succeeded(sandbox, "run case/case.json -o out --no-report");
+    CHECK(run.err == containing("case/impacts.csv: read as 12 impacts, 2 captured"));
+    CHECK(run.err == containing("case/ash.csv: read as 1 sample"));
+    const Json inputs = sandbox.json("out/0-case.json").at("provenance").at("inputs");
+    CHECK_FALSE(inputs.at(0).contains("read_as"));
+    CHECK(inputs.at(1).at("read_as").size() == 1);
+    CHECK(succeeded(sandbox, "inspect out/0-case.json").out == containing("read as 12 impacts"));
+}

@@ -569,6 +569,20 @@ TEST_CASE("uncertainties of unclear coverage are not read, and one line says why
     }
 }
 
+TEST_CASE("what each column of impacts is taken as is stated") {
+    const auto reading = [](const std::string& table) { return read_measurements(table, "t.csv").reading; };
+    CHECK(reading("No;v1 [mm/s];U(k=2) [mm/s];v2 [mm/s];outcome\n1;2000;40;400;\n2;500;40;0;capture\n") ==
+          "2 impacts, 1 captured, v_in 0.5 to 2 m/s; v_in [mm/s]: \"v1 [mm/s]\"; standard uncertainties of "
+          "v_in "
+          "[mm/s]: \"U(k=2) [mm/s]\" divided by 2; v_r [mm/s]: \"v2 [mm/s]\"; outcomes: \"outcome\"");
+    CHECK(
+        reading("v_in [m/s];e_n [%];angle [deg]\n2;40;10\n3;50;20\n") ==
+        "2 impacts, 0 captured, v_in 1.9696 to 2.8191 m/s; v_in [m/s]: \"v_in [m/s]\"; e_n [%]: \"e_n [%]\"; "
+        "angles from the normal: \"angle [deg]\"; v_in is that of the sphere at this angle");
+    CHECK(contains(reading("v_in [m/s];v_r [m/s];e_n\n2;1;0.5\n"),
+                   "e_n, compared with v_r over v_in: \"e_n\""));
+}
+
 TEST_CASE("uncertainties that are no standard ones beside a velocity are not read") {
     for (const char* heading : {"U_v_in [m/s]", "v_in U [m/s]", "U(v_in) [m/s]"}) {
         CAPTURE(heading);
