@@ -70,9 +70,10 @@ void check_bytes(std::string_view bytes, const TextLimits& limits) {
     if (trimmed(bytes).empty()) refuse_line(1, "the file is empty", std::string(limits.content));
 }
 
-/// Whether a line closes the quoted cell that the line before it leaves open: "v_in" above "[m/s]".
+/// Whether a line closes the quoted cell that the line before it leaves open: "v_in" above "[m/s]". It may
+/// open the next one: above "[m/s]";"v_r".
 bool joins(std::string_view before, std::string_view line) {
-    if (std::ranges::count(before, '"') % 2 == 0 || std::ranges::count(line, '"') % 2 == 0) return false;
+    if (std::ranges::count(before, '"') % 2 == 0 || line.find('"') == std::string_view::npos) return false;
     constexpr std::string_view separators = "\t;,";
     const auto open = before.rfind('"');
     const auto close = line.find('"');

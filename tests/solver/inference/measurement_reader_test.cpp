@@ -1053,6 +1053,8 @@ TEST_CASE("ditto marks are no quotes around rows") {
         CHECK(contains(input_error_of([&] { static_cast<void>(read_measurements(table, "t.csv")); }),
                        "a quote is not closed"));
     CHECK(read_measurements("\"v_in\n[m/s]\";v_r [m/s]\n0.5;0\n0.9;0.2\n", "t.csv").points.size() == 2);
+    CHECK(read_measurements("\"v_in\n[m/s]\";\"v_r\n[m/s]\";\"no\"\n0.5;0;1\n0.9;0.2;2\n", "t.csv").points.size() == 2);
+    CHECK(read_measurements("v_inc [m/s];v_refl [m/s]\n0.5;0\n0.9;0.2\n", "t.csv").points.size() == 2);
 }
 
 TEST_CASE("means below a table are found in any unit, and beside readings that are not known") {
