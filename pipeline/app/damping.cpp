@@ -45,8 +45,8 @@ MeasurementSet read_impacts(const CommandOptions& options) {
             .frames = options.whole("--frames", Camera{}.frames)};
         set = at_place("--frame-rate, --pixel-size", [&] { return with_camera(std::move(set), camera); });
     }
-    tell_reading(options["--impacts"], set.reading);
     warn_of(set.warnings, options["--impacts"]);
+    tell_reading(options["--impacts"], set.reading);
     at_place(FileName{options["--impacts"]}, [&] { check_impacts(set); });
     return options.has("--bin") ? binned(set, {.impacts_per_bin = options.whole("--bin")}) : set;
 }

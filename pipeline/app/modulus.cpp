@@ -298,8 +298,8 @@ std::optional<OxideResult> read_oxides_of(const CommandOptions& options) {
     TableOptions table = table_options(options);
     table.sheet = options.has("--oxides-sheet") ? options["--oxides-sheet"] : "";
     OxideResult oxides = read_oxides(read_start(file, longest_xrd_file + 1), file, table);
-    tell_reading(file, oxides.reading);
     warn_of(oxides.warnings, file);
+    tell_reading(file, oxides.reading);
     return oxides;
 }
 
@@ -394,8 +394,8 @@ void run_modulus_command(const CommandOptions& options, std::ostream& out) {
     const PhaseCatalogue catalogue = catalogue_of(options);
     const XrdResult result =
         read_xrd(read_start(options["file"], longest_xrd_file + 1), options["file"], table_options(options));
-    tell_reading(options["file"], result.reading);
     warn_of(result.warnings, options["file"]);
+    tell_reading(options["file"], result.reading);
 
     const std::optional<OxideResult> oxides = read_oxides_of(options);
     std::vector<SampleEstimate> estimates;

@@ -72,8 +72,8 @@ void run_run_command(const CommandOptions& options, std::ostream& out) {
                        .on_step = [&](const std::string& step) { line.show(step); }};
     const RunSummary summary = run_stages(plan);
     line.clear();
-    tell_readings(summary.files);
     tell(summary);
+    tell_readings(summary.files);
     for (const Artifact& artifact : summary.written)
         if (artifact.file == comparison_artifact)
             out << comparison_text(artifact.document->at("result"), output_width(), summary.scope) << '\n';

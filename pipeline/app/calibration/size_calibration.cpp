@@ -334,8 +334,8 @@ std::vector<SizedVelocity> read_sizes(const CommandOptions& options) {
     std::vector<Finding> findings;
     SizeTable table =
         at_place(FileName{name}, [&] { return read_size_table(bytes, table_options(options), findings); });
-    tell_reading(name, table.reading);
     warn_of(findings, name);
+    tell_reading(name, table.reading);
     return std::move(table.rows);
 }
 

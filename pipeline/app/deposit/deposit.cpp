@@ -285,8 +285,8 @@ Deposition write_deposition(const CommandOptions& options, const TableOptions& t
     require_writable_folder(folder);
     require_replaceable(folder / deposit_artifact, R"({"schema": "deposit"})");
     SizesChoice sizes = read_sizes(options["--sizes"], table);
-    if (sizes.file) tell_reading(sizes.file->file, sizes.reading);
     warn_of(sizes.notes, sizes.file ? sizes.file->file : "--sizes");
+    if (sizes.file) tell_reading(sizes.file->file, sizes.reading);
     tube.sizes = sizes.words;
     DepositSource source;
     if (options.has("run"))
