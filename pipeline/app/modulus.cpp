@@ -299,7 +299,6 @@ std::optional<OxideResult> read_oxides_of(const CommandOptions& options) {
     table.sheet = options.has("--oxides-sheet") ? options["--oxides-sheet"] : "";
     OxideResult oxides = read_oxides(read_start(file, longest_xrd_file + 1), file, table);
     warn_of(oxides.warnings, file);
-    tell_reading(file, oxides.reading);
     return oxides;
 }
 
@@ -395,7 +394,6 @@ void run_modulus_command(const CommandOptions& options, std::ostream& out) {
     const XrdResult result =
         read_xrd(read_start(options["file"], longest_xrd_file + 1), options["file"], table_options(options));
     warn_of(result.warnings, options["file"]);
-    tell_reading(options["file"], result.reading);
 
     const std::optional<OxideResult> oxides = read_oxides_of(options);
     std::vector<SampleEstimate> estimates;
@@ -413,6 +411,8 @@ void run_modulus_command(const CommandOptions& options, std::ostream& out) {
     }
     warn_of_samples(estimates, &SampleEstimate::warnings, options["file"]);
     warn_of_samples(estimates, &SampleEstimate::oxide_warnings, options["--oxides"]);
+    tell_reading(options["file"], result.reading);
+    if (oxides) tell_reading(options["--oxides"], oxides->reading);
     const auto doubts = options.doubts();
     for (SampleEstimate& estimate : estimates) {
         std::vector<Finding> all = result.warnings;
