@@ -171,7 +171,7 @@ TEST_CASE("errors about phases name their place in the file") {
     CHECK(refused(analysis("quarz")) ==
           "line 7: \"quartz\" and \"quarz\" are the same phase, quartz; allowed: each phase once; add "
           "their fractions");
-    refuses(analysis("mulite"), "line 7: no phase is called \"mulite\" (nearest: mullite, ");
+    refuses(analysis("mullitte"), "line 7: no phase is called \"mullitte\" (nearest: mullite, ");
     Analysis many{.phases = std::vector<PhaseFraction>(1001, {.name = "quartz", .place = "line 9"})};
     CHECK(refused(many) == "line 9: the sample has 1001 phases; allowed: 1000 or fewer");
 }

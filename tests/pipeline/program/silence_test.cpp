@@ -552,5 +552,5 @@ TEST_CASE("how each table was read is shown, kept in the artifact, and not said 
     const Json inputs = sandbox.json("out/0-case.json").at("provenance").at("inputs");
     CHECK_FALSE(inputs.at(0).contains("read_as"));
     CHECK(inputs.at(1).at("read_as").size() == 1);
-    CHECK(succeeded(sandbox, "inspect out/0-case.json").out == containing("read as 12 impacts"));
+    CHECK(succeeded(sandbox, "inspect out/0-case.json -v").out == containing("read as 12 impacts"));
 }

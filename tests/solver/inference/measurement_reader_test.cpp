@@ -577,7 +577,7 @@ TEST_CASE("what each column of impacts is taken as is stated") {
           "[mm/s]: \"U(k=2) [mm/s]\" divided by 2; v_r [mm/s]: \"v2 [mm/s]\"; outcomes: \"outcome\"");
     CHECK(
         reading("v_in [m/s];e_n [%];angle [deg]\n2;40;10\n3;50;20\n") ==
-        "2 impacts, 0 captured, v_in 1.9696 to 2.8191 m/s; v_in [m/s]: \"v_in [m/s]\"; e_n [%]: \"e_n [%]\"; "
+        "2 impacts, 0 captured, v_in 1.97 to 2.819 m/s; v_in [m/s]: \"v_in [m/s]\"; e_n [%]: \"e_n [%]\"; "
         "angles from the normal: \"angle [deg]\"; v_in is that of the sphere at this angle");
     CHECK(contains(reading("v_in [m/s];v_r [m/s];e_n\n2;1;0.5\n"),
                    "e_n, compared with v_r over v_in: \"e_n\""));
