@@ -38,7 +38,8 @@ class DampingSearch {
         if (restitution > 0.0) {
             number_of_loss_.insert({.value = loss, .x = number_});
             next = number_of_loss_.interpolated();
-            found_ = std::abs(next - number_) <= converged * number_;
+            const bool is_steep = number_of_loss_.wanted() > steep_loss;
+            found_ = std::abs(next - number_) <= (is_steep ? converged_where_steep : converged) * number_;
         }
         const double lower = number_of_loss_.lower();
         const double upper = std::isinf(number_of_loss_.upper()) ? 2.0 * number_ : number_of_loss_.upper();
@@ -49,6 +50,9 @@ class DampingSearch {
   private:
     /// Relative change at which the search has converged; the next change would be below 1e-12.
     static constexpr double converged = 1e-7;
+    /// The same near capture, where the loss grows as a root and interpolation gains less in each step.
+    static constexpr double converged_where_steep = 1e-9;
+    static constexpr double steep_loss = 0.98;
 
     InverseInterpolation<5> number_of_loss_;
     double undamped_ = 1.0;
