@@ -136,9 +136,17 @@ void require_cells(TableRow& row, std::size_t columns) {
             "as many cells as headings (a decimal comma needs another separator, or quotes)");
 }
 
-Finding left_out(std::string_view code, std::size_t line, std::string_view noun, std::string_view label) {
+Finding left_out(std::string_view code, const TableRow& row, std::string_view noun, std::string_view label) {
     return {code, Severity::remark,
-            fmt::format("{} is no {} and left out: {}", at_line(line), noun, in_quotes(label))};
+            fmt::format("{} is no {} and left out: {}", at_line(row.line), noun, with_texts(label, row))};
+}
+
+std::string with_texts(std::string_view label, const TableRow& row) {
+    std::vector<std::string> texts;
+    for (const std::string& cell : row.cells)
+        if (cell != label && !cell.empty() && !says_no_number(cell) && !read_number(cell, true))
+            texts.push_back(in_quotes(cell));
+    return in_quotes(label) + (texts.empty() ? "" : " (" + joined(texts) + ")");
 }
 
 std::set<std::string_view> bases_in(std::string_view text, bool of_fractions) {

@@ -68,9 +68,13 @@ void refuse_blanks(const std::vector<TextLine>& lines);
 /// Refuses a row with another number of cells than the heading; empty ones at its end do not count.
 void require_cells(TableRow& row, std::size_t columns);
 
-/// A remark on a row that sums up others, or is none of what the table lists. @param noun such as "sample"
-[[nodiscard]] Finding left_out(std::string_view code, std::size_t line, std::string_view noun,
+/// A remark on a row that sums up others, or is none of what the table lists, with its other texts.
+/// @param noun such as "sample"
+[[nodiscard]] Finding left_out(std::string_view code, const TableRow& row, std::string_view noun,
                                std::string_view label);
+
+/// A label in quotes, with the texts of its row in brackets, numbers left out: "Note" ("by volume").
+[[nodiscard]] std::string with_texts(std::string_view label, const TableRow& row);
 
 /// What a text states that fractions are by: "weight", "volume", "mole", "number", "intensity".
 /// @param of_fractions counts a word only beside one for fractions: "Vol.-%", "by volume", but not "Vol. 45"

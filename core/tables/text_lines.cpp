@@ -196,20 +196,35 @@ bool take_units(TableRow& heading, const TableRow& line,
 
 namespace {
 
-/// Whether a line begins as a note does: "Note: measured at 40 kV, 40 mA", "* near the limit", "a) mean".
-/// @param is_alone it has one cell with content
-bool begins_as_note(std::string_view text, bool is_alone) {
-    static const WordLists words("remark columns", all_marks);
+/// Whether a text begins with the sign of a footnote and goes on: "* near the limit", "a) mean".
+bool begins_with_sign(std::string_view text) {
     const auto sign = text.substr(0, text.find(' '));
     const bool is_sign =
         sign.size() <= 3 && (sign.ends_with(')') || sign.find_first_not_of('*') == std::string::npos ||
                              sign == "\u2020" || sign == "\u2021");
-    if (is_alone && is_sign && !sign.empty() && sign.size() < text.size()) return true;
-    const auto colon = text.find(':');
-    return colon != std::string_view::npos && words.holds(trimmed(text.substr(0, colon)));
+    return is_sign && !sign.empty() && sign.size() < text.size();
+}
+
+bool is_word_for_notes(std::string_view text) {
+    static const WordLists words("remark columns", all_marks);
+    return words.holds(trimmed(text));
 }
 
 }  // namespace
+
+bool is_note(std::span<const std::string> cells) {
+    const auto first = std::ranges::find_if(cells, [](const std::string& cell) { return !cell.empty(); });
+    if (first == cells.end()) return false;
+    if (std::any_of(first + 1, cells.end(), [](const std::string& cell) {
+            return !cell.empty() && (read_number(cell, true) || says_no_number(cell));
+        }))
+        return false;
+    const bool is_alone =
+        std::all_of(first + 1, cells.end(), [](const std::string& cell) { return cell.empty(); });
+    const auto colon = first->find(':');
+    return begins_with_sign(*first) || (!is_alone && is_word_for_notes(*first)) ||
+           (colon != std::string::npos && is_word_for_notes(first->substr(0, colon)));
+}
 
 std::vector<Finding> take_notes(std::vector<TextLine>& lines, std::size_t first, char separator,
                                 std::string_view code) {
@@ -222,7 +237,11 @@ std::vector<Finding> take_notes(std::vector<TextLine>& lines, std::size_t first,
             has_value = has_value || read_number(cell, true) || (texts > 0 && says_no_number(cell));
             ++texts;
         });
-        const bool announced = begins_as_note(trimmed(lines[i].text), texts == 1);
+        const std::string_view text = trimmed(lines[i].text);
+        const auto colon = text.find(':');
+        const bool announced =
+            (colon != std::string_view::npos && is_word_for_notes(text.substr(0, colon))) ||
+            (!has_value && is_note(cut_row(lines[i], separator).cells));
         if (!announced && has_value) break;
         if (announced || (i > first && lines[i].number > lines[i - 1].number + 1)) kept = i;
     }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -100,6 +101,11 @@ void for_each_cell(const TextLine& line, char separator, Visitor&& visitor) {
 /// in brackets or bare. Adds the units to the cells of the heading: "v_in [mm/s]".
 [[nodiscard]] bool take_units(TableRow& heading, const TableRow& line,
                               const std::function<bool(std::string_view)>& is_unit);
+
+/// Whether the cells of a row are a note: the first begins with the sign of a footnote, is a word for remarks
+/// beside others, or states a remark, and no other is a number or a word for none. "* by ICP;in g/kg",
+/// "Comment;;by volume".
+[[nodiscard]] bool is_note(std::span<const std::string> cells);
 
 /// Removes lines of text from the end of a table, behind a blank line or announced: "* not detected", "Note:
 /// 40 kV, 40 mA". Remarks of @p code name them. @param first index of the first line below the heading

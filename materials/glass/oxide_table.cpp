@@ -245,6 +245,7 @@ class OxideTable {
                                      std::to_string(longest_cell) + " characters or fewer")
                         .at(at_cell(line.number, i));
         }
+        take_notes_below();
         take_amount_notes();
         const auto across =
             std::ranges::find_if(rows_, [](const TableRow& row) { return oxides_in(row.cells) >= 2; });
@@ -315,6 +316,15 @@ class OxideTable {
         }
     }
 
+    /// Removes notes from the end of the rows; what they state is compared with the table as other texts are.
+    void take_notes_below() {
+        while (rows_.size() > 1 && is_note(rows_.back().cells)) {
+            const TableRow& row = rows_.back();
+            note(at_line(row.line) + " below the table is not read: " + title_in_quotes(joined(row.cells)));
+            rows_.pop_back();
+        }
+    }
+
     /// Sets aside the lines of text that state an amount.
     void take_amount_notes() {
         std::erase_if(rows_, [&](const TableRow& row) {
@@ -357,7 +367,7 @@ class OxideTable {
         std::vector<TextBeside> labels;  // "FA 7 (2 sigma)"
         for (const TextLine& line : lines) {
             const TableRow row = cut_row(line, separator_);
-            if (only_text(row).empty()) table.push_back(line);
+            if (only_text(row).empty() && !is_note(row.cells)) table.push_back(line);
             for (std::size_t k = 0; k < row.cells.size(); ++k)
                 if ((row.line != heading || k == label) && !row.cells[k].empty() &&
                     !read_number(row.cells[k], true))
@@ -589,7 +599,7 @@ class OxideTable {
     void add_row(const TableRow& row, const TableRow& names, std::size_t label) {
         const std::string name = label < row.cells.size() ? row.cells[label] : std::string();
         if (!samples.empty() && (is_summary(name) || xrd::coverage_of_row(name, samples.back().sample))) {
-            warnings.push_back(left_out(glass_code, row.line, "sample", name));
+            warnings.push_back(left_out(glass_code, row, "sample", name));
             return;
         }
         OxideColumn sample{.sample = name};
@@ -858,7 +868,7 @@ class OxideTable {
         const OxideLine what = line_of(row, names);
         refuse_unknown(row, names, what, all);
         if (!is_content(what.role) && what.role != OxideRole::trace) {
-            note(at_line(row.line) + " is not used: " + in_quotes(row.cells[names]));
+            note(at_line(row.line) + " is not used: " + ashimpact::with_texts(row.cells[names], row));
             return;
         }
         refuse_marked(row, names, amounts, what);

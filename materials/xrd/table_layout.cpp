@@ -598,7 +598,7 @@ void drop_summaries(Table& table) {
     bool follows = false;
     std::erase_if(table.rows, [&](const TableRow& row) {
         follows = is_sum(row) && (follows || row.cells[label].size() > 1);
-        if (follows) table.warnings.push_back(left_out(xrd_code, row.line, "sample", row.cells[label]));
+        if (follows) table.warnings.push_back(left_out(xrd_code, row, "sample", row.cells[label]));
         return follows;
     });
 }
@@ -1152,7 +1152,7 @@ void drop_measures(Table& table) {
                             fmt::format("{} states a coverage, {}, in a row", in_quotes(row.cells[label]),
                                         in_quotes(row.cells[k])),
                             "the coverage in the heading of the uncertainties: \"esd (k=2)\"");
-        table.warnings.push_back(left_out(xrd_code, row.line, "phase", row.cells[label]));
+        table.warnings.push_back(left_out(xrd_code, row, "phase", row.cells[label]));
         return true;
     });
 }

@@ -217,9 +217,9 @@ SizeTable read_size_lines(const TextLines& file, std::optional<DecimalMark> deci
     RepeatedRows repeated;
     std::vector<TextLine> of_sizes;
     for (const TextLine& line : rows) {
-        const std::string label = cut_row(line, separator).cells.front();
-        if (is_summary(label))
-            findings.push_back(left_out(code, line.number, "size", label));
+        const TableRow row = cut_row(line, separator);
+        if (is_summary(row.cells.front()))
+            findings.push_back(left_out(code, row, "size", row.cells.front()));
         else
             of_sizes.push_back(line);
     }
@@ -230,7 +230,7 @@ SizeTable read_size_lines(const TextLines& file, std::optional<DecimalMark> deci
         TableRow row = cut_row(line, separator);
         require_cells(row, headings.size());
         if (const std::string label = row_labels.summary_in(row); !label.empty()) {
-            findings.push_back(left_out(code, row.line, "size", label));
+            findings.push_back(left_out(code, row, "size", label));
             continue;
         }
         SizedVelocity sized;

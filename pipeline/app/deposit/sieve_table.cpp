@@ -446,7 +446,7 @@ class SieveTable {
             if (!columns_[k].column && calls_invalid(row.cells[k]))
                 refuse_invalid_row(row.cells[k], "column " + in_quotes(columns_[k].written), row.line, k);
         if (is_summary(row.cells.front()))
-            return notes_.push_back(left_out("deposition", row.line, "size", row.cells.front()));
+            return notes_.push_back(left_out("deposition", row, "size", row.cells.front()));
         static const WordLists pans("sieve pans");
         const auto is_floor = [&] {
             const auto sieve = place(SieveColumn::to) ? place(SieveColumn::to) : place(SieveColumn::size);
@@ -464,7 +464,7 @@ class SieveTable {
                         " is below every sieve: " + (is_finer ? "nothing passes it" : "all is coarser"),
                     is_finer ? "0 %, or a table without this row" : "100 %, or a table without this row");
             has_floor_ = true;
-            return notes_.push_back(left_out("deposition", row.line, "size", row.cells.front()));
+            return notes_.push_back(left_out("deposition", row, "size", row.cells.front()));
         }
         if (row.cells.size() < columns_.size())
             refuse_line(row.line, counted(row.cells.size(), "cell"),

@@ -1014,7 +1014,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
         at_place(at_line(row.line), [&] {
             require_cells(row, heading.columns);
             if (const std::string summary = labels.summary_in(row); !summary.empty()) {
-                set.warnings.push_back(left_out(impacts_code, row.line, "impact", summary));
+                set.warnings.push_back(left_out(impacts_code, row, "impact", summary));
                 return;
             }
             for (const auto* columns : {&heading.unused, &heading.remarks})

@@ -41,6 +41,16 @@ bool tells(const std::vector<Finding>& warnings, std::string_view text) {
 
 }  // namespace
 
+TEST_CASE("notes in several cells below an analysis are texts beside it") {
+    const std::string rows = "Oxide;wt%\nSiO2;60\nAl2O3;36\nP2O5;4\n";
+    for (const char* note : {"Note;P2O5 in g/kg", "* P2O5 in g/kg", "* P2O5;in g/kg", "Note: P2O5 in g/kg"})
+        CHECK_MESSAGE(contains(refusal(rows + note + "\n"), "g/kg"), note);
+    const OxideResult result = read_oxides(rows + "* dried;at 105 C\nRemark;by XRF\n", "x.csv");
+    CHECK(result.samples.front().analysis.oxides.size() == 3);
+    CHECK(tells(result.warnings, "line 5 below the table is not read: \"* dried, at 105 C\""));
+    CHECK(tells(result.warnings, "line 6 below the table is not read: \"Remark, by XRF\""));
+}
+
 TEST_CASE("what each column and row of an analysis is taken as is stated") {
     CHECK(read_oxides("Oxide;FA1 [wt%];2s\nSiO2;60;1\nAl2O3;37;1\nLOI;3;\nTotal;100;\n", "x.csv").reading ==
           "1 sample; 97 % by weight in oxides, LOI 3 %; oxides: \"SiO2\", \"Al2O3\"; amounts: \"FA1 [wt%]\"; "

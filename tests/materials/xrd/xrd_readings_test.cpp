@@ -50,6 +50,21 @@ TEST_CASE("what each column of a composition is taken as is stated") {
               .ends_with("\"B3 [wt%]\", and 1 more"));
 }
 
+TEST_CASE("rows of remarks in a table are texts beside it") {
+    const std::string rows = "\nQuartz;20;10\nGlass;80;90\n";
+    for (const char* remark :
+         {"Comment;ok;by volume", "Note;wt%;vol%", "Bemerkung;;Mol-%", "* a;by volume;"}) {
+        CAPTURE(remark);
+        CHECK_FALSE(refusal("Phase;FA1;FA2" + rows + remark + "\n").empty());
+    }
+    CHECK(contains(told("Phase;FA1;FA2" + rows + "Comment;;spiked with 10 % ZnO\n"),
+                   "may state an added standard"));
+    CHECK(contains(told("Phase;FA1;FA2" + rows + "Comment;dry;coarse\n"),
+                   "line 4 below the table is not read: \"Comment;dry;coarse\""));
+    CHECK(contains(told("Phase;FA1;FA2\nRwp;low;4.2\nQuartz;20;10\nGlass;80;90\n"),
+                   "line 2 is no phase and left out: \"Rwp\" (\"low\")"));
+}
+
 TEST_CASE("a footnote under a table, a column of places and an unnamed column of phases") {
     for (const char* note : {"* near the limit", "a) by difference", "1) fixed", "\u2020 estimated"}) {
         const std::string table = std::string("Phase;wt%\nQuartz;20\nGlass;80\n") + note;
