@@ -136,6 +136,17 @@ void require_cells(TableRow& row, std::size_t columns) {
             "as many cells as headings (a decimal comma needs another separator, or quotes)");
 }
 
+void refuse_coverage_in_row(const TableRow& row, std::size_t label) {
+    const std::string& name = row.cells.at(label);
+    for (std::size_t k = 0; k < row.cells.size(); ++k)
+        if (k != label && (!coverage_in_cell(name, row.cells[k]).empty() ||
+                           (names_coverage_factor(name) && divides_otherwise(row.cells[k], 1))))
+            refuse_line(
+                row.line,
+                fmt::format("{} states a coverage, {}, in a row", in_quotes(name), in_quotes(row.cells[k])),
+                "the coverage in the heading of the uncertainties: \"esd (k=2)\"");
+}
+
 Finding left_out(std::string_view code, const TableRow& row, std::string_view noun, std::string_view label) {
     return {code, Severity::remark,
             fmt::format("{} is no {} and left out: {}", at_line(row.line), noun, with_texts(label, row))};
@@ -304,20 +315,25 @@ std::string coverage_in_cell(std::string_view heading, std::string_view cell) {
 }
 
 std::vector<std::string> texts_in_column(std::span<const TableRow> rows, std::size_t column) {
-    constexpr std::size_t most = 3;
+    constexpr std::size_t most_words = 3;
+    constexpr std::size_t most_remarks = 12;
     std::vector<std::string> texts;
+    std::size_t words = 0;
+    bool is_whole = true;
     for (const TableRow& row : rows) {
-        if (column >= row.cells.size()) continue;
+        if (column >= row.cells.size() || !holds_text(row.cells[column])) continue;
         const std::string& cell = row.cells[column];
-        if (!holds_text(cell)) continue;
         const std::string quoted = in_quotes(cell);
         if (std::ranges::find(texts, quoted) != texts.end()) continue;
-        if (texts.size() == most) {
-            texts.emplace_back("...");
-            break;
+        const bool is_word = cell.find_first_of(" %/") == std::string::npos;  // "ok", "33-1161"
+        if (is_word ? words == most_words : texts.size() - words == most_remarks) {
+            is_whole = false;
+            continue;
         }
+        words += is_word ? 1 : 0;
         texts.push_back(quoted);
     }
+    if (!is_whole) texts.emplace_back("...");
     return texts;
 }
 

@@ -104,7 +104,11 @@ void check_coverage(std::string_view code, const std::vector<TextBeside>& texts,
 /// The text "Remark: k=2" of a cell that states a coverage in a column of another name; else empty.
 [[nodiscard]] std::string coverage_in_cell(std::string_view heading, std::string_view cell);
 
-/// The texts of a column that are no numbers, in quotes, each once and some at most.
+/// Refuses a row that is not read and states a coverage: "Coverage factor;2", "Remark;k=2".
+/// @param label column of its name @throws InputError at its line
+void refuse_coverage_in_row(const TableRow& row, std::size_t label);
+
+/// The texts of a column that are no numbers, in quotes, each once: some words, and more remarks.
 [[nodiscard]] std::vector<std::string> texts_in_column(std::span<const TableRow> rows, std::size_t column);
 
 /// Gives uncertainties without a coverage that in the heading of their amounts: "wt% (2s);error". @throws

@@ -732,7 +732,7 @@ class OxideTable {
             else if (numbers && heading.role == xrd::Role::other && !names_other_basis(heading))
                 by_number.push_back(i);
             else if (!heading.text.empty())
-                unused.push_back(with_texts(first + 1, i, heading.written));
+                unused.push_back(with_texts(first, i, heading.written));
         }
         if (!by_name.empty())
             for (const std::size_t i : by_number) unused.push_back(in_quotes(headings_[i].heading.text));
@@ -868,6 +868,7 @@ class OxideTable {
         const OxideLine what = line_of(row, names);
         refuse_unknown(row, names, what, all);
         if (!is_content(what.role) && what.role != OxideRole::trace) {
+            refuse_coverage_in_row(row, names);
             note(at_line(row.line) + " is not used: " + ashimpact::with_texts(row.cells[names], row));
             return;
         }

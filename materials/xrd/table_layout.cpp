@@ -1144,14 +1144,7 @@ void drop_measures(Table& table) {
     std::erase_if(table.rows, [&](const TableRow& row) {
         if (read_heading(row.cells[label]).role != Role::measure && !names_coverage_factor(row.cells[label]))
             return false;
-        for (std::size_t k = 0; k < row.cells.size(); ++k)
-            if (k != label &&
-                (!coverage_in_cell(row.cells[label], row.cells[k]).empty() ||
-                 (names_coverage_factor(row.cells[label]) && divides_otherwise(row.cells[k], 1))))
-                refuse_line(row.line,
-                            fmt::format("{} states a coverage, {}, in a row", in_quotes(row.cells[label]),
-                                        in_quotes(row.cells[k])),
-                            "the coverage in the heading of the uncertainties: \"esd (k=2)\"");
+        refuse_coverage_in_row(row, label);
         table.warnings.push_back(left_out(xrd_code, row, "phase", row.cells[label]));
         return true;
     });

@@ -54,6 +54,15 @@ TEST_CASE("notes in several cells below an analysis are texts beside it") {
     CHECK(tells(result.warnings, "line 6 below the table is not read: \"Remark, by XRF\""));
 }
 
+TEST_CASE("a coverage in a row of an analysis is refused, remarks in the first row are quoted") {
+    const std::string rows = "Oxide;wt%;error\nSiO2;60;1\nAl2O3;40;1\n";
+    for (const char* row : {"Coverage factor;;2\n", "Uncertainty;;k=2\n", "Note;;2 sigma\n"})
+        CHECK_MESSAGE(!input_error_of([&] { static_cast<void>(read_oxides(rows + row, "x.csv")); }).empty(),
+                      row);
+    const OxideResult result = read_oxides("Oxide;wt%;Remark\nSiO2;60;by difference\nAl2O3;40;\n", "x.csv");
+    CHECK(tells(result.warnings, "columns not used: \"Remark\" (\"by difference\")"));
+}
+
 TEST_CASE("what each column and row of an analysis is taken as is stated") {
     CHECK(read_oxides("Oxide;FA1 [wt%];2s\nSiO2;60;1\nAl2O3;37;1\nLOI;3;\nTotal;100;\n", "x.csv").reading ==
           "1 sample; 97 % by weight in oxides, LOI 3 %; oxides: \"SiO2\", \"Al2O3\"; amounts: \"FA1 [wt%]\"; "

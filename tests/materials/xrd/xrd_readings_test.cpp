@@ -50,6 +50,13 @@ TEST_CASE("what each column of a composition is taken as is stated") {
               .ends_with("\"B3 [wt%]\", and 1 more"));
 }
 
+TEST_CASE("remarks of a column that is not used are quoted behind many words") {
+    const std::string text = told(
+        "Phase;wt%;Remark\nQuartz;20;a\nMullite;20;b\nHematite;20;c\nLime;20;d\n"
+        "Anhydrite;20;value x 10\n");
+    CHECK(contains(text, "column \"Remark\" is not used: \"a\", \"b\", \"c\", \"value x 10\", ..."));
+}
+
 TEST_CASE("rows of remarks in a table are texts beside it") {
     const std::string rows = "\nQuartz;20;10\nGlass;80;90\n";
     for (const char* remark :
@@ -660,9 +667,10 @@ TEST_CASE("texts of columns that are not used are quoted, and refused where they
                    "2 sigma"));
     CHECK(contains(refusal(of("Confidence", "0.95")), "\"Confidence\" states a coverage, 0.95"));
     CHECK(contains(refusal(of("Remark", "multiplied by 10")), "may state a factor"));
-    for (const char* row : {"Coverage factor;;2\n", "Remark;;2 sigma\n"})
-        CHECK(contains(refusal(std::string("Phase;wt%;esd\nQuartz;12.3;0.8\nGlass;87.7;1.6\n") + row),
-                       "a coverage"));
+    for (const auto& [row, says] :
+         {std::pair{"Coverage factor;;2\n", "states a coverage"},
+          {"Remark;;2 sigma\n", "states \"2 sigma\", and the column \"esd\" does not"}})
+        CHECK(contains(refusal(std::string("Phase;wt%;esd\nQuartz;12.3;0.8\nGlass;87.7;1.6\n") + row), says));
     CHECK(contains(told(of("ICSD", "26429")), "column \"ICSD\" is not used"));
 }
 
