@@ -937,9 +937,10 @@ std::string unit_of(const MeasuredColumn& column) {
     return unit != units.end() ? unit->second : readable_number(column.to_si) + " m/s";
 }
 
-/// What the columns are taken as, and what the rows hold.
+/// What the columns are taken as, and what the rows hold. @param alone quantity whose uncertainty alone is
+/// stated
 std::string reading_of(const MeasurementHeading& heading, const std::vector<std::string>& written,
-                       const MeasurementSet& set) {
+                       const MeasurementSet& set, std::optional<MeasuredQuantity> alone) {
     TableReading reading;
     const auto [slowest, fastest] =
         std::ranges::minmax(set.points, {}, [](const Measurement& point) { return point.velocity; });
@@ -954,8 +955,12 @@ std::string reading_of(const MeasurementHeading& heading, const std::vector<std:
                          written[column.position], behind);
         };
         if (heading.value[i]) take("", *heading.value[i], "");
-        if (const auto& u = heading.uncertainty[i]; u && u->coverage > 0)
-            take("standard uncertainties of ", *u, divided_by(u->coverage));
+        const auto& u = heading.uncertainty[i];
+        if (u && u->coverage > 0) take("standard uncertainties of ", *u, divided_by(u->coverage));
+        const bool is_stated = set.has_noise() && (!alone || static_cast<std::size_t>(*alone) == i);
+        if (heading.value[i] && is_stated && !u)
+            take("standard uncertainties in cells of ", *heading.value[i],
+                 divided_by(heading.value[i]->coverage));
     }
     if (heading.checked) reading.take("e_n, compared with v_r over v_in", written[heading.checked->position]);
     if (heading.sideways)
@@ -1085,7 +1090,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name, std::opt
     if (set.points.empty())
         throw InputError("there is no measurement below the heading", "one line an impact")
             .at(at_line(file.last_line()));
-    set.reading = reading_of(heading, table.heading.cells, set);
+    set.reading = reading_of(heading, table.heading.cells, set, alone);
     return set;
 }
 

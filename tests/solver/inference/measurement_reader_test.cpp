@@ -575,10 +575,13 @@ TEST_CASE("what each column of impacts is taken as is stated") {
           "2 impacts, 1 captured, v_in 0.5 to 2 m/s; v_in [mm/s]: \"v1 [mm/s]\"; standard uncertainties of "
           "v_in "
           "[mm/s]: \"U(k=2) [mm/s]\" divided by 2; v_r [mm/s]: \"v2 [mm/s]\"; outcomes: \"outcome\"");
-    CHECK(
-        reading("v_in [m/s];e_n [%];angle [deg]\n2;40;10\n3;50;20\n") ==
-        "2 impacts, 0 captured, v_in 1.97 to 2.819 m/s; v_in [m/s]: \"v_in [m/s]\"; e_n [%]: \"e_n [%]\"; "
-        "angles from the normal: \"angle [deg]\"; v_in is that of the sphere at this angle");
+    CHECK(reading("v_in [m/s];e_n [%];angle [deg]\n2;40;10\n3;50;20\n") ==
+          "2 impacts, 0 captured, v_in 1.97 to 2.819 m/s; v_in [m/s]: \"v_in [m/s]\"; e_n [%]: \"e_n [%]\"; "
+          "angles from the normal: \"angle [deg]\"; v_in is that of the sphere at this angle");
+    CHECK(contains(
+        reading("v_in [m/s];v_r \u00b1 2s [m/s]\n2(1);1.0 \u00b1 0.1\n"),
+        "standard uncertainties in cells of v_in [m/s]: \"v_in [m/s]\"; v_r [m/s]: \"v_r \u00b1 2s [m/s]\"; "
+        "standard uncertainties in cells of v_r [m/s]: \"v_r \u00b1 2s [m/s]\" divided by 2"));
     CHECK(contains(reading("v_in [m/s];v_r [m/s];e_n\n2;1;0.5\n"),
                    "e_n, compared with v_r over v_in: \"e_n\""));
 }
@@ -1053,7 +1056,8 @@ TEST_CASE("ditto marks are no quotes around rows") {
         CHECK(contains(input_error_of([&] { static_cast<void>(read_measurements(table, "t.csv")); }),
                        "a quote is not closed"));
     CHECK(read_measurements("\"v_in\n[m/s]\";v_r [m/s]\n0.5;0\n0.9;0.2\n", "t.csv").points.size() == 2);
-    CHECK(read_measurements("\"v_in\n[m/s]\";\"v_r\n[m/s]\";\"no\"\n0.5;0;1\n0.9;0.2;2\n", "t.csv").points.size() == 2);
+    CHECK(read_measurements("\"v_in\n[m/s]\";\"v_r\n[m/s]\";\"no\"\n0.5;0;1\n0.9;0.2;2\n", "t.csv")
+              .points.size() == 2);
     CHECK(read_measurements("v_inc [m/s];v_refl [m/s]\n0.5;0\n0.9;0.2\n", "t.csv").points.size() == 2);
 }
 
