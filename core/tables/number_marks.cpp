@@ -182,7 +182,9 @@ bool NumberMarks::is_decimal(char mark, std::string_view number, std::size_t col
     const bool thousands = found != columns_.end() && found->second.thousands;
     // "1.753" beside "540" may have a group, whatever other columns show.
     const bool beside_whole = thousands && found->second.whole > 0 && found->second.others == 0;
-    if (stated && !contradicted && !beside_whole) return true;
+    // In a spreadsheet "1.050" is a text, for whose mark stored numbers decide nothing.
+    const bool is_text = of_sheet_ && thousands && number.ends_with('0');
+    if (stated && !contradicted && !beside_whole && !is_text) return true;
     if (is_point && !stated && !contradicted && !thousands) return true;  // the mark of most programs
     if (!contradicted && found != columns_.end() && found->second.below_thousand) return true;
     if (contradicted && !stated && found != columns_.end()) {

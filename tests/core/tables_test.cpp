@@ -834,7 +834,12 @@ TEST_CASE("marks in numbers have one reading, by the other numbers of the table,
     CHECK(beside_decimals.read("1,050", 0)->value == 1050);
     REQUIRE(beside_decimals.findings("x").size() == 1);
     CHECK(contains(beside_decimals.findings("x").front().text, "\"1,050\" is read as 1050"));
-    const NumberMarks by_comma(DecimalMark::comma);  // as --decimal states
+    NumberMarks of_sheet({}, true);
+    of_sheet.may_hold_thousands(0);
+    for (const char* stored : {"1.25", "1530.7", "1.253"}) of_sheet.see(stored, 0);
+    CHECK(of_sheet.read("1.253", 0)->value == 1.253);
+    CHECK_THROWS_AS(static_cast<void>(of_sheet.read("1.050", 0)), InputError);  // a text
+    const NumberMarks by_comma(DecimalMark::comma);                             // as --decimal states
     CHECK(by_comma.read("1,234", 0)->value == 1.234);
     CHECK(by_comma.read("1.234", 0)->value == 1234);
     CHECK(by_comma.read("1.234,5", 0)->value == 1234.5);

@@ -143,15 +143,19 @@ struct SizeTable {
 };
 
 /// What the columns are taken as.
-std::string reading_of(const std::vector<SizeHeading>& headings, std::size_t rows) {
+std::string reading_of(const std::vector<SizeHeading>& headings, const std::vector<SizedVelocity>& rows) {
     TableReading reading;
-    reading.add(counted(rows, "size"));
+    reading.add(counted(rows.size(), "size"));
     static constexpr std::array names{"diameters", "v_c", "standard uncertainties of v_c"};  // by SizeColumn
     for (const SizeHeading& heading : headings)
         if (heading.column)
             reading.take(fmt::format("{} [{}]", names.at(static_cast<std::size_t>(*heading.column)),
                                      heading.unit_name),
                          heading.written, divided_by(heading.coverage.factor));
+    const bool in_cells =
+        !holds_size(headings, SizeColumn::uncertainty) &&
+        std::ranges::any_of(rows, [](const SizedVelocity& row) { return row.uncertainty.has_value(); });
+    if (in_cells) reading.add("standard uncertainties in the cells of v_c");
     return reading.text();
 }
 
@@ -282,7 +286,8 @@ SizeTable read_size_lines(const TextLines& file, std::optional<DecimalMark> deci
     if (!row_labels.number_rows()) refuse_summaries(measured, findings);
     if (auto doubt = repeated.doubtful()) findings.push_back(*std::move(doubt));
     if (found.empty()) refuse_line(file.last_line(), "there are no rows below the heading", size_headings);
-    return {std::move(found), reading_of(headings, measured.size())};
+    std::string reading = reading_of(headings, found);
+    return {std::move(found), std::move(reading)};
 }
 
 SizeTable read_size_table(const std::string& bytes, const TableOptions& options,

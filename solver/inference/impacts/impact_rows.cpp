@@ -565,12 +565,11 @@ bool holds_means_of_groups(std::span<const MeasuredRow> rows, std::size_t group,
             evidence += varies && is_rounded(row.values[k], moments.mean, block.finest[k]) ? 1 : 0;
         }
     }
-    constexpr std::size_t enough = 4;
-    return evidence >= enough;
+    return evidence >= (group == 2 ? 6 : 4);
 }
 
 void refuse_means_of_groups(std::span<const MeasuredRow> rows) {
-    constexpr std::size_t fewest = 3;
+    constexpr std::size_t fewest = 2;
     constexpr std::size_t most = 20;
     for (std::size_t group = fewest; group <= most; ++group)
         for (const std::size_t beside : {1, 2})

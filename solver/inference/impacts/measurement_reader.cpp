@@ -809,8 +809,7 @@ void refuse_flags(const MeasurementHeading& heading, const MeasurementSet& set) 
 /// Refuses restitutions in per cent that may be fractions: all of them are at most 1, or some cells have a
 /// per cent sign, as those of spreadsheets with that format, and some have none. @throws InputError
 void refuse_fractions(const MeasuredColumn& column, std::span<const TextLine> rows, char separator) {
-    constexpr double per_cent = 0.01;
-    if (!column.is_fraction || column.to_si != per_cent) return;
+    if (!column.is_fraction) return;
     std::optional<double> greatest;
     bool has_sign = false;
     bool has_none = false;
@@ -827,7 +826,8 @@ void refuse_fractions(const MeasuredColumn& column, std::span<const TextLine> ro
     if (has_sign && has_none)
         throw InputError(name + " has numbers with a per cent sign and without, which may be fractions",
                          "one form for all cells");
-    if (!has_sign && greatest && *greatest <= 1)
+    constexpr double per_cent = 0.01;
+    if (column.to_si == per_cent && !has_sign && greatest && *greatest <= 1)
         throw InputError(name + " is in per cent, and no number is above 1: they may be fractions",
                          "\"e_n\" for fractions; \"0.3 %\" in the cells where it is per cent");
 }

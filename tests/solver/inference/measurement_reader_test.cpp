@@ -569,6 +569,21 @@ TEST_CASE("uncertainties of unclear coverage are not read, and one line says why
     }
 }
 
+TEST_CASE("a restitution with a per cent sign beside one without it, and means of pairs, are refused") {
+    const auto refused = [](const std::string& table) {
+        return input_error_of([&] { static_cast<void>(read_measurements(table, "t.csv")); });
+    };
+    CHECK(contains(refused("v_in [m/s];e_n\n2;6 %\n3;0.9\n"), "with a per cent sign and without"));
+    CHECK(refused("v_in [m/s];e_n\n2;6 %\n3;9 %\n1;0\n").empty());
+    const std::string heading = "v_in [m/s];v_r [m/s]\n";
+    CHECK(contains(refused(heading + "1.11;0.31\n1.35;0.42\n1.23;0.365\n2.04;0.91\n2.38;0.98\n2.21;0.945\n"
+                                     "3.17;1.52\n3.35;1.66\n3.26;1.59\n"),
+                   "the means"));
+    CHECK(refused(heading + "1.11;0.31\n1.35;0.42\n1.27;0.365\n2.04;0.91\n2.38;0.98\n2.21;0.945\n"
+                            "3.17;1.52\n3.35;1.66\n3.26;1.59\n")
+              .empty());
+}
+
 TEST_CASE("what each column of impacts is taken as is stated") {
     const auto reading = [](const std::string& table) { return read_measurements(table, "t.csv").reading; };
     CHECK(reading("No;v1 [mm/s];U(k=2) [mm/s];v2 [mm/s];outcome\n1;2000;40;400;\n2;500;40;0;capture\n") ==
