@@ -27,7 +27,7 @@ struct TextBeside {
 };
 
 /// Begins the text that states the name of a sheet.
-inline constexpr std::string_view sheet_name_mark = "comment on the sheet: ";
+inline constexpr std::string_view sheet_name_mark = "name of the sheet: ";
 
 /// The lines of a file that do not belong to its table: titles, comments and notes.
 /// @param table heading and rows @throws InputError at a text of more than 20,000 characters

@@ -238,7 +238,9 @@ std::string statistic_in_brackets(std::string_view heading) {
         const bool is_mean = begins_as_mean(word_key(word));
         const bool is_count = inside.find('=') != std::string_view::npos;  // "n = 3"
         if (word.empty() || is_mean || is_count || is_total(word) || read_unit(ascii_unit(word))) continue;
-        if (word == "U" || (!is_uncertainty_word(word) && (names_spread(word) || is_summary(word))))
+        const bool is_number = inside == "N" || inside == "#";  // of what the mean is of
+        if (word == "U" || is_number ||
+            (!is_uncertainty_word(word) && (names_spread(word) || is_summary(word))))
             return std::string(inside);
     }
     return {};

@@ -520,7 +520,8 @@ class OxideTable {
         }
         const double factor = xrd::take_rows_of_uncertainties(rows_, next, label, glass_code, warnings);
         for (OxideLine& each : headings_)
-            if (each.role == OxideRole::oxide && each.heading.coverage.factor == 1)
+            if (each.role == OxideRole::oxide && each.heading.coverage.factor == 1 &&
+                holds_plus_minus(next, static_cast<std::size_t>(&each - headings_.data())))
                 each.heading.coverage.factor = factor;
         for (std::size_t r = next; r < rows_.size(); ++r) add_row(rows_[r], names, label);
         if (label < headings_.size() && samples.size() > 1 && samples.front().sample.empty())
@@ -642,6 +643,21 @@ class OxideTable {
             note(at_line(row.line) + " is not read: " + in_quotes(text));
     }
 
+    /// Refuses a row with numbers that names no oxide, and quotes one with other texts.
+    void refuse_unnamed(const TableRow& row) {
+        const auto filled =
+            std::ranges::find_if(row.cells, [](const std::string& cell) { return !cell.empty(); });
+        if (filled == row.cells.end()) return;
+        if (std::ranges::any_of(row.cells,
+                                [](const std::string& cell) { return std::ranges::any_of(cell, is_digit); }))
+            refuse_line(
+                row.line,
+                "the line names no oxide: it may hold uncertainties, or a second determination, of the "
+                "oxide above it",
+                "a name for each line, and uncertainties in a column of their own or as \"60 \u00b1 1\"");
+        note(at_line(row.line) + " is not used: " + ashimpact::with_texts(*filled, row));
+    }
+
     /// A row for each oxide, a column for each sample. @return line of the heading, column of the names
     std::pair<std::optional<std::size_t>, std::size_t> read_down() {
         const auto [names, oxide] = first_row_down();
@@ -712,6 +728,14 @@ class OxideTable {
                     "a table with a row or a column for each oxide: SiO2, Al2O3, ...");
     }
 
+    /// Whether a cell of a column holds an uncertainty behind its number.
+    [[nodiscard]] bool holds_plus_minus(std::size_t first, std::size_t column) const {
+        return std::any_of(
+            rows_.begin() + static_cast<std::ptrdiff_t>(first), rows_.end(), [&](const TableRow& row) {
+                return column < row.cells.size() && row.cells[column].find("\u00b1") != std::string::npos;
+            });
+    }
+
     [[nodiscard]] bool holds_numbers(std::size_t column) const {
         return std::ranges::any_of(rows_, [&](const TableRow& row) {
             return column < row.cells.size() && read_number(row.cells[column], true).has_value();
@@ -723,7 +747,7 @@ class OxideTable {
         std::vector<std::size_t> by_name;
         std::vector<std::size_t> by_number;
         std::vector<std::string> unused;
-        for (std::size_t i = 0; i < rows_[first].cells.size(); ++i) {
+        for (std::size_t i = 0; i < headings_.size(); ++i) {
             if (i == names || i == units_ || headings_[i].role == OxideRole::uncertainty) continue;
             const xrd::Heading& heading = headings_[i].heading;
             const bool numbers = holds_numbers(i);
@@ -863,6 +887,7 @@ class OxideTable {
                 if (!read_coverage(cell).stated.empty())
                     refuse_line(row.line, in_quotes(cell) + " in a second line of headings is not read",
                                 "one line of headings: \"Oxide;wt%;2 sigma\"");
+            refuse_unnamed(row);
             return;
         }
         const OxideLine what = line_of(row, names);

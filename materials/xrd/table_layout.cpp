@@ -519,6 +519,9 @@ double take_rows_of_uncertainties(std::vector<TableRow>& rows, std::size_t first
         if (i > 0) rows[first + i] = std::move(rows[first + 2 * i]);
         TableRow& sample = rows[first + i];
         const TableRow& row = rows[first + 2 * i + 1];
+        if (const std::string told = with_texts(row.cells[label], row); told != in_quotes(row.cells[label]))
+            refuse_line(row.line, "the row of uncertainties " + told + " holds a text that may change them",
+                        "uncertainties alone");
         if (coverages[i].factor != factor || !coverages[i].problem.empty()) {
             warnings.push_back({code, Severity::doubt,
                                 (coverages[i].problem.empty() ? "the uncertainties in " : "the numbers in ") +

@@ -116,7 +116,10 @@ void check_repeated(const View& node, MeasurementSet& set) {
     for (std::size_t i = 0; i < set.points.size(); ++i)
         repeated.take({i + 1, {shortest(set.points[i].velocity), shortest(set.points[i].rebound)}}, 0, 1);
     at_place(node.pointer(), [&] {
-        if (auto doubt = repeated.doubtful()) set.warnings.push_back(*std::move(doubt));
+        if (auto doubt = repeated.doubtful("value",
+                                           "each impact once; or a table with a first column that numbers "
+                                           "all rows, as \"file\""))
+            set.warnings.push_back(*std::move(doubt));
     });
 }
 

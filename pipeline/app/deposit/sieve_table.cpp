@@ -402,6 +402,14 @@ class SieveTable {
             throw InputError("cannot read " + in_quotes(text),
                              unit.empty() ? "a number" : "a number in " + unit)
                 .at(place);
+        if (!unit_given_ && !is_size(*columns_[column].column) && read->value != 0) {
+            (read->per_cent ? per_cent_in_cells_ : bare_in_cells_) = true;
+            if (per_cent_in_cells_ && bare_in_cells_)
+                throw InputError("some shares have a per cent sign and others have none, to " +
+                                     in_quotes(text) + ": they may be fractions",
+                                 "one form for all cells")
+                    .at(place);
+        }
         if (!read->per_cent || unit_given_) return read->value;
         per_cent_in_cells_ = true;
         return read->value / 100;
@@ -637,6 +645,7 @@ class SieveTable {
     double scale_ = 1;
     bool unit_given_ = false;            ///< of shares, in the heading
     bool per_cent_in_cells_ = false;     ///< of shares
+    bool bare_in_cells_ = false;         ///< shares without a sign or a unit, other than 0
     bool units_in_cells_ = false;        ///< of sizes
     bool has_floor_ = false;             ///< a row of size 0, or of the pan, on which all lies
     std::vector<std::size_t> beside_{};  ///< other columns of shares

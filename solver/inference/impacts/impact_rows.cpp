@@ -634,8 +634,11 @@ bool is_precise(std::string_view cell) {
     return std::ranges::count_if(number, is_digit) >= 2;
 }
 
-/// "1.72" for "1.720".
+/// "1.72" for "1.720", and for "1.720 m/s".
 std::string without_last_zeros(std::string cell) {
+    const auto letter = cell.find_first_of("cmk");
+    if (letter != std::string::npos && is_velocity_unit(cell.substr(letter)))
+        cell = trimmed(cell.substr(0, letter));
     const auto mark = cell.find_first_of(".,");
     if (mark != std::string::npos && cell.find_first_not_of("0123456789", mark + 1) == std::string::npos)
         while (cell.back() == '0') cell.pop_back();
@@ -711,13 +714,12 @@ std::vector<std::optional<std::size_t>> RepeatedRows::earlier() const {
     return found;
 }
 
-std::optional<Finding> RepeatedRows::doubtful() const {
+std::optional<Finding> RepeatedRows::doubtful(std::string_view row, const std::string& allowed) const {
     constexpr double chance_of_row = 1.0 / 200.0;  // that two rows of two digits are equal, or less
     constexpr double chance_of_table = 1e-4;
     constexpr std::size_t fewest_in_order = 3;
     constexpr std::size_t fewest = 5;
-    constexpr const char* allowed =
-        "each row once; or, if they are other measurements, a first column that numbers all rows";
+    const auto place = [&](const Row& each) { return fmt::format("{} {}", row, each.line); };
     const auto before = earlier();
     const auto count = static_cast<double>(rows_.size());
     const double in_order = std::max(static_cast<double>(fewest_in_order),
@@ -735,23 +737,23 @@ std::optional<Finding> RepeatedRows::doubtful() const {
             evidence += before[i] == i - distance ? 1 : 0;
         copies += evidence;
         if (static_cast<double>(evidence) < in_order) continue;
-        refuse_line(
-            rows_[begin].line,
-            fmt::format("the rows to line {} repeat those from line {} to {}: they may be there twice, "
+        throw InputError(
+            fmt::format("the rows to {0} {1} repeat those from {0} {2} to {3}: they may be there twice, "
                         "or be other measurements",
-                        rows_[i - 1].line, rows_[begin - distance].line, rows_[i - 1 - distance].line),
-            allowed);
+                        row, rows_[i - 1].line, rows_[begin - distance].line, rows_[i - 1 - distance].line),
+            allowed)
+            .at(place(rows_[begin]));
     }
     const auto precise = static_cast<std::size_t>(std::ranges::count_if(rows_, &Row::is_precise));
     if (copies < fewest_in_order || static_cast<double>(copies) < 2 * pairs_by_chance()) return std::nullopt;
     const auto first = static_cast<std::size_t>(
-        std::ranges::find_if(before, [](const auto& row) { return row.has_value(); }) - before.begin());
+        std::ranges::find_if(before, [](const auto& each) { return each.has_value(); }) - before.begin());
     const std::string repeats = fmt::format(
-        "the row repeats that of line {}, and {} of {} rows repeat others: they may be there "
+        "the row repeats that of {} {}, and {} of {} rows repeat others: they may be there "
         "twice, or be other measurements",
-        rows_[*before[first]].line, copies, rows_.size());
-    if (copies >= fewest && 3 * copies >= precise) refuse_line(rows_[first].line, repeats, allowed);
-    return Finding{impacts_code, Severity::doubt, fmt::format("line {}: {}", rows_[first].line, repeats)};
+        row, rows_[*before[first]].line, copies, rows_.size());
+    if (copies >= fewest && 3 * copies >= precise) throw InputError(repeats, allowed).at(place(rows_[first]));
+    return Finding{impacts_code, Severity::doubt, place(rows_[first]) + ": " + repeats};
 }
 
 std::string RowLabels::summary_in(const TableRow& row) const {

@@ -145,8 +145,13 @@ class RepeatedRows {
     /// Refuses rows that repeat others in the same order, three or more, or that are a third of all evidence,
     /// five or more and twice as many as chance gives. Fewer may be equal by chance, as velocities in whole
     /// pixels are. @return a doubt about three or more that are twice as many as chance gives
+    /// @param row what the numbers of rows are, in messages @param allowed what is allowed instead
     /// @throws InputError at the first such line
-    [[nodiscard]] std::optional<Finding> doubtful() const;
+    [[nodiscard]] std::optional<Finding> doubtful(
+        std::string_view row = "line",
+        const std::string& allowed =
+            "each row once; or, if they are other measurements, a first column that "
+            "numbers all rows") const;
 
   private:
     struct Row {

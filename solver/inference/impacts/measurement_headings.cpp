@@ -110,6 +110,22 @@ bool is_sideways(std::string_view name) {
     return list == "angle" || list == "tangential";
 }
 
+/// The value before "±", as in "v_in ± u [m/s]", whose cells hold value and uncertainty.
+std::optional<Meaning> value_before_plus_minus(std::string_view name) {
+    for (const std::string_view sign : {"\u00b1", "+-", "+/-"}) {
+        const auto at = name.find(sign);
+        if (at == std::string_view::npos || at == 0) continue;
+        const auto meaning = meaning_of(name.substr(0, at));
+        if (meaning && !meaning->is_uncertainty) return meaning;
+    }
+    return std::nullopt;
+}
+
+/// Whether a name is that of a quantity that is measured, or of an uncertainty.
+bool names_measured(std::string_view name) {
+    return meaning_of(name) || names_uncertainty(name) || value_before_plus_minus(name);
+}
+
 /// Splits "v_r (mm/s)" into name and unit. Brackets that belong to the name, as in "u(v_r)", stay there.
 NameAndUnit split(std::string_view cell) {
     if (cell.size() > longest_heading) return {cell, {}};
@@ -125,7 +141,7 @@ NameAndUnit split(std::string_view cell) {
     }
     // "e_n/%" and "v_r/(m/s)": a quantity over its unit.
     if (const auto slash = cell.find('/');
-        slash != std::string_view::npos && meaning_of(cell.substr(0, slash))) {
+        slash != std::string_view::npos && names_measured(trimmed(cell.substr(0, slash)))) {
         std::string_view unit = trimmed(cell.substr(slash + 1));
         if (unit.starts_with('(') && unit.ends_with(')')) unit = unit.substr(1, unit.size() - 2);
         if (read_unit(ascii_unit(unit))) return {trimmed(cell.substr(0, slash)), unit};
@@ -135,25 +151,14 @@ NameAndUnit split(std::string_view cell) {
         while (name.ends_with(',') || name.ends_with(';') || name.ends_with(':')) name.remove_suffix(1);
         std::string_view unit = trimmed(cell.substr(at));
         if (unit.starts_with("in ")) unit = trimmed(unit.substr(3));  // "v_in in ms-1": no inches
-        if ((meaning_of(name) || names_uncertainty(name)) && is_velocity_unit(unit)) return {name, unit};
+        if (names_measured(name) && is_velocity_unit(unit)) return {name, unit};
     }
     if (const auto in = cell.rfind(" in "); in != std::string_view::npos) {
         const std::string_view name = trimmed(cell.substr(0, in));
         const std::string_view unit = trimmed(cell.substr(in + 4));
-        if (is_sideways(name) || (meaning_of(name) && read_unit(ascii_unit(unit)))) return {name, unit};
+        if (is_sideways(name) || (names_measured(name) && read_unit(ascii_unit(unit)))) return {name, unit};
     }
     return {cell, {}};
-}
-
-/// The value before "±", as in "v_in ± u [m/s]", whose cells hold value and uncertainty.
-std::optional<Meaning> value_before_plus_minus(std::string_view name) {
-    for (const std::string_view sign : {"\u00b1", "+-", "+/-"}) {
-        const auto at = name.find(sign);
-        if (at == std::string_view::npos || at == 0) continue;
-        const auto meaning = meaning_of(name.substr(0, at));
-        if (meaning && !meaning->is_uncertainty) return meaning;
-    }
-    return std::nullopt;
 }
 
 /// The quantity of the column at a position, if that column holds values.
