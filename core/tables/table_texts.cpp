@@ -37,7 +37,7 @@ std::vector<TextBeside> texts_beside(const TextLines& file, std::span<const Text
 
 std::optional<Finding> unread_comments(const TextLines& file, std::span<const TextLine> content,
                                        std::string_view code, const std::set<std::string_view>& used) {
-    constexpr std::size_t shown = 3;
+    constexpr std::size_t shown = 10;
     std::size_t first = 0;
     std::vector<std::string> comments;
     const auto is_content = [&](std::size_t number) {
@@ -49,7 +49,7 @@ std::optional<Finding> unread_comments(const TextLines& file, std::span<const Te
         const std::string_view bare = text.substr(std::min(text.find_first_not_of("# "), text.size()));
         if (!text.starts_with('#') || bare.empty() || is_content(line.number) ||
             makes_statement({line.number, std::string(bare)}, used) ||
-            (file.of_sheet() && bare.starts_with("comment on ")))
+            (file.of_sheet() && (bare.starts_with("comment on ") || bare.starts_with(sheet_name_mark))))
             continue;
         if (comments.empty()) first = line.number;
         comments.push_back(title_in_quotes(bare));

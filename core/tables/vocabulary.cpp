@@ -237,10 +237,9 @@ std::string statistic_in_brackets(std::string_view heading) {
             trimmed(inside.substr(std::min(inside.find_first_not_of("0123456789"), inside.size())));
         const bool is_mean = begins_as_mean(word_key(word));
         const bool is_count = inside.find('=') != std::string_view::npos;  // "n = 3"
+        if (inside == "N" || inside == "#") return std::string(inside);    // how many the mean is of
         if (word.empty() || is_mean || is_count || is_total(word) || read_unit(ascii_unit(word))) continue;
-        const bool is_number = inside == "N" || inside == "#";  // of what the mean is of
-        if (word == "U" || is_number ||
-            (!is_uncertainty_word(word) && (names_spread(word) || is_summary(word))))
+        if (word == "U" || (!is_uncertainty_word(word) && (names_spread(word) || is_summary(word))))
             return std::string(inside);
     }
     return {};

@@ -648,8 +648,11 @@ class OxideTable {
         const auto filled =
             std::ranges::find_if(row.cells, [](const std::string& cell) { return !cell.empty(); });
         if (filled == row.cells.end()) return;
-        if (std::ranges::any_of(row.cells,
-                                [](const std::string& cell) { return std::ranges::any_of(cell, is_digit); }))
+        const auto is_number = [](std::string_view cell) {
+            const auto first = cell.find_first_not_of("\u00b1+-( <");
+            return first != std::string_view::npos && is_digit(cell[first]);
+        };
+        if (std::ranges::any_of(row.cells, is_number))
             refuse_line(
                 row.line,
                 "the line names no oxide: it may hold uncertainties, or a second determination, of the "

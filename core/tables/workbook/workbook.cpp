@@ -253,12 +253,15 @@ TableFile::TableFile(std::string_view bytes, const SheetRequest& request) {
                              fmt::format("the number in {} is merged with cells below it: it counts for the "
                                          "first row alone, unless it names a sample",
                                          sheet.spanning())});
-    if (const auto& comments = sheet.comments(); !comments.empty())
-        findings_.push_back(
-            {request.code, Severity::remark,
-             fmt::format("the comment on {}, {}, is no part of the table{}", comments[0].place,
-                         in_quotes(comments[0].text),
-                         comments.size() == 1 ? "" : fmt::format(", nor are {} more", comments.size() - 1))});
+    constexpr std::size_t most_comments = 10;
+    for (std::size_t i = 0; i < std::min(sheet.comments().size(), most_comments); ++i)
+        findings_.push_back({request.code, Severity::remark,
+                             fmt::format("the comment on {}, {}, is no part of the table",
+                                         sheet.comments()[i].place, in_quotes(sheet.comments()[i].text))});
+    if (sheet.comments().size() > most_comments)
+        findings_.push_back({request.code, Severity::remark,
+                             fmt::format("{} more comments are no part of the table",
+                                         sheet.comments().size() - most_comments)});
     summaries_ = sheet.summaries();
     try {
         lines_ = lines_of(sheet, request.limits);

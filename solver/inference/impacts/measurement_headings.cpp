@@ -140,11 +140,12 @@ NameAndUnit split(std::string_view cell) {
         if (pair == "[]" || (is_named && !meaning_of(inside))) return {name, inside};
     }
     // "e_n/%" and "v_r/(m/s)": a quantity over its unit.
-    if (const auto slash = cell.find('/');
-        slash != std::string_view::npos && names_measured(trimmed(cell.substr(0, slash)))) {
+    if (const auto slash = cell.find('/'); slash != std::string_view::npos) {
+        const std::string_view name = trimmed(cell.substr(0, slash));
         std::string_view unit = trimmed(cell.substr(slash + 1));
         if (unit.starts_with('(') && unit.ends_with(')')) unit = unit.substr(1, unit.size() - 2);
-        if (read_unit(ascii_unit(unit))) return {trimmed(cell.substr(0, slash)), unit};
+        if (meaning_of(name) && read_unit(ascii_unit(unit))) return {name, unit};
+        if (value_before_plus_minus(name) && (is_velocity_unit(unit) || unit == "%")) return {name, unit};
     }
     for (auto at = cell.find(' '); at != std::string_view::npos; at = cell.find(' ', at + 1)) {
         std::string_view name = cell.substr(0, at);
