@@ -54,6 +54,20 @@ TEST_CASE("notes in several cells below an analysis are texts beside it") {
     CHECK(tells(result.warnings, "line 6 below the table is not read: \"Remark, by XRF\""));
 }
 
+TEST_CASE("rows of an analysis without a name are refused or quoted") {
+    for (const char* row : {";\u00b1 4\n", ";(0.5)\n", ";0.1\n", ";47.07\n"})
+        CHECK_MESSAGE(contains(input_error_of([&] {
+                                   static_cast<void>(read_oxides(
+                                       std::string("Oxide;wt%\nSiO2;60\n") + row + "Al2O3;40\n", "x.csv"));
+                               }),
+                               "names no oxide"),
+                      row);
+    CHECK(tells(read_oxides("Oxide;wt%\nSiO2;60\n;by XRF\nAl2O3;40\n", "x.csv").warnings, "\"by XRF\""));
+    const OxideResult doubled = read_oxides("Sample;SiO2;Al2O3;SO3\nA;60;40;-\n2s;1;1;-\n", "x.csv");
+    CHECK_FALSE(tells(doubled.warnings, "word beside its name"));
+    CHECK(near(*doubled.samples.front().analysis.oxides.front().standard_uncertainty, 0.005));
+}
+
 TEST_CASE("a coverage in a row of an analysis is refused, remarks in the first row are quoted") {
     const std::string rows = "Oxide;wt%;error\nSiO2;60;1\nAl2O3;40;1\n";
     for (const char* row : {"Coverage factor;;2\n", "Uncertainty;;k=2\n", "Note;;2 sigma\n"})

@@ -835,6 +835,11 @@ TEST_CASE("rows of uncertainties behind each sample") {
         read_xrd("Sample;Quartz;Glass\nA;20;80\nU (k=2);0.6;1\nB;10;90\nU (k=2);0.8;2\n", "t.csv");
     CHECK(expanded.samples[1].analysis.phases[0].standard_uncertainty.value() == doctest::Approx(0.004));
     CHECK(contains(expanded.reading, "\"Quartz\" (uncertainties divided by 2)"));
+    CHECK(contains(input_error_of([] {
+                       static_cast<void>(
+                           read_xrd("Sample;Quartz;Glass;\nA;20;80;\nSD;1;2;relative, in %\n", "t.csv"));
+                   }),
+                   "holds a text that may change them"));
     for (const char* row : {"% error", "error %"}) {
         const XrdResult result =
             read_xrd("Sample;Quartz;Glass\nA;20;80\n" + std::string(row) + ";5;1\n", "t.csv");

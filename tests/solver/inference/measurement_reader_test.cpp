@@ -569,6 +569,32 @@ TEST_CASE("uncertainties of unclear coverage are not read, and one line says why
     }
 }
 
+TEST_CASE("units behind \u00b1, counts in brackets, and copies with units in their cells") {
+    for (const char* heading : {"v_in \u00b1 error, cm/s", "v_in \u00b1 s / (cm/s)", "v_in \u00b1 SD in cm/s",
+                                "v_in \u00b1 U(k=2), cm/s"}) {
+        const MeasurementSet set =
+            read_measurements(std::string(heading) + ";v_r [cm/s]\n200 \u00b1 2;100 \u00b1 2\n", "t.csv");
+        CHECK_MESSAGE(set.points.at(0).velocity == doctest::Approx(2), heading);
+    }
+    for (const char* count : {"(N)", "(#)", "(n)"}) {
+        const std::string mark = count;
+        const MeasurementSet set = read_measurements(
+            "v_in " + mark + " [m/s];v_r " + mark + " [m/s]\n1.10 (3);0.00 (3)\n1.35 (5);0.20 (5)\n",
+            "t.csv");
+        CHECK_MESSAGE(!set.has_noise(), count);
+        CHECK(contains(warnings_of(set), "not read"));
+    }
+    std::string rows;
+    for (const char* pair :
+         {"1.78 m/s;0.52 m/s", "2.31 m/s;0.84 m/s", "2.95 m/s;1.17 m/s", "3.42 m/s;1.46 m/s"})
+        rows += std::string(pair) + "\n";
+    const std::string copies = std::string("1.780 m/s;0.520 m/s\n2.310 m/s;0.840 m/s\n") +
+                               "2.950 m/s;1.170 m/s\n3.420 m/s;1.460 m/s\n";
+    CHECK(contains(
+        input_error_of([&] { static_cast<void>(read_measurements("v_in;v_r\n" + rows + copies, "t.csv")); }),
+        "repeat those"));
+}
+
 TEST_CASE("a restitution with a per cent sign beside one without it, and means of pairs, are refused") {
     const auto refused = [](const std::string& table) {
         return input_error_of([&] { static_cast<void>(read_measurements(table, "t.csv")); });
