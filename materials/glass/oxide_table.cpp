@@ -264,6 +264,8 @@ class OxideTable {
         if (auto comments = unread_comments(file, lines, glass_code, {"ignited sample"}))
             warnings.push_back(std::move(*comments));
         require_agreeing_texts(file, lines, heading, label);
+        for (OxideLine& each : headings_)  // of rows "2s", which no heading states
+            if (each.heading.coverage.factor == 1) each.heading.coverage.factor = row_factor_;
     }
 
     std::vector<OxideColumn> samples{};
@@ -518,11 +520,7 @@ class OxideTable {
                     "a file without what such a row heads");
             amounts_follow = amounts_follow || xrd::holds_numbers(rows_[r], label);
         }
-        const double factor = xrd::take_rows_of_uncertainties(rows_, next, label, glass_code, warnings);
-        for (OxideLine& each : headings_)
-            if (each.role == OxideRole::oxide && each.heading.coverage.factor == 1 &&
-                holds_plus_minus(next, static_cast<std::size_t>(&each - headings_.data())))
-                each.heading.coverage.factor = factor;
+        row_factor_ = xrd::take_rows_of_uncertainties(rows_, next, label, glass_code, warnings);
         for (std::size_t r = next; r < rows_.size(); ++r) add_row(rows_[r], names, label);
         if (label < headings_.size() && samples.size() > 1 && samples.front().sample.empty())
             refuse_line(samples.front().cells.front().line, "the line names no sample, and others do",
@@ -731,14 +729,6 @@ class OxideTable {
                     "a table with a row or a column for each oxide: SiO2, Al2O3, ...");
     }
 
-    /// Whether a cell of a column holds an uncertainty behind its number.
-    [[nodiscard]] bool holds_plus_minus(std::size_t first, std::size_t column) const {
-        return std::any_of(
-            rows_.begin() + static_cast<std::ptrdiff_t>(first), rows_.end(), [&](const TableRow& row) {
-                return column < row.cells.size() && row.cells[column].find("\u00b1") != std::string::npos;
-            });
-    }
-
     [[nodiscard]] bool holds_numbers(std::size_t column) const {
         return std::ranges::any_of(rows_, [&](const TableRow& row) {
             return column < row.cells.size() && read_number(row.cells[column], true).has_value();
@@ -928,6 +918,7 @@ class OxideTable {
     std::vector<AmountNote> notes_{};
     std::vector<OxideLine> headings_{};
     std::vector<std::optional<std::size_t>> errors_{};  ///< columns of uncertainties, by those of amounts
+    double row_factor_ = 1;                             ///< by which rows of uncertainties are divided
     std::size_t units_ = std::string::npos;  ///< column of the units of single rows, if there is one
 };
 
