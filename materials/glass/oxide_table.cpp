@@ -641,6 +641,26 @@ class OxideTable {
             note(at_line(row.line) + " is not read: " + in_quotes(text));
     }
 
+    /// Takes the names of samples in the row above units into their heading: ";FA1;;FA2;" above
+    /// "Oxide;wt%;esd;wt%;esd". @return whether the row has them
+    static bool take_names_above(TableRow& heading, const TableRow& above, std::size_t label) {
+        const auto is_unit = [](const std::string& cell) {
+            return read_line(cell).heading.role == xrd::Role::weight;
+        };
+        if (above.cells.size() > heading.cells.size() || label >= above.cells.size() ||
+            std::ranges::count_if(heading.cells, is_unit) < 2 ||
+            (!above.cells[label].empty() && above.cells[label] != heading.cells[label]))
+            return false;
+        for (std::size_t k = 0; k < heading.cells.size(); ++k) {
+            const bool is_named = k < above.cells.size() && k != label && !above.cells[k].empty();
+            if (is_named != (k != label && is_unit(heading.cells[k]))) return false;
+        }
+        for (std::size_t k = 0; k < above.cells.size(); ++k)
+            if (k != label && !above.cells[k].empty())
+                heading.cells[k] = above.cells[k] + " [" + heading.cells[k] + "]";
+        return true;
+    }
+
     /// Refuses a row with numbers that names no oxide, and quotes one with other texts.
     void refuse_unnamed(const TableRow& row) {
         const auto filled =
@@ -682,6 +702,8 @@ class OxideTable {
         if (first > 1 && names_units(rows_[first - 1].cells.front()) &&
             take_row_of_units(rows_[first - 2], rows_[first - 1]))
             rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(--first));
+        if (first > 1 && take_names_above(rows_[first - 1], rows_[first - 2], names))
+            rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(--first) - 1);
         const std::size_t width = rows_[first].cells.size();
         if (has_heading) read_headings(rows_[first - 1]);
         headings_.resize(std::max(headings_.size(), width));

@@ -26,12 +26,21 @@ constexpr std::array<std::string_view, 4> ways{"weight_fractions", "volume_fract
 
 /// @param basis that a text may state: "60 wt%", "0.4 m3/m3"
 Quantity read_fraction(const View& node, FractionBasis basis) {
-    const Quantity fraction = at_place(node.pointer(), [&] {
-        if (node.is_string()) return quantity_of_text(without_basis(node.text(), basis), Dimension::fraction);
-        if (node.is_object() && node.has("unit"))
-            static_cast<void>(without_basis(node.at("unit").text(), basis));
-        return node.quantity(Dimension::fraction);
-    });
+    const auto read = [&] {
+        if (node.is_string())
+            return at_place(node.pointer(), [&] {
+                return quantity_of_text(without_basis(node.text(), basis), Dimension::fraction);
+            });
+        if (!node.is_object() || !node.has("unit")) return node.quantity(Dimension::fraction);
+        const std::string one = "1 ";
+        const std::string unit = node.at("unit").text();
+        Json plain = node.json();
+        return at_place(node.pointer(), [&] {
+            plain["unit"] = without_basis(one + unit, basis).substr(one.size());
+            return View(plain).quantity(Dimension::fraction);
+        });
+    };
+    const Quantity fraction = read();
     if (!(fraction.value >= 0 && fraction.value <= 1))
         node.fail("the fraction is " + per_cent(fraction.value), "0 % to 100 % (0 to 1)");
     return fraction;

@@ -54,6 +54,19 @@ TEST_CASE("notes in several cells below an analysis are texts beside it") {
     CHECK(tells(result.warnings, "line 6 below the table is not read: \"Remark, by XRF\""));
 }
 
+TEST_CASE("names of samples above units of an analysis are those of its columns") {
+    const OxideResult result =
+        read_oxides(";FA1;;FA2;\nOxide;wt%;2\u03c3;wt%;2\u03c3\nSiO2;60;1;50;2\nAl2O3;40;1;50;2\n", "x.csv");
+    REQUIRE(result.samples.size() == 2);
+    CHECK(result.samples[1].name == "FA2");
+    CHECK(near(per_cent_of(result.samples[1], "SiO2"), 50));
+    CHECK(near(*result.samples[1].analysis.oxides[0].standard_uncertainty, 0.01));
+    CHECK_FALSE(input_error_of([] {
+                    static_cast<void>(
+                        read_oxides(";FA1;\nOxide;wt%;wt%\nSiO2;60;50\nAl2O3;40;50\n", "x.csv"));
+                }).empty());
+}
+
 TEST_CASE("rows of an analysis without a name are refused or quoted") {
     for (const char* row : {";\u00b1 4\n", ";(0.5)\n", ";0.1\n", ";47.07\n"})
         CHECK_MESSAGE(contains(input_error_of([&] {
