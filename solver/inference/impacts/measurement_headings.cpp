@@ -395,7 +395,8 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
             heading.notes.push_back(
                 {impacts_code, Severity::remark,
                  "column " + in_quotes(cell) +
-                     " is not used: it does not say of which velocity; write \"u(v_in) [m/s]\""});
+                     " is not used: it is not clear of which velocity or of what coverage it is; write "
+                     "\"u(v_in) [m/s]\" or \"U(v_in) [m/s] (k=2)\""});
         else
             heading.LabelColumns::take({position, cell}, name);
         return;
