@@ -11,6 +11,7 @@ import io
 import json
 import logging
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -61,13 +62,32 @@ def _messages(text: str) -> list[str]:
     return messages
 
 
+_LINES = re.compile(r"\blines? \d+(?:(?:, | to | and )\d+)*")
+
+
+def _of_table(message: str, hidden: str) -> str:
+    """A message on a table that was written for the program: without its place, and with rows of the table, counted
+    from 0, for lines of the file, whose first has the headings."""
+
+    def rows(match: re.Match[str]) -> str:
+        if match[0] == "line 1":
+            return "the headings"
+        return re.sub(r"\d+", lambda line: str(int(line[0]) - 2), match[0]).replace("line", "row")
+
+    return _LINES.sub(rows, message.replace(hidden, "")) if hidden and hidden in message else message
+
+
 def _call(command: str, *arguments: str, hidden: str = "") -> str:
-    """Standard output of a command; its errors become exceptions, its warnings, without a hidden place, those of
-    Python; how tables were read goes to the logger "ashimpact"."""
+    """Standard output of a command; its errors become exceptions, its warnings those of Python; how tables were read
+    goes to the logger "ashimpact".
+
+    Args:
+        hidden: place of a table that was written for the program.
+    """
     finished = subprocess.run(
         [_program(), command, *arguments], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
     )
-    messages = [message.replace(hidden, "") for message in _messages(finished.stderr)]
+    messages = [_of_table(message, hidden) for message in _messages(finished.stderr)]
     if finished.returncode == 0:
         for message in messages:
             if message.startswith("warning: "):
@@ -149,7 +169,7 @@ def modulus(
 
     Args:
         file: BGMN/Profex or GSAS-II .lst, CSV, TSV or JSON; or a pandas table whose headings are those of such a
-            table ("Phase", "FA1 [wt%]").
+            table ("Phase", "FA1 [wt%]"). Messages count the rows of a pandas table from 0.
         amorphous_fraction: weight fraction of the whole, such as 0.42, "42 +- 2 %", "none", "remainder".
         oxides: chemical analysis of the sample, CSV, .xlsx or .ods: the glass from its chemistry.
         glass: "from-chemistry" (with oxides) or "catalogue", the glass that counts.

@@ -519,10 +519,14 @@ class Documents(unittest.TestCase):
             warnings.simplefilter("ignore")
             read = ashimpact.modulus(table, amorphous_fraction="none")
         self.assertAlmostEqual(read["phases"][0]["weight_fraction"], 0.40125)
-        with self.assertRaisesRegex(ashimpact.InputError, "^line 2, cell 2"):
+        with self.assertRaisesRegex(ashimpact.InputError, "^row 0, cell 2"):
             ashimpact.modulus(pandas.DataFrame({"Phase": ["Quartz"], "wt%": ["x"]}))
         with self.assertRaisesRegex(ashimpact.InputError, "file is a list; allowed: a file name, a pandas table$"):
             ashimpact.modulus([1.0])
+        with self.assertLogs("ashimpact", "INFO") as logged, warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            ashimpact.modulus(table, amorphous_fraction="none")
+        self.assertTrue(logged.output[0].startswith("INFO:ashimpact:read as 1 sample; phases:"), logged.output)
 
     def test_options_are_what_they_are_meant_to_be(self):
         import pandas
