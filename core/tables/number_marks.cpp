@@ -118,7 +118,8 @@ std::string_view bracket_of(std::string_view cell) {
     return inside.find_first_not_of("0123456789.,") == std::string_view::npos ? inside : std::string_view{};
 }
 
-/// Reads a number, also "(12.3 ± 0.4) %". @throws InputError for "12.3 ± 3 %" and "12.3 % ± 3 %"
+/// Reads a number, also "(12.3 ± 0.4) %" and "12.3 (± 0.4)". @throws InputError for "12.3 ± 3 %" and "12.3 %
+/// ± 3 %"
 std::optional<PrintedNumber> read_with_uncertainty(std::string_view text) {
     text = trimmed(text);
     if (text.starts_with('(')) {
@@ -131,7 +132,11 @@ std::optional<PrintedNumber> read_with_uncertainty(std::string_view text) {
         number->per_cent = !unit.empty();
         return number;
     }
-    const auto number = read_number(text);
+    const auto open = text.find("(\u00b1");
+    const bool in_bracket = open != std::string_view::npos && text.find(')') + 1 == text.size();
+    const auto number = in_bracket ? read_number(std::string(text.substr(0, open)) +
+                                                 std::string(text.substr(open + 1, text.size() - open - 2)))
+                                   : read_number(text);
     if (!number || !number->per_cent || !number->standard_uncertainty) return number;
     const auto sign = text.find('%');
     if (sign + 1 < text.size() && text.ends_with('%'))

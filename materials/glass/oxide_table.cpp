@@ -100,6 +100,22 @@ std::optional<NamedOxide> oxide_within(std::string text) {
     return std::nullopt;
 }
 
+/// The oxide of "S as SO3", "Fe als Fe2O3" and "CaO (total)", in which all of the element is; else empty.
+std::string oxide_of_whole_element(const std::string& text) {
+    static const std::regex as(
+        "([A-Z][a-z]?),? +(?:(?:reported|expressed|calc\\.?|calculated|total) +)?(?:as|als) +"
+        "([A-Za-z0-9]+)");
+    static const std::regex total("([A-Za-z0-9]+) +\\((?:total|gesamt|tot\\.?)\\)");
+    std::smatch match;
+    if (text.size() > longest_name) return {};
+    const bool is_as = std::regex_match(text, match, as);
+    if (!is_as && !std::regex_match(text, match, total)) return {};
+    const std::string oxide = match.str(is_as ? 2 : 1);
+    const auto named = named_oxide(oxide);
+    if (!named || (is_as && oxides()[named->index].element != match.str(1))) return {};
+    return oxide.starts_with("Fe") ? oxide + "(t)" : oxide;
+}
+
 // NOLINTNEXTLINE(misc-no-recursion): once, with the plain text
 OxideLine read_line(const std::string& text) {
     if (has_sign_of_bound(text)) return {.heading = xrd::read_heading(text)};
@@ -107,6 +123,11 @@ OxideLine read_line(const std::string& text) {
         text == "MU") {  // a standard deviation, and a measurement uncertainty, mostly expanded
         OxideLine line{.role = OxideRole::uncertainty, .heading = xrd::read_heading(text)};
         if (text == "MU") line.heading.coverage.problem = "MU may be an expanded uncertainty (write \"k=2\")";
+        return line;
+    }
+    if (const std::string oxide = oxide_of_whole_element(text); !oxide.empty()) {
+        OxideLine line = read_line(oxide);
+        line.heading.written = text;
         return line;
     }
     const WordLists& words = column_words();

@@ -834,6 +834,9 @@ TEST_CASE("marks in numbers have one reading, by the other numbers of the table,
     CHECK(beside_decimals.read("1,050", 0)->value == 1050);
     REQUIRE(beside_decimals.findings("x").size() == 1);
     CHECK(contains(beside_decimals.findings("x").front().text, "\"1,050\" is read as 1050"));
+    CHECK(NumberMarks().read("12.3 (\u00b10.4)", 0)->standard_uncertainty == 0.4);
+    CHECK(NumberMarks().read("12.3 (\u00b1 0.4)", 0)->value == 12.3);
+    CHECK_FALSE(NumberMarks().read("12.3 (\u00b1)", 0));
     NumberMarks of_sheet({}, true);
     of_sheet.may_hold_thousands(0);
     for (const char* stored : {"1.25", "1530.7", "1.253"}) of_sheet.see(stored, 0);

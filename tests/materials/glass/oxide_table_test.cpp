@@ -54,6 +54,17 @@ TEST_CASE("notes in several cells below an analysis are texts beside it") {
     CHECK(tells(result.warnings, "line 6 below the table is not read: \"Remark, by XRF\""));
 }
 
+TEST_CASE("an element as its oxide, and a total of one, are that oxide") {
+    const OxideSample sample =
+        only("Oxide;wt%\nSiO2;50\nAl2O3;30\nFe as Fe2O3;8\nS als SO3;2\nCaO (total);10\n");
+    CHECK(near(per_cent_of(sample, "Fe2O3"), 8));
+    CHECK(near(per_cent_of(sample, "SO3"), 2));
+    CHECK(near(per_cent_of(sample, "CaO"), 10));
+    CHECK_FALSE(input_error_of([] {
+                    static_cast<void>(read_oxides("Oxide;wt%\nSiO2;50\nAl2O3;30\nS as CaO;2\n", "x.csv"));
+                }).empty());
+}
+
 TEST_CASE("names of samples above units of an analysis are those of its columns") {
     const OxideResult result =
         read_oxides(";FA1;;FA2;\nOxide;wt%;2\u03c3;wt%;2\u03c3\nSiO2;60;1;50;2\nAl2O3;40;1;50;2\n", "x.csv");
