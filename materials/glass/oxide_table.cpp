@@ -1141,6 +1141,9 @@ class OxideSampleMaker {
         const auto number = number_of(cell, marks_);
         const std::string name = cell.what.heading.text;
         if (!number && cell.what.role == OxideRole::oxide) missing_.push_back(name);
+        if (!number && !cell.uncertainty.empty() && !says_no_number(cell.uncertainty))
+            note(at_line(cell.line) + ": " + in_quotes(cell.uncertainty) + " beside " + name +
+                 ", which has no amount, is not read");
         if (!number) return;
         const double scale = number->scale.value_or(scale_);
         if (cell.what.role == OxideRole::trace) {

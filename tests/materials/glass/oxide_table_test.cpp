@@ -54,6 +54,14 @@ TEST_CASE("notes in several cells below an analysis are texts beside it") {
     CHECK(tells(result.warnings, "line 6 below the table is not read: \"Remark, by XRF\""));
 }
 
+TEST_CASE("a text beside an oxide without an amount is quoted") {
+    for (const char* name : {"LOI", "Total", "MgO"}) {
+        const OxideSample sample =
+            only(std::string("Oxide;wt%;esd\nSiO2;60;1\nAl2O3;40;1\n") + name + ";;at 950 C\n");
+        CHECK_MESSAGE(tells(sample.warnings, "\"at 950 C\" beside " + std::string(name)), name);
+    }
+}
+
 TEST_CASE("an element as its oxide, and a total of one, are that oxide") {
     const OxideSample sample =
         only("Oxide;wt%\nSiO2;50\nAl2O3;30\nFe as Fe2O3;8\nS als SO3;2\nCaO (total);10\n");
