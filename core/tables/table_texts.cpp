@@ -755,14 +755,20 @@ NameAndUnit cut_heading(std::string_view heading) {
     return {std::string(heading), {}};
 }
 
-std::optional<std::string> nameless_column(std::span<const TextLine> rows, char separator,
-                                           std::size_t column) {
-    for (const TextLine& line : rows)
-        if (const TableRow row = cut_row(line, separator);
-            column < row.cells.size() && !row.cells[column].empty())
-            return fmt::format("{}: {} in a column without a heading is not used", at_cell(row.line, column),
-                               in_quotes(row.cells[column]));
-    return std::nullopt;
+std::optional<std::string> unused_column(std::string_view heading, std::span<const TextLine> rows,
+                                         char separator, std::size_t column) {
+    std::vector<TableRow> cut;
+    std::string first;
+    for (const TextLine& line : rows) {
+        cut.push_back(cut_row(line, separator));
+        if (first.empty() && column < cut.back().cells.size()) first = cut.back().cells[column];
+    }
+    if (heading.empty() && first.empty()) return std::nullopt;
+    std::vector<std::string> texts = texts_in_column(cut, column);
+    if (heading.empty() && texts.empty()) texts.push_back(in_quotes(first));
+    const std::string name =
+        heading.empty() ? fmt::format("{}, which has no heading,", column + 1) : in_quotes(heading);
+    return fmt::format("column {} is not used{}", name, texts.empty() ? "" : ": " + joined(texts));
 }
 
 std::optional<Unit> unit_of_quantity(std::string_view heading) {

@@ -228,9 +228,10 @@ struct NameAndUnit {
 };
 [[nodiscard]] NameAndUnit cut_heading(std::string_view heading);
 
-/// The note on a column without a heading, with the first of its cells; none where all are empty.
-[[nodiscard]] std::optional<std::string> nameless_column(std::span<const TextLine> rows, char separator,
-                                                         std::size_t column);
+/// The note on a column that is not used, with its texts; none for one without a heading and cells.
+[[nodiscard]] std::optional<std::string> unused_column(std::string_view heading,
+                                                       std::span<const TextLine> rows, char separator,
+                                                       std::size_t column);
 
 /// The unit of a quantity in a heading, "d [um]" or "T (°C)"; none for fractions and other words.
 [[nodiscard]] std::optional<Unit> unit_of_quantity(std::string_view heading);

@@ -220,7 +220,7 @@ TEST_CASE(
     sandbox.write("unnamed.csv", "d [um],v_c [m/s],u(v_c) [m/s],\n1,0.1,0.01,\n2,0.06,0.01,*\n");
     CHECK(test::succeeded(sandbox,
                           "calibrate --sizes unnamed.csv --law jkr " + silver + "--free work_of_adhesion")
-              .err == test::containing("\"*\" in a column without a heading is not used"));
+              .err == test::containing("which has no heading, is not used: \"*\""));
 
     sandbox.write("plain.csv", "d [um],v_c [m/s]\n1,0.1\n");
     sandbox.write("units.csv", "d [um],v_c [m/s]\n1 um,0.1 m/s\n");

@@ -177,7 +177,6 @@ SizeTable read_size_lines(const TextLines& file, std::optional<DecimalMark> deci
             if (!heading.column) {
                 labels.take({static_cast<std::size_t>(&heading - found.data()), heading.written},
                             heading.written);
-                if (!heading.written.empty()) note("column " + in_quotes(heading.written) + " is not used");
             } else if (std::ranges::count(found, heading.column, &SizeHeading::column) > 1) {
                 throw InputError(fmt::format("{} columns hold {}, the first {}",
                                              std::ranges::count(found, heading.column, &SizeHeading::column),
@@ -198,8 +197,7 @@ SizeTable read_size_lines(const TextLines& file, std::optional<DecimalMark> deci
     for (std::size_t k = 0; k < headings.size(); ++k) {
         const SizeHeading& heading = headings[k];
         if (!heading.column) {
-            if (!heading.written.empty()) continue;
-            if (const auto nameless = nameless_column(rows, separator, k)) note(*nameless);
+            if (const auto unused = unused_column(heading.written, rows, separator, k)) note(*unused);
             continue;
         }
         uncertain[k] = {heading.written, heading.coverage, heading.column == SizeColumn::uncertainty};

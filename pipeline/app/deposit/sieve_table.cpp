@@ -297,8 +297,6 @@ class SieveTable {
                                 "the columns " + in_quotes(columns_[i].written) + " and " +
                                     in_quotes(heading.written) + " state one thing twice",
                                 "one of them");
-            if (!heading.column && !heading.written.empty())
-                note("column " + in_quotes(heading.written) + " is not used");
             if (heading.column && !is_size(*heading.column) && k != counting) beside_.push_back(k);
         }
         take_scale(line, columns_[counting]);
@@ -308,8 +306,8 @@ class SieveTable {
     void take_units_of_cells(std::size_t heading_line, std::span<const TextLine> rows) {
         for (std::size_t k = 0; k < columns_.size(); ++k) {
             SieveHeading& heading = columns_[k];
-            if (heading.written.empty())
-                if (const auto nameless = nameless_column(rows, separator_, k)) note(*nameless);
+            if (!heading.column)
+                if (const auto unused = unused_column(heading.written, rows, separator_, k)) note(*unused);
             if (!heading.column || !is_size(*heading.column) || !heading.unit.empty()) continue;
             for (const TextLine& row : rows)
                 for_each_cell(row, separator_, [&](std::string_view cell, std::size_t column) {

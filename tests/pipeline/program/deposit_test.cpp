@@ -274,7 +274,10 @@ TEST_CASE("what a sieve table has beside sizes and shares is said") {
     for (const auto& [table, says] :
          {std::pair{"size [um];passing [wt%];Bemerkung\n10;20;x\n20;100;\n",
                     "column \"Bemerkung\" is not used"},
-          {"size [um];;passing [%]\n10;5;20\n20;6;100\n", "\"5\" in a column without a heading is not used"},
+          {"size [um];;passing [%]\n10;5;20\n20;6;100\n",
+           "column 2, which has no heading, is not used: \"5\""},
+          {"size [um];Comment;passing [%]\n10;dry;20\n20;by laser;100\n",
+           "column \"Comment\" is not used: \"dry\", \"by laser\""},
           {"size [um];passing [Vol.-%]\n10;20\n20;100\n", "is by volume: taken as by mass"},
           {"size [um];passing [%]\n10;20\n20;99.5\n", "0.5 % is coarser than the largest size of the table"},
           {"size [um];passing\n10;20\n20;100\n", "by their size they are per cent"},
