@@ -502,7 +502,7 @@ std::string reading_of(const Table& table, Layout layout, bool volumes, double s
         return (entry.amount && entry.amount->standard_uncertainty) ||
                (entry.intensity && entry.intensity->standard_uncertainty);
     };
-    if (std::ranges::any_of(entries, in_cell)) reading.add("uncertainties in the cells or in rows");
+    if (std::ranges::any_of(entries, in_cell)) reading.add("standard uncertainties in the cells or in rows");
     return reading.text();
 }
 

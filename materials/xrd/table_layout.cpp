@@ -1257,10 +1257,14 @@ void require_agreeing_texts(Table& table, std::vector<TextBeside> texts, std::sp
         return is_unused(heading) && words_in(cell).size() <= most_words &&
                cell.find_first_of("0123456789") == std::string_view::npos;
     };
+    std::string sample;  // above
     for (const TextLine& row : rows)
         for_each_cell(row, table.separator, [&](std::string_view cell, std::size_t k) {
             if (k >= table.headings.size() || cell.empty()) return;
             const bool is_name = table.headings[k].role == Role::sample;
+            const auto own = is_name ? uncertainty_beside(cell, sample) : std::nullopt;  // "Ash 2 SD"
+            if (own) return texts.push_back({row.number, own->text, true});
+            if (is_name) sample = cell;
             if ((is_unused(table.headings[k]) || is_name) &&
                 (calls_invalid(cell) || (!is_name && rejects(table.headings[k].text, cell))))
                 refuse_invalid_row(cell, "column " + in_quotes(table.headings[k].written), row.number, k);

@@ -38,7 +38,8 @@ TEST_CASE("what each column of a composition is taken as is stated") {
           "2 samples; phases: \"Phase\"; amounts by weight, in %: \"FA1 [wt%]\", \"FA2 [wt%]\"; "
           "standard uncertainties: \"esd\" of \"FA1 [wt%]\", \"FA2 (2s)\" of \"FA2 [wt%]\" divided by 2");
     CHECK(reading("Phase;vol%;esd;density [g/cm3]\nQuartz;20 \u00b1 1;;2.6\nGlass;80;;2.5\n") ==
-          "1 sample; uncertainties in the cells or in rows; phases: \"Phase\"; amounts by volume, in %: "
+          "1 sample; standard uncertainties in the cells or in rows; phases: \"Phase\"; amounts by volume, "
+          "in %: "
           "\"vol%\"; standard uncertainties: \"esd\" of \"vol%\"; densities: \"density [g/cm3]\"");
     CHECK(reading("Phase;intensity;RIR\nQuartz;100;3.4\nMullite;50;0.8\n") ==
           "1 sample; phases: \"Phase\"; net intensities: \"intensity\"; reference intensity ratios: \"RIR\"");
