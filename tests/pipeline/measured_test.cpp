@@ -331,7 +331,7 @@ TEST_CASE("impacts that the columns of a case hold twice are refused") {
         refusal = error.what();
     }
     CHECK(refusal ==
-          test::containing("/restitution: line 11: the rows to line 20 repeat those from line 1 to 10"));
+          test::containing("/restitution: value 11: the rows to value 20 repeat those from value 1 to 10"));
 }
 
 TEST_CASE("a restitution that falls from the first rebound on is no rising branch") {
