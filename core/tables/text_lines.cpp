@@ -70,6 +70,23 @@ void check_bytes(std::string_view bytes, const TextLimits& limits) {
     if (trimmed(bytes).empty()) refuse_line(1, "the file is empty", std::string(limits.content));
 }
 
+/// The text with blanks for no-break and thin ones, which documents and web pages have within "(k = 2)".
+std::string with_plain_blanks(std::string text) {
+    for (const std::string_view blank : {"\u00a0", "\u202f", "\u2009", "\u2007"}) {
+        auto at = text.find(blank);
+        if (at == std::string::npos) continue;
+        std::string plain;
+        plain.reserve(text.size());
+        std::size_t done = 0;
+        for (; at != std::string::npos; at = text.find(blank, done)) {
+            plain.append(text, done, at - done) += ' ';
+            done = at + blank.size();
+        }
+        text = plain.append(text, done);
+    }
+    return text;
+}
+
 /// Whether a line closes the quoted cell that the line before it leaves open: "v_in" above "[m/s]". It may
 /// open the next one: above "[m/s]";"v_r".
 bool joins(std::string_view before, std::string_view line) {
@@ -130,7 +147,7 @@ TextLines::TextLines(std::string_view raw, const TextLimits& limits) : of_sheet_
     if (bytes.ends_with('\x1a')) bytes.remove_suffix(1);  // end-of-file mark of DOS editors
     check_bytes(bytes, limits);
     was_latin1_ = !is_utf8(bytes);
-    text_ = was_latin1_ ? from_latin1(bytes) : std::string(bytes);
+    text_ = with_plain_blanks(was_latin1_ ? from_latin1(bytes) : std::string(bytes));
     std::size_t number = 0;
     for (std::size_t begin = 0; begin < text_.size();) {
         const auto end = std::min(text_.find_first_of("\r\n", begin), text_.size());

@@ -304,6 +304,14 @@ void require_plain_name(const std::string& name, const Table& table, std::size_t
             "the sign in the name " + in_quotes(name) + " may make its amount a bound or doubtful",
             "the name alone, and \"< 12.3\" in the cell of a bound")
             .at(at_cell(line, column));
+    const auto refuse = [&](const std::string& part) {
+        throw InputError(in_quotes(part) + " in the name " + in_quotes(name) +
+                             " may be a part of the name, or change the amount",
+                         "the name alone, and the amount in the unit of its column")
+            .at(at_cell(line, column));
+    };
+    constexpr std::string_view per_mille = "\u2030";
+    if (name.find(per_mille) != std::string::npos) refuse(std::string(per_mille));
     const auto open = name.find_last_of("([");
     if (open == std::string::npos || name.find_last_of(")]") != name.size() - 1 ||
         name.size() > longest_heading)
@@ -318,11 +326,15 @@ void require_plain_name(const std::string& name, const Table& table, std::size_t
     const Role role = role_of_text(inside);
     const bool is_measure = is_summary(inside) || role == Role::intensity || role == Role::measure ||
                             (inside.size() > 1 && read_unit(ascii_unit(inside)));
-    if ((is_unit && !stated) || is_measure || std::regex_match(inside, factor))
-        throw InputError(in_quotes(inside) + " in the name " + in_quotes(name) +
-                             " may be a part of the name, or change the amount",
-                         "the name alone, and the amount in the unit of its column")
-            .at(at_cell(line, column));
+    static const std::regex states_more(  // "ppmw", "mg/100 g", "10\u207b\u00b3", "U = 2u", "2 s"
+        ".*(?:=|\u00b1|\u207b|\\^|pp[mb]|per *mil|promille|[0-9] */ *[0-9]|/ "
+        "*(?:k?g|[0-9]|oo|\u043a\u0433)).*"
+        "|[0-9.,]+ *(?:u|s|sd|se|k|\u03c3|sigma)",
+        std::regex::icase);
+    const bool is_known = is_unit && stated;
+    if ((is_unit && !stated) || is_measure || std::regex_match(inside, factor) ||
+        (!is_known && std::regex_match(inside, states_more)))
+        refuse(inside);
 }
 
 /// Whether a row names its sample.

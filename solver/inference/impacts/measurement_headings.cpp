@@ -154,6 +154,13 @@ NameAndUnit split(std::string_view cell) {
         if (unit.starts_with("in ")) unit = trimmed(unit.substr(3));  // "v_in in ms-1": no inches
         if (names_measured(name) && is_velocity_unit(unit)) return {name, unit};
     }
+    if (cell.ends_with('%')) {  // "u(v_in) %", and "2s %" without its coverage
+        const std::string_view name = trimmed(cell.substr(0, cell.size() - 1));
+        const auto meaning = meaning_of(name);
+        if (name.empty() || names_uncertainty(name) || (meaning && meaning->is_uncertainty))
+            return {name, "%"};
+    }
+    if (cell == "(%)" || cell == "[%]") return {{}, "%"};
     if (const auto in = cell.rfind(" in "); in != std::string_view::npos) {
         const std::string_view name = trimmed(cell.substr(0, in));
         const std::string_view unit = trimmed(cell.substr(in + 4));

@@ -51,6 +51,23 @@ TEST_CASE("what each column of a composition is taken as is stated") {
               .ends_with("\"B3 [wt%]\", and 1 more"));
 }
 
+TEST_CASE("units, factors and coverages in brackets behind phases are refused") {
+    for (const char* inside :
+         {"(\u2030)", "(ppmw)", "(wppm)", "(mass ppm)", "(\u043c\u0433/\u043a\u0433)", "(mg/100 g)", "(o/oo)",
+          "(10\u207b\u00b3)", "(per mil)", "(1/1000)", "(U = 2u)", "(2u)", "(2 \u03c3)"})
+        CHECK_MESSAGE(
+            contains(refusal(std::string("Phase;wt%\nLime ") + inside + ";20\nGlass;80\n"), " in the name "),
+            inside);
+    CHECK_FALSE(refusal("Phase;wt%\nLime, \u2030;20\nGlass;80\n").empty());
+    for (const char* name : {"Quartz (low)", "Mullite (3:2)", "Quartz (ICSD 174)", "Quartz (wt%)"})
+        CHECK_MESSAGE(refusal(std::string("Phase;wt%\n") + name + ";20\nGlass;80\n").empty(), name);
+    CHECK(
+        first_of(
+            "Phase;FA1 (k\u00a0=\u00a02) [wt%]\nQuartz;20\u00a0\u00b1\u00a01\nGlass;80\u00a0\u00b1\u00a01\n")
+            .analysis.phases[0]
+            .standard_uncertainty.value() == doctest::Approx(0.005));
+}
+
 TEST_CASE("remarks of a column that is not used are quoted behind many words") {
     const std::string text = told(
         "Phase;wt%;Remark\nQuartz;20;a\nMullite;20;b\nHematite;20;c\nLime;20;d\n"
