@@ -287,10 +287,37 @@ void refuse_bare_uncertainty(std::string_view amount_text, std::string_view text
 
 namespace {
 
-/// Refuses a bracket in the name of a phase that may change its amount, "Quartz (g/kg)" and "Quartz (x10)",
-/// or calls it none, "Quartz (excluded)". @throws InputError
-void require_plain_name(const std::string& name, const Table& table, std::size_t line, std::size_t column) {
+/// Whether a part of the name of a phase, in brackets or behind a comma, may change its amount or the
+/// uncertainty of it: "g/kg", "x10", "1/1000", "U = 2u", unlike "low", "3:2" and a unit that the table
+/// states.
+bool may_change_amount(const std::string& part, const Table& table) {
     static const std::regex factor("(?:[x*/]|\u00d7|\u00f7) *[0-9.,]+|[0-9.,]+ *(?:x|\u00d7)");
+    static const std::regex number("[0-9]*[.,][0-9]+|[0-9]+ *[:/] *[0-9]{2,}");
+    static const std::regex states_more(  // "ppmw", "mg/100 g", "10\u207b\u00b3", "s x 2", "2 uc", "2-sig"
+        ".*(?:=|%|\u2030|\u00b1|\u2248|\u00d7|\u00f7|\u207b|\\^|\u03c3|pp[mb]|per "
+        "*(?:mil|cent)|promille|prozent|pct|"
+        "parts per|fa[ck]tor| x *[0-9]|[0-9] */ *[0-9]|/ *(?:k?g|[0-9]|oo|\u043a\u0433)).*"
+        "|[0-9.,k]+ *[-*\u00b7]? *(?:uc?|sd?|se|de|\u0441\u043a\u043e|k|sig|sigma)",
+        std::regex::icase);
+    const Heading unit = read_heading("x [" + part + "]");
+    const bool is_unit = unit.states == HeadingUnit::weight || unit.states == HeadingUnit::volume ||
+                         unit.states == HeadingUnit::fraction;
+    if (is_unit && unit.scale != Scale::not_stated)
+        return !std::ranges::any_of(table.headings, [&](const Heading& heading) {
+            const bool of_volume = heading.role == Role::volume || heading.states == HeadingUnit::volume;
+            return (unit.states == HeadingUnit::fraction ||
+                    of_volume == (unit.states == HeadingUnit::volume)) &&
+                   heading.scale == unit.scale;
+        });
+    const Role role = role_of_text(part);
+    return is_unit || is_summary(part) || role == Role::intensity || role == Role::measure ||
+           (part.size() > 1 && read_unit(ascii_unit(part))) || std::regex_match(part, factor) ||
+           std::regex_match(part, number) || std::regex_match(part, states_more);
+}
+
+/// Refuses a part of the name of a phase that may change its amount, "Quartz (g/kg)" and "Quartz, x10", or
+/// calls it none, "Quartz (excluded)". @throws InputError
+void require_plain_name(const std::string& name, const Table& table, std::size_t line, std::size_t column) {
     static const std::regex nothing_said(".*\\([^0-9A-Za-z\\x80-\\xff]*\\)");  // "(~)", "(?)"
     if (calls_invalid(name)) refuse_invalid_row(name, "the names", line, column);
     const auto count = [&](char c) { return std::ranges::count(name, c); };
@@ -299,42 +326,31 @@ void require_plain_name(const std::string& name, const Table& table, std::size_t
             "a bracket or quote of the name " + in_quotes(name) + " has no other: a part may be missing",
             "the whole name, in quotes where it holds the separator")
             .at(at_cell(line, column));
-    if (has_sign_of_bound(name) || (name.size() <= longest_heading && std::regex_match(name, nothing_said)))
-        throw InputError(
-            "the sign in the name " + in_quotes(name) + " may make its amount a bound or doubtful",
-            "the name alone, and \"< 12.3\" in the cell of a bound")
-            .at(at_cell(line, column));
-    const auto refuse = [&](const std::string& part) {
+    const auto refuse = [&](std::string_view part) {
         throw InputError(in_quotes(part) + " in the name " + in_quotes(name) +
                              " may be a part of the name, or change the amount",
                          "the name alone, and the amount in the unit of its column")
             .at(at_cell(line, column));
     };
-    constexpr std::string_view per_mille = "\u2030";
-    if (name.find(per_mille) != std::string::npos) refuse(std::string(per_mille));
+    const auto states_per_cent = [](const Heading& heading) { return heading.scale == Scale::per_cent; };
+    for (const std::string_view sign : {"\u2030", "\uff05", "%"})
+        if (name.find(sign) != std::string::npos && !std::ranges::any_of(name, is_digit) &&
+            !(sign == "%" && std::ranges::any_of(table.headings, states_per_cent)))
+            refuse(sign);
+    if (has_sign_of_bound(name) || (name.size() <= longest_heading && std::regex_match(name, nothing_said)))
+        throw InputError(
+            "the sign in the name " + in_quotes(name) + " may make its amount a bound or doubtful",
+            "the name alone, and \"< 12.3\" in the cell of a bound")
+            .at(at_cell(line, column));
+    if (name.size() > longest_heading) return;
+    if (const auto comma = name.rfind(','); comma != std::string::npos) {
+        const std::string part(trimmed(std::string_view(name).substr(comma + 1)));
+        if (part.find_first_of("()[]") == std::string::npos && may_change_amount(part, table)) refuse(part);
+    }
     const auto open = name.find_last_of("([");
-    if (open == std::string::npos || name.find_last_of(")]") != name.size() - 1 ||
-        name.size() > longest_heading)
-        return;
-    const std::string inside(trimmed(std::string_view(name).substr(open + 1, name.size() - open - 2)));
-    const Heading unit = read_heading("x [" + inside + "]");
-    const bool is_unit = unit.states == HeadingUnit::weight || unit.states == HeadingUnit::volume;
-    const bool stated = std::ranges::any_of(table.headings, [&](const Heading& heading) {
-        const bool of_volume = heading.role == Role::volume || heading.states == HeadingUnit::volume;
-        return of_volume == (unit.states == HeadingUnit::volume) && heading.scale == unit.scale;
-    });
-    const Role role = role_of_text(inside);
-    const bool is_measure = is_summary(inside) || role == Role::intensity || role == Role::measure ||
-                            (inside.size() > 1 && read_unit(ascii_unit(inside)));
-    static const std::regex states_more(  // "ppmw", "mg/100 g", "10\u207b\u00b3", "U = 2u", "2 s"
-        ".*(?:=|\u00b1|\u207b|\\^|pp[mb]|per *mil|promille|[0-9] */ *[0-9]|/ "
-        "*(?:k?g|[0-9]|oo|\u043a\u0433)).*"
-        "|[0-9.,]+ *(?:u|s|sd|se|k|\u03c3|sigma)",
-        std::regex::icase);
-    const bool is_known = is_unit && stated;
-    if ((is_unit && !stated) || is_measure || std::regex_match(inside, factor) ||
-        (!is_known && std::regex_match(inside, states_more)))
-        refuse(inside);
+    if (open == std::string::npos || name.find_last_of(")]") != name.size() - 1) return;
+    const std::string part(trimmed(std::string_view(name).substr(open + 1, name.size() - open - 2)));
+    if (may_change_amount(part, table)) refuse(part);
 }
 
 /// Whether a row names its sample.

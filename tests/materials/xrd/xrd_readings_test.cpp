@@ -51,16 +51,30 @@ TEST_CASE("what each column of a composition is taken as is stated") {
               .ends_with("\"B3 [wt%]\", and 1 more"));
 }
 
-TEST_CASE("units, factors and coverages in brackets behind phases are refused") {
+TEST_CASE("units, factors and coverages behind names of phases are refused") {
+    const auto refused = [](const std::string& unit, const std::string& name) {
+        return contains(refusal("Phase;" + unit + "\n" + name + ";20\nGlass;80\n"), " in the name ");
+    };
     for (const char* inside :
-         {"(\u2030)", "(ppmw)", "(wppm)", "(mass ppm)", "(\u043c\u0433/\u043a\u0433)", "(mg/100 g)", "(o/oo)",
-          "(10\u207b\u00b3)", "(per mil)", "(1/1000)", "(U = 2u)", "(2u)", "(2 \u03c3)"})
+         {"\u2030",   "ppmw",     "wppm",           "mass ppm", "\u043c\u0433/\u043a\u0433",
+          "mg/100 g", "o/oo",     "10\u207b\u00b3", "per mil",  "parts per thousand",
+          "1/1000",   "1:1000",   "0.001",          "1,000",    "U = 2u",
+          "2u",       "2uc",      "2 \u03c3",       "2-sig",    "k\u00b7u",
+          "s x 2",    "Faktor 2", "expanded"})
+        CHECK_MESSAGE(refused("wt%", std::string("Lime (") + inside + ")"), inside);
+    for (const char* behind :
+         {", \u2030", ", mg/kg", ", ppm", ", g/kg", ", x10", ", \u00d7 10", ", /10", ", at.%", ", rel. %"})
+        CHECK_MESSAGE(refused("wt%", std::string("Lime") + behind), behind);
+    for (const char* per_cent : {" %", " [%]", ", %", "/%", "_%", ": %", " (Prozent)", ", wt%"})
         CHECK_MESSAGE(
-            contains(refusal(std::string("Phase;wt%\nLime ") + inside + ";20\nGlass;80\n"), " in the name "),
-            inside);
-    CHECK_FALSE(refusal("Phase;wt%\nLime, \u2030;20\nGlass;80\n").empty());
-    for (const char* name : {"Quartz (low)", "Mullite (3:2)", "Quartz (ICSD 174)", "Quartz (wt%)"})
-        CHECK_MESSAGE(refusal(std::string("Phase;wt%\n") + name + ";20\nGlass;80\n").empty(), name);
+            !refusal(std::string("Phase;Content [g/kg]\nLime") + per_cent + ";200\nGlass;800\n").empty(),
+            per_cent);
+    for (const char* name :
+         {"Quartz (low)", "Mullite (3:2)", "Quartz (ICSD 174)", "Quartz (wt%)", "Quartz, low",
+          "Gypsum (CaSO4\u00b72H2O)", "Quartz (46-1045)", "Quartz, %", "Goethite (\u03b1-FeOOH)"})
+        CHECK_MESSAGE(refusal(std::string("Phase;wt%\n") + name + ";20\nGlass;80\n").find(" in the name ") ==
+                          std::string::npos,
+                      name);
     CHECK(
         first_of(
             "Phase;FA1 (k\u00a0=\u00a02) [wt%]\nQuartz;20\u00a0\u00b1\u00a01\nGlass;80\u00a0\u00b1\u00a01\n")

@@ -584,6 +584,16 @@ TEST_CASE("units behind \u00b1, counts in brackets, and copies with units in the
         CHECK_MESSAGE(!set.has_noise(), count);
         CHECK(contains(warnings_of(set), "not read"));
     }
+    for (const char* heading : {"u(v_in) %", "v_in err %", "SD(v_in) %", "u(v_in) [%]"}) {
+        const MeasurementSet set =
+            read_measurements(std::string("v_in [m/s];v_r [m/s];") + heading + "\n2;1;2\n3;1.5;2\n", "t.csv");
+        CHECK_MESSAGE(std::sqrt(set.points.at(0).noise.value().incident) == doctest::Approx(0.04), heading);
+    }
+    for (const char* heading : {"2s (%)", "2\u03c3 %"}) {
+        const MeasurementSet set =
+            read_measurements(std::string("v_in [m/s];") + heading + ";v_r [m/s]\n2;2;1\n3;2;1.5\n", "t.csv");
+        CHECK_MESSAGE(std::sqrt(set.points.at(0).noise.value().incident) == doctest::Approx(0.02), heading);
+    }
     std::string rows;
     for (const char* pair :
          {"1.78 m/s;0.52 m/s", "2.31 m/s;0.84 m/s", "2.95 m/s;1.17 m/s", "3.42 m/s;1.46 m/s"})
