@@ -137,7 +137,7 @@ NameAndUnit split(std::string_view cell) {
         std::string_view inside = trimmed(cell.substr(open + 1, cell.size() - open - 2));
         if (inside.starts_with("in ")) inside = trimmed(inside.substr(3));
         const bool is_named = meaning_of(name) || names_uncertainty(name) || is_sideways(name);
-        if (pair == "[]" || (is_named && !meaning_of(inside))) return {name, inside};
+        if (pair == "[]" || ((is_named || name.empty()) && !meaning_of(inside))) return {name, inside};
     }
     // "e_n/%" and "v_r/(m/s)": a quantity over its unit.
     if (const auto slash = cell.find('/'); slash != std::string_view::npos) {
@@ -160,7 +160,7 @@ NameAndUnit split(std::string_view cell) {
         if (name.empty() || names_uncertainty(name) || (meaning && meaning->is_uncertainty))
             return {name, "%"};
     }
-    if (cell == "(%)" || cell == "[%]") return {{}, "%"};
+    if (is_velocity_unit(cell)) return {{}, cell};
     if (const auto in = cell.rfind(" in "); in != std::string_view::npos) {
         const std::string_view name = trimmed(cell.substr(0, in));
         const std::string_view unit = trimmed(cell.substr(in + 4));
@@ -266,7 +266,7 @@ bool take_sideways(MeasurementHeading& heading, const std::string& cell, std::st
 /// Whether a column is named as a velocity or restitution normal to the wall.
 bool is_normal(const TextColumn& column) {
     static const WordLists words("normal velocities");
-    return words.holds(column.name);
+    return words.holds(column.name) || column.name == "v_i,n";  // unlike "v_in"
 }
 
 /// Decides what the velocities of impacts at an angle are. Beside an angle v_in is that of the sphere; the

@@ -61,7 +61,7 @@ TEST_CASE("units, factors and coverages behind names of phases are refused") {
           "1/1000",   "1:1000",   "0.001",          "1,000",    "U = 2u",
           "2u",       "2uc",      "2 \u03c3",       "2-sig",    "k\u00b7u",
           "s x 2",    "Faktor 2", "expanded"})
-        CHECK_MESSAGE(refused("wt%", std::string("Lime (") + inside + ")"), inside);
+        CHECK_MESSAGE(refused("wt%", std::string("Lime (") + inside + ")"), std::string(inside));
     for (const char* behind :
          {", \u2030", ", mg/kg", ", ppm", ", g/kg", ", x10", ", \u00d7 10", ", /10", ", at.%", ", rel. %"})
         CHECK_MESSAGE(refused("wt%", std::string("Lime") + behind), behind);

@@ -589,6 +589,16 @@ TEST_CASE("units behind \u00b1, counts in brackets, and copies with units in the
             read_measurements(std::string("v_in [m/s];v_r [m/s];") + heading + "\n2;1;2\n3;1.5;2\n", "t.csv");
         CHECK_MESSAGE(std::sqrt(set.points.at(0).noise.value().incident) == doctest::Approx(0.04), heading);
     }
+    for (const char* heading : {"2s (cm/s)", "2 SD (cm/s)", "k=2 (cm/s)"}) {
+        const MeasurementSet set =
+            read_measurements(std::string("v_in (m/s);") + heading + ";v_r (m/s)\n2;4;1\n3;4;1.5\n", "t.csv");
+        CHECK_MESSAGE(std::sqrt(set.points.at(0).noise.value().incident) == doctest::Approx(0.02), heading);
+    }
+    for (const char* heading : {"v_i,n [m/s]", "normal impact velocity [m/s]"}) {
+        const MeasurementSet set =
+            read_measurements(std::string(heading) + ";v_r,n [m/s];angle [deg]\n2;1;60\n3;1.5;60\n", "t.csv");
+        CHECK_MESSAGE(set.points.at(0).velocity == doctest::Approx(2), heading);
+    }
     for (const char* heading : {"2s (%)", "2\u03c3 %"}) {
         const MeasurementSet set =
             read_measurements(std::string("v_in [m/s];") + heading + ";v_r [m/s]\n2;2;1\n3;2;1.5\n", "t.csv");
