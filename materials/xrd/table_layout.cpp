@@ -297,7 +297,7 @@ bool may_change_amount(const std::string& part, const Table& table) {
         ".*(?:=|%|\u2030|\u00b1|\u2248|\u00d7|\u00f7|\u207b|\\^|\u03c3|pp[mb]|per "
         "*(?:mil|cent)|promille|prozent|pct|"
         "parts per|fa[ck]tor| x *[0-9]|[0-9] */ *[0-9]|/ *(?:k?g|[0-9]|oo|\u043a\u0433)).*"
-        "|[0-9.,k]+ *[-*\u00b7]? *(?:uc?|sd?|se|de|\u0441\u043a\u043e|k|sig|sigma)",
+        "|[0-9.,k]+ *(?:-|[*]|\u00b7)? *(?:uc?|sd?|se|de|\u0441\u043a\u043e|k|sig|sigma)",
         std::regex::icase);
     static const std::regex amount(
         "[^=\u00b1\u00d7]*[0-9][0-9.,]* *%[^=\u00b1\u00d7]*");  // "added 20 %", which is said
