@@ -125,6 +125,14 @@ std::string composition_text(const Sample& sample, const std::vector<PhaseShare>
            (stated.empty() ? none : uncertainties_text(stated));
 }
 
+/// A quantity with its uncertainty, however small: "0.05 kg/m3" may have been meant as 5 %.
+std::string as_stated(const Quantity& quantity) {
+    const std::string text = readable(quantity);
+    const double uncertainty = quantity.standard_uncertainty.value_or(0);
+    if (!(uncertainty > 0) || text.find("+-") != std::string::npos) return text;
+    return fmt::format("{} (u {})", text, readable(uncertainty, quantity.unit));
+}
+
 }  // namespace
 
 std::string inputs_text(const Run& run, std::size_t width) {
@@ -132,10 +140,10 @@ std::string inputs_text(const Run& run, std::size_t width) {
     const auto& samples = run.data.samples;
     for (std::size_t i = 0; i < std::min(samples.size(), most_samples); ++i) {
         const Sample& sample = samples[i];
-        std::string line = sample.name + ": " + readable(sample.diameter.quantity);
-        if (sample.density) line += ", " + readable(sample.density->quantity);
+        std::string line = sample.name + ": " + as_stated(sample.diameter.quantity);
+        if (sample.density) line += ", " + as_stated(sample.density->quantity);
         if (i < run.contact.samples.size() && run.contact.samples[i].work_of_adhesion.quantity.value > 0)
-            line += ", w " + readable(run.contact.samples[i].work_of_adhesion.quantity);
+            line += ", w " + as_stated(run.contact.samples[i].work_of_adhesion.quantity);
         if (i < run.modulus.samples.size()) line += composition_text(sample, run.modulus.samples[i].phases);
         const auto* source = sample.restitution ? &*sample.restitution : nullptr;
         if (const auto* measured = source ? std::get_if<MeasuredRestitution>(source) : nullptr)

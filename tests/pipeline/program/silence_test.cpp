@@ -549,6 +549,12 @@ TEST_CASE("how each table was read is shown, kept in the artifact, and not said 
     const auto run = succeeded(sandbox, "run case/case.json -o out --no-report");
     CHECK(run.err == containing("case/impacts.csv: read as 12 impacts, 2 captured"));
     CHECK(run.err == containing("case/ash.csv: read as 1 sample"));
+    std::string small = sandbox.read("case/case.json");
+    const std::string uncertain = "\"standard_uncertainty\": 30";
+    small.replace(small.find(uncertain), uncertain.size(), "\"standard_uncertainty\": 0.05");
+    sandbox.write("case/case.json", small);
+    CHECK(succeeded(sandbox, "run case/case.json -o small --no-report").out ==
+          containing("2300 kg/m3 (u 0.05 kg/m3)"));
     const Json inputs = sandbox.json("out/0-case.json").at("provenance").at("inputs");
     CHECK_FALSE(inputs.at(0).contains("read_as"));
     CHECK(inputs.at(1).at("read_as").size() == 1);
