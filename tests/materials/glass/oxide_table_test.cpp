@@ -5,9 +5,11 @@
 
 #include <doctest/doctest.h>
 
+#include "core/text/text.hpp"
 #include "materials/glass/balance.hpp"
 #include "tests/materials/catalogue.hpp"
 #include "tests/support/checks.hpp"
+#include "tests/support/marked_tables.hpp"
 
 namespace ashimpact::test {
 
@@ -107,6 +109,31 @@ TEST_CASE("a coverage in a row of an analysis is refused, remarks in the first r
                       row);
     const OxideResult result = read_oxides("Oxide;wt%;Remark\nSiO2;60;by difference\nAl2O3;40;\n", "x.csv");
     CHECK(tells(result.warnings, "columns not used: \"Remark\" (\"by difference\")"));
+}
+
+TEST_CASE("no text in an analysis vanishes") {
+    for (const Cells& rows : {Cells{{"Oxide", "wt%"}, {"SiO2", "60"}, {"Al2O3", "39"}, {"LOI", "1"}},
+                              Cells{{"Oxide", "wt%", "esd"}, {"SiO2", "60", "1"}, {"Al2O3", "40", "1"}},
+                              Cells{{"Oxide", "x", "y"}, {"SiO2", "60", "50"}, {"Al2O3", "40", "50"}},
+                              Cells{{"Sample", "SiO2", "Al2O3"}, {"x", "60", "40"}, {"y", "50", "50"}},
+                              Cells{{"Sample", "SiO2", "Al2O3"},
+                                    {"x", "60", "40"},
+                                    {"SD", "1", "1"},
+                                    {"y", "50", "50"},
+                                    {"SD", "1", "1"}},
+                              Cells{{"Oxide", "wt%", "Remark"}, {"SiO2", "60", ""}, {"Al2O3", "40", ""}}})
+        for_each_marked(rows, [](const std::string& table) {
+            std::string told;
+            try {
+                const OxideResult result = read_oxides(table, "x.csv");
+                told = joined(texts_of(result.warnings)) + result.reading;
+                for (const OxideSample& sample : result.samples)
+                    told += sample.name + joined(texts_of(sample.warnings));
+            } catch (const InputError&) {
+                return;
+            }
+            CHECK_MESSAGE(contains(told, marker), table);
+        });
 }
 
 TEST_CASE("what each column and row of an analysis is taken as is stated") {

@@ -7,6 +7,7 @@
 #include "materials/xrd/xrd.hpp"
 #include "tests/materials/catalogue.hpp"
 #include "tests/support/checks.hpp"
+#include "tests/support/marked_tables.hpp"
 
 namespace ashimpact::test {
 
@@ -30,6 +31,41 @@ std::string told(const std::string& table) {
 }
 
 }  // namespace
+
+TEST_CASE("no text in a table of a composition vanishes") {
+    for (const Cells& rows :
+         {Cells{{"Phase", "wt%"}, {"Quartz", "20"}, {"Mullite", "30"}, {"Amorphous", "50"}},
+          Cells{{"Phase", "FA1", "esd", "FA2", "esd"},
+                {"Quartz", "20", "1", "10", "1"},
+                {"Amorphous", "80", "2", "90", "2"}},
+          Cells{{"Sample", "Quartz", "Amorphous"}, {"FA1", "20", "80"}, {"FA2", "10", "90"}},
+          Cells{{"Sample", "Quartz", "Amorphous"},
+                {"FA1", "20", "80"},
+                {"SD", "1", "2"},
+                {"FA2", "10", "90"},
+                {"SD", "1", "1"}},
+          Cells{{"Sample", "Phase", "wt%"},
+                {"FA1", "Quartz", "20"},
+                {"FA1", "Amorphous", "80"},
+                {"FA2", "Quartz", "10"},
+                {"FA2", "Amorphous", "90"}},
+          Cells{{"Phase", "I", "RIR"}, {"Quartz", "1234.5", "3.1"}, {"Mullite", "540.5", "0.7"}},
+          Cells{{"Phase", "wt%", "Remark"}, {"Quartz", "20", ""}, {"Amorphous", "80", ""}}})
+        for_each_marked(rows, [](const std::string& table) {
+            std::string told;
+            try {
+                const XrdResult result = read_xrd(table, "t.csv");
+                told = joined(texts_of(result.warnings)) + result.reading;
+                for (const XrdSample& sample : result.samples) {
+                    told += sample.name + joined(texts_of(sample.warnings));
+                    for (const PhaseFraction& phase : sample.analysis.phases) told += phase.name;
+                }
+            } catch (const InputError&) {
+                return;
+            }
+            CHECK_MESSAGE(contains(told, marker), table);
+        });
+}
 
 TEST_CASE("what each column of a composition is taken as is stated") {
     const auto reading = [](const std::string& table) { return read_xrd(table, "t.csv").reading; };

@@ -20,9 +20,12 @@
 #include "solver/surrogate/contact_model.hpp"
 #include "tests/solver/inference/ash_laboratory.hpp"
 #include "tests/support/checks.hpp"
+#include "tests/support/marked_tables.hpp"
 
 using namespace ashimpact;
+using test::Cells;
 using test::contains;
+using test::for_each_marked;
 using test::input_error_of;
 
 namespace {
@@ -628,6 +631,31 @@ TEST_CASE("a restitution with a per cent sign beside one without it, and means o
     CHECK(refused(heading + "1.11;0.31\n1.35;0.42\n1.27;0.365\n2.04;0.91\n2.38;0.98\n2.21;0.945\n"
                             "3.17;1.52\n3.35;1.66\n3.26;1.59\n")
               .empty());
+}
+
+TEST_CASE("no text in a table of impacts vanishes") {
+    for (const Cells& rows :
+         {Cells{{"v_in [m/s]", "v_r [m/s]"}, {"1.1", "0"}, {"1.35", "0.2"}, {"1.62", "0.41"}},
+          Cells{{"No", "v_in [m/s]", "v_r [m/s]"},
+                {"1", "1.1", "0"},
+                {"2", "1.35", "0.2"},
+                {"3", "1.62", "0.41"}},
+          Cells{{"v_in [m/s]", "esd", "v_r [m/s]", "esd"},
+                {"1.1", "0.02", "0", "0.02"},
+                {"1.35", "0.02", "0.2", "0.02"}},
+          Cells{{"v_in [m/s]", "v_r [m/s]", "outcome"}, {"1.1", "", "capture"}, {"1.35", "0.2", "rebound"}},
+          Cells{{"v_in [m/s]", "e_n", "Remark"}, {"1.1", "0", ""}, {"1.35", "0.2", ""}},
+          Cells{{"Sample", "v_in [m/s]", "v_r [m/s]"}, {"A", "1.1", "0"}, {"A", "1.35", "0.2"}}})
+        for_each_marked(rows, [](const std::string& table) {
+            std::string told;
+            try {
+                const MeasurementSet set = read_measurements(table, "t.csv");
+                told = warnings_of(set) + set.reading + set.sample;
+            } catch (const InputError&) {
+                return;
+            }
+            CHECK_MESSAGE(contains(told, test::marker), table);
+        });
 }
 
 TEST_CASE("what each column of impacts is taken as is stated") {
