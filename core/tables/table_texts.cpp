@@ -662,8 +662,23 @@ bool holds_signs(std::string_view name) {
            (name.size() <= longest_heading && std::regex_search(std::string(name), factor));
 }
 
+/// Whether a label holds more than letters before a number, as the name of an added material: "FA1_10MgO",
+/// "FA1-NaCl10", "FA1spiked", "FA1_IS10", unlike "FA1a" and "FlyAsh2".
+static bool joins_parts(std::string_view name) {
+    static const WordLists plain("names of samples");
+    static const std::regex behind_number("[0-9]([A-Za-z\x80-\xff]{2,})");
+    static const std::regex formula_or_mark(
+        "[A-Z][a-z][A-Z]|[^A-Za-z](?:IS|ISTD|[Ss]td|STD|[Ss]piked?)(?:[^A-Za-z]|$)|[A-Za-z]{7,}[0-9]");
+    if (name.size() > longest_heading) return true;
+    const std::string text(name);
+    std::smatch match;
+    if (std::regex_search(text, match, behind_number) && !plain.holds(match.str(1))) return true;
+    return words_in(name).size() > 1 && std::regex_search(text, formula_or_mark);
+}
+
 bool may_state_more(std::string_view name) {
     static const WordLists plain("names of samples");
+    if (joins_parts(name)) return true;
     std::vector<std::string> words = words_in(name);
     std::erase_if(words, [](const std::string& word) {
         return word.size() == 1 || std::ranges::all_of(word, is_digit);

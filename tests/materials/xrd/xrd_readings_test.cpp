@@ -118,6 +118,19 @@ TEST_CASE("units, factors and coverages behind names of phases are refused") {
             .standard_uncertainty.value() == doctest::Approx(0.005));
 }
 
+TEST_CASE("names of samples that join a number and more are quoted") {
+    for (const char* name :
+         {"FA1_10MgO", "FA1-10MgO", "FA1-MgO10", "FA1 10MgO", "FA1MgO", "FA1_10NaCl", "FA1_periclase10",
+          "FA1_IS10", "FA1_10IS", "FA1std10", "10MgO_FA1", "FA1spiked", "FA1_spiked10"}) {
+        const std::string text = told(std::string("Sample;Quartz;Glass\n") + name + ";20;80\nFA2;20;80\n");
+        CHECK_MESSAGE(contains(text, std::string("\"") + name + "\""), text);
+    }
+    for (const char* name : {"FA1", "FA1a", "FlyAsh2", "Ash_12", "KW5-2b", "S2"}) {
+        const std::string text = told(std::string("Sample;Quartz;Glass\n") + name + ";20;80\nFA2;20;80\n");
+        CHECK_MESSAGE(!contains(text, "as names of samples alone"), text);
+    }
+}
+
 TEST_CASE("remarks of a column that is not used are quoted behind many words") {
     const std::string text = told(
         "Phase;wt%;Remark\nQuartz;20;a\nMullite;20;b\nHematite;20;c\nLime;20;d\n"
