@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,7 +28,8 @@ class TableReading {
   private:
     struct Group {
         std::string what;
-        std::vector<std::string> headings{};
+        std::vector<std::string> first{};  ///< headings that are shown
+        std::set<std::string> all{};
     };
     std::vector<std::string> facts_{};
     std::vector<Group> groups_{};

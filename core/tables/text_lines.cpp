@@ -227,6 +227,12 @@ bool is_word_for_notes(std::string_view text) {
     return words.holds(trimmed(text));
 }
 
+/// Whether a text begins with such a word and a colon: "Note: measured at 40 kV, 40 mA".
+bool announces_note(std::string_view text) {
+    const auto colon = text.find(':');
+    return colon != std::string_view::npos && is_word_for_notes(text.substr(0, colon));
+}
+
 }  // namespace
 
 bool is_note(std::span<const std::string> cells) {
@@ -238,9 +244,7 @@ bool is_note(std::span<const std::string> cells) {
         return false;
     const bool is_alone =
         std::all_of(first + 1, cells.end(), [](const std::string& cell) { return cell.empty(); });
-    const auto colon = first->find(':');
-    return begins_with_sign(*first) || (!is_alone && is_word_for_notes(*first)) ||
-           (colon != std::string::npos && is_word_for_notes(first->substr(0, colon)));
+    return begins_with_sign(*first) || (!is_alone && is_word_for_notes(*first)) || announces_note(*first);
 }
 
 std::vector<Finding> take_notes(std::vector<TextLine>& lines, std::size_t first, char separator,
@@ -254,11 +258,8 @@ std::vector<Finding> take_notes(std::vector<TextLine>& lines, std::size_t first,
             has_value = has_value || read_number(cell, true) || (texts > 0 && says_no_number(cell));
             ++texts;
         });
-        const std::string_view text = trimmed(lines[i].text);
-        const auto colon = text.find(':');
-        const bool announced =
-            (colon != std::string_view::npos && is_word_for_notes(text.substr(0, colon))) ||
-            (!has_value && is_note(cut_row(lines[i], separator).cells));
+        const bool announced = announces_note(trimmed(lines[i].text)) ||
+                               (!has_value && is_note(cut_row(lines[i], separator).cells));
         if (!announced && has_value) break;
         if (announced || (i > first && lines[i].number > lines[i - 1].number + 1)) kept = i;
     }

@@ -454,9 +454,9 @@ std::optional<Finding> amounts_in_names(const Table& table) {
 }
 
 /// What the columns of a table of fractions or peaks are taken as.
-/// @param scale of the amounts to fractions
-std::string reading_of(const Table& table, Layout layout, bool volumes, double scale,
-                       const std::vector<Entry>& entries, std::size_t samples) {
+/// @param scale of the amounts to fractions @param in_cells whether cells hold uncertainties
+std::string reading_of(const Table& table, Layout layout, bool volumes, double scale, bool in_cells,
+                       std::size_t samples) {
     static constexpr std::array units{"in parts of 1", "in %", "in parts per thousand",
                                       "in ppm"};  // by factors
     const auto unit = static_cast<std::size_t>(
@@ -498,11 +498,7 @@ std::string reading_of(const Table& table, Layout layout, bool volumes, double s
                          divided_by(heading.coverage.factor));
         }
     }
-    const auto in_cell = [](const Entry& entry) {
-        return (entry.amount && entry.amount->standard_uncertainty) ||
-               (entry.intensity && entry.intensity->standard_uncertainty);
-    };
-    if (std::ranges::any_of(entries, in_cell)) reading.add("standard uncertainties in the cells or in rows");
+    if (in_cells) reading.add("standard uncertainties in the cells or in rows");
     return reading.text();
 }
 
@@ -553,9 +549,11 @@ XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) 
     warn_of_ignored(table, layout, result.warnings);
     note_readings(table, layout, result.warnings);
     refuse_oxides(entries, table.heading_line);
-    const std::vector<Group> groups = groups_of(entries);
-    result.reading = reading_of(table, layout, volumes, scale, entries, groups.size());
-    for (const Group& group : groups) {
+    const bool in_cells = std::ranges::any_of(entries, [](const Entry& entry) {
+        return (entry.amount && entry.amount->standard_uncertainty) ||
+               (entry.intensity && entry.intensity->standard_uncertainty);
+    });
+    for (const Group& group : groups_of(std::move(entries))) {
         refuse_repeated(group.entries);
         XrdSample sample = layout == Layout::peaks ? sample_of_peaks(group)
                                                    : sample_of_fractions(group, scale, table.blank_rows);
@@ -565,6 +563,7 @@ XrdResult read_table(const TextLines& file, std::optional<DecimalMark> decimal) 
         result.samples.push_back(
             standardised(sample, group, table, layout == Layout::peaks ? not_stated : scale));
     }
+    result.reading = reading_of(table, layout, volumes, scale, in_cells, result.samples.size());
     for (auto& remark :
          {names_alone(result.samples, table, volumes), amounts_in_names(table), sheet_not_read(table.texts)})
         if (remark) result.warnings.push_back(*remark);

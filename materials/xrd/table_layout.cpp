@@ -299,8 +299,8 @@ bool may_change_amount(const std::string& part, const Table& table) {
         "parts per|fa[ck]tor| x *[0-9]|[0-9] */ *[0-9]|/ *(?:k?g|[0-9]|oo|\u043a\u0433)).*"
         "|[0-9.,k]+ *(?:-|[*]|\u00b7)? *(?:uc?|sd?|se|de|\u0441\u043a\u043e|k|sig|sigma)",
         std::regex::icase);
-    static const std::regex amount(
-        "[^=\u00b1\u00d7]*[0-9][0-9.,]* *%[^=\u00b1\u00d7]*");  // "added 20 %", which is said
+    // "added 20 %" has a remark of its own.
+    static const std::regex amount("[^=\u00b1\u00d7]*[0-9][0-9.,]* *%[^=\u00b1\u00d7]*");
     if (std::regex_match(part, amount)) return false;
     const Heading unit = read_heading("x [" + part + "]");
     const bool is_unit = unit.states == HeadingUnit::weight || unit.states == HeadingUnit::volume ||

@@ -46,7 +46,7 @@ MeasurementSet read_impacts(const CommandOptions& options) {
         set = at_place("--frame-rate, --pixel-size", [&] { return with_camera(std::move(set), camera); });
     }
     warn_of(set.warnings, options["--impacts"]);
-    tell_reading(options["--impacts"], set.reading);
+    print_reading(options["--impacts"], set.reading);
     at_place(FileName{options["--impacts"]}, [&] { check_impacts(set); });
     return options.has("--bin") ? binned(set, {.impacts_per_bin = options.whole("--bin")}) : set;
 }

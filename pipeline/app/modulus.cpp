@@ -411,8 +411,8 @@ void run_modulus_command(const CommandOptions& options, std::ostream& out) {
     }
     warn_of_samples(estimates, &SampleEstimate::warnings, options["file"]);
     warn_of_samples(estimates, &SampleEstimate::oxide_warnings, options["--oxides"]);
-    tell_reading(options["file"], result.reading);
-    if (oxides) tell_reading(options["--oxides"], oxides->reading);
+    print_reading(options["file"], result.reading);
+    if (oxides) print_reading(options["--oxides"], oxides->reading);
     const auto doubts = options.doubts();
     for (SampleEstimate& estimate : estimates) {
         std::vector<Finding> all = result.warnings;

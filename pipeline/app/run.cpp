@@ -73,7 +73,7 @@ void run_run_command(const CommandOptions& options, std::ostream& out) {
     const RunSummary summary = run_stages(plan);
     line.clear();
     tell(summary);
-    tell_readings(summary.files);
+    print_readings(summary.files);
     for (const Artifact& artifact : summary.written)
         if (artifact.file == comparison_artifact)
             out << comparison_text(artifact.document->at("result"), output_width(), summary.scope) << '\n';

@@ -6,6 +6,11 @@
 #include <string>
 #include <vector>
 
+#include <doctest/doctest.h>
+
+#include "core/text/error.hpp"
+#include "tests/support/checks.hpp"
+
 namespace ashimpact::test {
 
 using Cells = std::vector<std::vector<std::string>>;
@@ -56,6 +61,20 @@ inline void for_each_marked(const Cells& rows, const std::function<void(const st
             }
             visit(csv_of(rows) + "\n" + csv_of({row}));
         }
+}
+
+/// Checks that each table with the marker is refused, or that the marker is in what its reader returns.
+/// @param told names, remarks and the like of a table @throws InputError for one that is refused
+inline void check_marked(const Cells& rows, const std::function<std::string(const std::string&)>& told) {
+    for_each_marked(rows, [&](const std::string& table) {
+        std::string text;
+        try {
+            text = told(table);
+        } catch (const InputError&) {
+            return;
+        }
+        CHECK_MESSAGE(contains(text, marker), table);
+    });
 }
 
 }  // namespace ashimpact::test

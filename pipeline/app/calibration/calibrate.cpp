@@ -307,7 +307,7 @@ void run_calibrate_command(const CommandOptions& options, std::ostream& out) {
     }
     refuse_material(options, "--sizes");
     const Run run = compute_run(options.if_given("case"), "contact", options.has("--allow-outside"));
-    tell_readings(run.inputs);
+    print_readings(run.inputs);
     Case data = run.data;
     if (!free.empty()) data.calibration = std::move(free);
     at_place(FileName{options.if_given("case").value_or("built-in case")}, [&] {

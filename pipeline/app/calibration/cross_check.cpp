@@ -170,7 +170,7 @@ std::string check_text(const SampleCheck& check) {
 
 void run_cross_check_command(const CommandOptions& options, std::ostream& out) {
     const Run run = compute_run(options.if_given("case"), "contact", options.has("--allow-outside"));
-    tell_readings(run.inputs);
+    print_readings(run.inputs);
     const Case& data = run.data;
     std::vector<SampleCheck> checks;
     for (std::size_t i = 0; i < data.samples.size(); ++i) {

@@ -338,7 +338,7 @@ std::vector<SizedVelocity> read_sizes(const CommandOptions& options) {
     SizeTable table =
         at_place(FileName{name}, [&] { return read_size_table(bytes, table_options(options), findings); });
     warn_of(findings, name);
-    tell_reading(name, table.reading);
+    print_reading(name, table.reading);
     return std::move(table.rows);
 }
 

@@ -391,16 +391,16 @@ std::optional<double> read_explicit_step(const CommandOptions& options, const Im
                                       : explicit_time_step(impact, steps);
 }
 
-void tell_reading(const std::string& file, const std::string& reading) {
+void print_reading(const std::string& file, const std::string& reading) {
     if (!reading.empty()) spdlog::warn("{}: read as {}", file, reading);
 }
 
-void tell_readings(const std::vector<InputFile>& files) {
+void print_readings(const std::vector<InputFile>& files) {
     constexpr std::size_t most = 12;  // a case may have thousands
     std::size_t tables = 0;
     for (const InputFile& file : files)
         for (const std::string& reading : file.readings)
-            if (++tables <= most) tell_reading(file.file, reading);
+            if (++tables <= most) print_reading(file.file, reading);
     if (tables > most)
         spdlog::warn("and {} more tables, which {} lists under inputs", tables - most, case_artifact);
 }

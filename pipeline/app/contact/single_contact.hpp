@@ -136,8 +136,8 @@ void warn_of(const std::vector<Finding>& findings, const std::string& place = {}
 
 /// Prints how a table was read, as a message that is no warning; held as those are. @param reading empty:
 /// nothing
-void tell_reading(const std::string& file, const std::string& reading);
+void print_reading(const std::string& file, const std::string& reading);
 /// The same of the files of a case, the first of many.
-void tell_readings(const std::vector<InputFile>& files);
+void print_readings(const std::vector<InputFile>& files);
 
 }  // namespace ashimpact

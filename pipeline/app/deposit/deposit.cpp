@@ -286,7 +286,7 @@ Deposition write_deposition(const CommandOptions& options, const TableOptions& t
     require_replaceable(folder / deposit_artifact, R"({"schema": "deposit"})");
     SizesChoice sizes = read_sizes(options["--sizes"], table);
     warn_of(sizes.notes, sizes.file ? sizes.file->file : "--sizes");
-    if (sizes.file) tell_reading(sizes.file->file, sizes.reading);
+    if (sizes.file) print_reading(sizes.file->file, sizes.reading);
     tube.sizes = sizes.words;
     DepositSource source;
     if (options.has("run"))

@@ -930,7 +930,7 @@ std::optional<Finding> zeros_not_noted(const MeasurementSet& set) {
 
 /// "mm/s" of a factor to m/s; "%" of one of fractions.
 std::string unit_of(const MeasuredColumn& column) {
-    if (column.is_relative) return "parts of the value";
+    if (column.is_relative) return "% of the value";
     if (column.is_fraction) return column.to_si == 1 ? "1" : "%";
     constexpr std::array units{std::pair{1.0, "m/s"}, std::pair{1e-2, "cm/s"}, std::pair{1e-3, "mm/s"}};
     const auto* const unit = std::ranges::find(units, column.to_si, &std::pair<double, const char*>::first);
