@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdint>
 #include <fstream>
+#include <optional>
 #include <string_view>
 #include <system_error>
 #include <vector>
@@ -115,10 +116,26 @@ class Staged {
     std::error_code ignored_;
 };
 
+/// The value of "schema" in quotes, where a JSON document begins with it, as our artifacts do: they need not
+/// be parsed as a whole to learn it. None in any other document.
+std::optional<std::string_view> leading_schema(std::string_view document) {
+    const auto skip = [&](std::string_view text) {
+        document.remove_prefix(std::min(document.find_first_not_of(" \t\r\n"), document.size()));
+        const bool present = document.starts_with(text);
+        if (present) document.remove_prefix(text.size());
+        return present;
+    };
+    if (!skip("{") || !skip("\"schema\"") || !skip(":") || !skip("\"")) return std::nullopt;
+    const std::size_t end = document.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-");
+    if (end == std::string_view::npos || document[end] != '"') return std::nullopt;
+    return std::string_view(document.data() - 1, end + 2);
+}
+
 std::string kind_of(std::string_view bytes) {
     for (const std::string_view mark : {own_page_mark, own_figure_mark})
         if (bytes.find(mark) != std::string_view::npos) return std::string(mark);
     if (bytes.starts_with("%PDF")) return "PDF";
+    if (const auto schema = leading_schema(bytes)) return "JSON " + std::string(*schema);
     const Json document = bytes.starts_with('{') ? Json::parse(bytes, nullptr, false) : Json();
     if (document.is_object()) return "JSON " + document.value("schema", Json()).dump();
     return std::string(bytes.substr(0, bytes.find('\n')));

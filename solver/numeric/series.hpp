@@ -129,37 +129,75 @@ template <class Real>
     return (4 - 4.0 / 3 * mantissa) * mantissa - 8.0 / 3 + exponent;
 }
 
+/// nearly_log2() of pairs of numbers.
+[[nodiscard, gnu::always_inline]] inline Pair nearly_log2_of(Pair x) {
+    using Bits = std::uint64_t __attribute__((vector_size(sizeof(Pair))));
+    constexpr int digits = std::numeric_limits<double>::digits - 1;
+    constexpr std::uint64_t sign = 1ULL << 63U;
+    constexpr std::uint64_t half = 1022ULL << digits;
+    constexpr double two_to_digits = 1ULL << digits;  // with an integer below that as its last bits
+    const Bits bits = std::bit_cast<Bits>(x) & ~sign;
+    const Pair exponent =
+        std::bit_cast<Pair>((bits >> digits) | std::bit_cast<std::uint64_t>(two_to_digits)) -
+        (two_to_digits + 1022);
+    const Pair mantissa = std::bit_cast<Pair>((bits & ((1ULL << digits) - 1)) | half);
+    const Pair log = (4 - 4.0 / 3 * mantissa) * mantissa - 8.0 / 3 + exponent;
+    const Pair infinite = Pair{} + std::numeric_limits<double>::infinity();
+    return bits == 0 ? -infinite : log;
+}
+
+/// nearly_log2() of numbers that follow one another.
+template <std::size_t count, class Real>
+[[nodiscard]] std::array<double, count> nearly_log2_from(const Real* x) {
+    std::array<double, count> logs;
+    if constexpr (std::is_same_v<Real, double>) {
+        static_assert(count % 2 == 0);
+        for (std::size_t i = 0; i < count; i += 2) {
+            const Pair pair = nearly_log2_of(pair_at(x + i));
+            std::memcpy(&logs[i], &pair, sizeof pair);
+        }
+    } else {
+        for (std::size_t i = 0; i < count; ++i) logs[i] = nearly_log2(x[i]);
+    }
+    return logs;
+}
+
 /// Radius within which the terms fall off geometrically from the leading ones, by the root test on the last
 /// ten coefficients, since a symmetric start leaves gaps of up to nine zeros; infinite if all ten vanish.
 template <class Real, std::size_t size>
 [[nodiscard]] Real radius(const std::array<Real, size>& c) {
     constexpr std::size_t leading = 3;
     constexpr std::size_t last = 10;
+    constexpr std::size_t begin = size - last;
     static_assert(size > leading + last);
-    constexpr double infinite = std::numeric_limits<double>::infinity();
     static constexpr auto inverse = [] {
         std::array<double, size> of{};
         for (std::size_t n = 1; n < size; ++n) of[n] = 1 / static_cast<double>(n);
         return of;
     }();
     // The decisive pair is sought by logarithms to 0.01: those of all would take a tenth of an impact.
-    std::array<double, leading> first;
-    for (std::size_t m = 0; m < leading; ++m) first[m] = nearly_log2(c[m]);
-    double smallest = infinite;
-    std::size_t from = 0;
+    const std::array<double, leading + 1> first = nearly_log2_from<leading + 1>(c.data());
+    const std::array<double, last> tail = nearly_log2_from<last>(&c[begin]);
+    double smallest = std::numeric_limits<double>::infinity();
     std::size_t to = 0;
-    for (std::size_t n = size - last; n < size; ++n) {
-        const double tail = nearly_log2(c[n]);
-        if (tail == -infinite) continue;
-        std::array<double, leading> log_radius;
-        for (std::size_t m = 0; m < leading; ++m) log_radius[m] = (first[m] - tail) * inverse[n - m];
-        const double largest = std::max({log_radius[0], log_radius[1], log_radius[2]});
-        if (!(largest < smallest)) continue;
-        smallest = largest;
-        from = largest == log_radius[0] ? 0 : largest == log_radius[1] ? 1 : 2;
-        to = n;
+    for (std::size_t i = 0; i < last; i += 2) {
+        const auto log_radius = [&](std::size_t m) {
+            return (first[m] - pair_at(&tail[i])) * pair_at(&inverse[begin + i - m]);
+        };
+        Pair largest = log_radius(0);
+        for (std::size_t m = 1; m < leading; ++m) {
+            const Pair other = log_radius(m);
+            largest = largest < other ? other : largest;
+        }
+        for (std::size_t k = 0; k < 2; ++k) {  // one that vanishes is infinite or no number, and never less
+            const bool less = largest[k] < smallest;
+            smallest = less ? largest[k] : smallest;
+            to = less ? begin + i + k : to;
+        }
     }
     if (std::isinf(smallest)) return static_cast<Real>(smallest < 0 ? 0 : smallest);
+    std::size_t from = 0;
+    while ((first[from] - tail[to - begin]) * inverse[to - from] != smallest) ++from;
     const auto log2_of = [](Real x) { return static_cast<double>(std::log2(std::abs(x))); };
     return std::exp2(static_cast<Real>((log2_of(c[from]) - log2_of(c[to])) * inverse[to - from]));
 }

@@ -55,7 +55,8 @@ class SeriesOfZone {
         : lambda_(static_cast<Real>(other.lambda_)) {
         const auto from = other.all();
         const auto to = all();
-        for (std::size_t k = 0; k < to.size(); ++k) copy_terms(*from[k], *to[k], leading_terms + 1);
+        for (std::size_t k = 0; k < to.size(); ++k)
+            copy_terms(*from[k], *to[k], k < followers ? leading_terms + 1 : leading_terms);
     }
 
     /// Computes coefficient @p n of overlap_by_radius and force; @p radius is known up to n.
@@ -97,28 +98,28 @@ class SeriesOfZone {
         linear_[n + 1] = factor * 4 * lambda_ * lambda_ / 3 * swing_[n];
     }
 
-    Terms overlap_by_radius{};  ///< d(delta)/da
-    Terms force{};
-    Terms attraction{};  ///< a^3 - force
+    Terms overlap_by_radius;  ///< d(delta)/da
+    Terms force;
+    Terms attraction;  ///< a^3 - force
 
   private:
     template <class, class>
     friend class SeriesOfZone;
 
-    /// Every series.
+    /// Every series; first those of which follow() computes a coefficient more than advance().
     [[nodiscard]] auto all() { return all_of(*this); }
     [[nodiscard]] auto all() const { return all_of(*this); }
     template <class Self>
     [[nodiscard]] static auto all_of(Self& self) {
-        return std::array{&self.overlap_by_radius,
-                          &self.force,
-                          &self.attraction,
-                          &self.angle_,
+        return std::array{&self.angle_,
                           &self.outer_,
                           &self.sine_,
                           &self.cosine_,
                           &self.quadratic_,
                           &self.linear_,
+                          &self.overlap_by_radius,
+                          &self.force,
+                          &self.attraction,
                           &self.radius_fall_,
                           &self.angle_rate_,
                           &self.swing_,
@@ -137,13 +138,14 @@ class SeriesOfZone {
                           &self.radius_squared_,
                           &self.spread_};
     }
+    static constexpr std::size_t followers = 6;
 
     Real lambda_;
-    Terms angle_{}, outer_{}, sine_{}, cosine_{}, quadratic_{}, linear_{};
-    Terms radius_fall_{}, angle_rate_{}, swing_{}, sine_cosine_{}, angle_cosine_{}, outer_squared_{}, wall_{},
-        pull_{};
-    Terms numerator_{}, denominator_{}, m_{}, cosine_m_{}, turn_{}, gain_{}, cosine_gain_{};
-    Terms radius_squared_{}, spread_{};
+    // Each series has the coefficients that advance() and follow() have computed, and no others.
+    Terms angle_, outer_, sine_, cosine_, quadratic_, linear_;
+    Terms radius_fall_, angle_rate_, swing_, sine_cosine_, angle_cosine_, outer_squared_, wall_, pull_;
+    Terms numerator_, denominator_, m_, cosine_m_, turn_, gain_, cosine_gain_;
+    Terms radius_squared_, spread_;
 };
 
 CohesiveMotion::CohesiveMotion(const CohesiveZone& zone, const ScaledDamping<Extended>& damping,
@@ -267,7 +269,7 @@ class TouchingBranch::Terms {
         copy_terms(other.drag, drag, leading_terms);
         copy_terms(other.radius_, radius_, leading_terms);
         copy_terms(other.rate_, rate_, leading_terms);
-        copy_terms(other.share_, share_, leading_terms);
+        if (branch_->follows_attraction_) copy_terms(other.share_, share_, leading_terms);
     }
 
     /// Computes coefficient @p n; @p position is known up to n.
@@ -294,10 +296,10 @@ class TouchingBranch::Terms {
     [[nodiscard]] const Series<Real, Goal>& force() const { return zone_.force; }
     [[nodiscard]] bool damped() const { return !damping_.is_zero() || branch_->follows_attraction_; }
 
-    Series<Real, Goal> slope{};      ///< delta'
-    Series<Real, Goal> damping{};    ///< eta
-    Series<Real, Goal> stiffness{};  ///< delta' F
-    Series<Real, Goal> drag{};       ///< delta' eta
+    Series<Real, Goal> slope;      ///< delta'
+    Series<Real, Goal> damping;    ///< eta
+    Series<Real, Goal> stiffness;  ///< delta' F
+    Series<Real, Goal> drag;       ///< delta' eta
 
   private:
     template <class, class>
@@ -307,9 +309,9 @@ class TouchingBranch::Terms {
     SeriesOfZone<Real, Goal> zone_;
     SparsePolynomial<Real> damping_, per_attraction_;
     PowerSeries<Real, Goal> powers_;
-    Series<Real, Goal> radius_{};
-    Series<Real, Goal> rate_{};   ///< of the contact radius
-    Series<Real, Goal> share_{};  ///< of the attraction in the damping
+    Series<Real, Goal> radius_;
+    Series<Real, Goal> rate_;   ///< of the contact radius
+    Series<Real, Goal> share_;  ///< of the attraction in the damping
 };
 
 MotionExpansion<Extended> TouchingBranch::expand(const MotionState<Extended>& state, int sense) const {
