@@ -146,6 +146,14 @@ CohesiveState CohesiveZone::in_gap(Extended c) {
 
 CohesiveState CohesiveZone::at_contact_radius(Extended a) const {
     if (a <= 0) return join_;
+    // The last state of each thread is kept: overlap, force and potential of one place follow one another.
+    struct Known {
+        Extended lambda = 0;
+        Extended radius = 0;
+        CohesiveState state{};
+    };
+    thread_local Known last;
+    if (last.lambda == lambda_ && last.radius == a) return last.state;
     const Extended guess =
         1 / (std::cbrt(lambda_ * a * a / 1.5_ext) + std::sqrt(lambda_ * lambda_ * a / 1.5_ext));
     // Most of the way in double, which is several times as fast.
@@ -154,7 +162,10 @@ CohesiveState CohesiveZone::at_contact_radius(Extended a) const {
     const bool known = std::isnormal(near) && near > 0;
     const Extended t = tangent_at_radius<Extended>(lambda_, a, known ? static_cast<Extended>(near) : guess);
     const Extended secant = std::sqrt(1 + t * t);
-    return {.angle = std::atan(t), .sine = t / secant, .cosine = 1 / secant, .cohesive_radius = a * secant};
+    last = {lambda_,
+            a,
+            {.angle = std::atan(t), .sine = t / secant, .cosine = 1 / secant, .cohesive_radius = a * secant}};
+    return last.state;
 }
 
 CohesiveState CohesiveZone::at_overlap(Extended delta) const {

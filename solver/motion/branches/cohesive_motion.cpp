@@ -333,16 +333,17 @@ MotionExpansion<Extended> TouchingBranch::expanded(const MotionState<Extended>& 
         digits_of_start.velocity[0] = start.velocity;
         digits_of_start.time[0] = start.time;
         digits_of_start.dissipation[0] = start.dissipation;
-        return joined(digits_of_start, 1, x);
+        append(x, 1, digits_of_start);
+        return digits_of_start;
     };
     if (sense > 0 && may_creep(begin, steps.terms().stiffness[0], steps.terms().drag[0]))
         if (const auto creep = expand_creep(begin, terms_at_start)) return widened(*creep);
-    MotionExpansion<Real> x = expansion_of(steps);
-    x.step *= sense / (std::numbers::e_v<Real> * std::numbers::e_v<Real>);
+    complete_expansion(steps);
+    steps.x.step *= sense / (std::numbers::e_v<Real> * std::numbers::e_v<Real>);
     if constexpr (std::is_same_v<Real, Extended>)
-        return x;
+        return steps.x;
     else
-        return widened(x);
+        return widened(steps.x);
 }
 
 TouchingBranch::Statics TouchingBranch::statics(Extended q) const {

@@ -23,21 +23,18 @@ template <std::size_t size>
         terms, [](double x) { return x == 0.0 || (std::abs(x) > 1e-200 && std::abs(x) < 1e200); });
 }
 
-/// The first @p count terms of @p leading and those of @p rest beyond.
+/// Copies the terms of @p rest from the @p first one on, and its step, into an expansion of another number
+/// type.
 template <class Goal, class Rest>
-[[nodiscard]] MotionExpansion<Goal> joined(const MotionExpansion<Goal>& leading, std::size_t count,
-                                           const Rest& rest) {
-    MotionExpansion<Goal> all;
-    const auto join = [count](const auto& first, const auto& others, auto& to) {
-        copy_terms(others, to, others.size());
-        copy_terms(first, to, count);
+void append(const Rest& rest, std::size_t first, MotionExpansion<Goal>& all) {
+    const auto copy = [first](const auto& from, auto& to) {
+        for (std::size_t n = first; n < from.size(); ++n) to[n] = static_cast<Goal>(from[n]);
     };
-    join(leading.position, rest.position, all.position);
-    join(leading.velocity, rest.velocity, all.velocity);
-    join(leading.time, rest.time, all.time);
-    join(leading.dissipation, rest.dissipation, all.dissipation);
+    copy(rest.position, all.position);
+    copy(rest.velocity, all.velocity);
+    copy(rest.time, all.time);
+    copy(rest.dissipation, all.dissipation);
     all.step = static_cast<Goal>(rest.step);
-    return all;
 }
 
 /// The expansion of a motion term by term, in number type Real, for sums to the rounding of Goal.
@@ -104,26 +101,26 @@ class MotionSteps {
     Series<Real, Goal> braking_;
 };
 
-/// The expansion to the rounding of Goal, with the radius of convergence as its step: the leading terms in
-/// that number type, the others in double if they are in its range, since that takes a third of the time.
-/// @param exact with the terms of the start alone
+/// Completes the expansion to the rounding of Goal, with the radius of convergence as its step: the leading
+/// terms in that number type, the others in double if they are in its range, since that takes a third of the
+/// time. @param steps with the terms of the start alone
 template <template <class, class> class Terms, class Goal>
-[[nodiscard]] MotionExpansion<Goal> expansion_of(MotionSteps<Terms, Goal>& exact) {
+void complete_expansion(MotionSteps<Terms, Goal>& steps) {
     constexpr std::size_t order = taylor_order<Goal>;
     std::size_t known = 0;
     if constexpr (!std::is_same_v<Goal, double>) {
-        exact.advance(0, leading_terms);
-        MotionSteps<Terms, double, Goal> rest(exact);
+        steps.advance(0, leading_terms);
+        MotionSteps<Terms, double, Goal> rest(steps);
         rest.advance(leading_terms, order);
         if (fits_double(rest.x.position) && fits_double(rest.x.velocity) && fits_double(rest.x.time)) {
             rest.x.step = rest.convergence();
-            return joined(exact.x, leading_terms + 1, rest.x);
+            append(rest.x, leading_terms + 1, steps.x);
+            return;
         }
         known = leading_terms;
     }
-    exact.advance(known, order);
-    exact.x.step = exact.convergence();
-    return exact.x;
+    steps.advance(known, order);
+    steps.x.step = steps.convergence();
 }
 
 }  // namespace ashimpact

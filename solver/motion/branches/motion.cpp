@@ -62,11 +62,12 @@ MotionExpansion<Real> expand_on(const MotionPiece<Real>& piece, const MotionStat
         if (const auto creeping = expand_creep(state, [&] { return PieceTerms<Real>(piece); }))
             return *creeping;
     MotionSteps<PieceTerms, Real> steps(state, piece);
-    MotionExpansion<Real> x = expansion_of(steps);
-    const bool uniform = x.step == std::numeric_limits<Real>::infinity();
+    complete_expansion(steps);
+    Real& step = steps.x.step;
+    const bool uniform = step == std::numeric_limits<Real>::infinity();
     constexpr Real e = std::numbers::e_v<Real>;  // radius/e^2: the step of taylor_order
-    x.step = Real(sense) * (uniform ? uniform_step(state) : x.step / (e * e));
-    return x;
+    step = Real(sense) * (uniform ? uniform_step(state) : step / (e * e));
+    return steps.x;
 }
 
 /// Ends the step where the coordinate leaves [lower, upper], or just beyond the turn if it leaves after one.
