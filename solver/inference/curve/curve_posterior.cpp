@@ -223,6 +223,8 @@ LikeliestCurve CurvePosterior::fitted(double log_critical_velocity, const Scatte
     // outlier.
     constexpr std::array additions{0.4,  0.3,  0.2, 0.14, 0.1, 0.07, 0.05, 0.035,
                                    0.02, 0.01, 0.0, 0.0,  0.0, 0.0,  0.0,  0.0};
+    static const std::array terms_along{OnsetCurve::terms(0.03), OnsetCurve::terms(0.3),
+                                        OnsetCurve::terms(1.0), OnsetCurve::terms(2.0)};
     const CoefficientPrior& prior = coefficient_prior();
     const double freedom = prior_.noise_known ? stated_freedom : unstated_freedom;
     const double expected_noise = start.noise;
@@ -250,6 +252,7 @@ LikeliestCurve CurvePosterior::fitted(double log_critical_velocity, const Scatte
         double squares = 0.0;
         for (std::size_t i = 0; i < shifted.size(); ++i) {
             const RecordedImpact& impact = (*impacts_)[i];
+            if (!last && impact.recorded != Recorded::rebound) continue;
             const RecordFit fit = fit_of(coefficients, shifted[i], impact, addition);
             if (last) log_density += impact.count * std::log(std::max(fit.probability, 1e-300));
             if (impact.recorded != Recorded::rebound) continue;
@@ -266,8 +269,7 @@ LikeliestCurve CurvePosterior::fitted(double log_critical_velocity, const Scatte
                 factor.matrixLLT().diagonal().array().log().sum() + prior.deviation.array().log().sum();
         const Vector step = factor.solve(gradient);
         double longest = 0.0;
-        for (const double y : {0.03, 0.3, 1.0, 2.0})
-            longest = std::max(longest, std::abs(OnsetCurve::terms(y).dot(step)));
+        for (const Vector& terms : terms_along) longest = std::max(longest, std::abs(terms.dot(step)));
         coefficients += std::min(1.0, 1.5 / longest) * step;
         if (addition >= 0.015) continue;
         // Maximum likelihood of the noise: each impact counts by the share of noise in its variance, and the
