@@ -316,13 +316,15 @@ Propagation propagate_critical_velocity(const DampingCurveFit& fit, const Contac
                 entry.velocities.push_back(SharedVelocity::of(velocity));
         return entry;
     };
+    std::optional<double> near;  // from which the searches for each draw begin
+    if (fit.critical_velocity.value > 0) near = fit.critical_velocity.value;
     const auto critical = [&](std::span<const double> values) -> std::optional<double> {
         const DrawnCurve& entry = curve_of(values.first(count));
         const ContactModel other(model.shared_map(), contact_of(values.subspan(count)));
         if (change == DampingUnderChange::held)
-            return other.critical_velocity_anywhere(entry.coefficients[0]);
+            return other.critical_velocity_anywhere(entry.coefficients[0], near);
         if (entry.velocities.empty()) return std::nullopt;
-        return other.critical_velocity_anywhere(rereading.critical_damping(other, entry.velocities));
+        return other.critical_velocity_anywhere(rereading.critical_damping(other, entry.velocities), near);
     };
     return propagate(inputs, critical, options);
 }

@@ -463,9 +463,10 @@ std::optional<VelocityAt> ContactModel::found_velocity(double restitution, doubl
     return std::nullopt;
 }
 
-std::optional<double> ContactModel::critical_velocity_anywhere(double damping) const {
+std::optional<double> ContactModel::critical_velocity_anywhere(double damping,
+                                                               std::optional<double> guess) const {
     if (!(damping > 0.0)) return std::nullopt;
-    if (const auto tabulated = velocity(0.0, damping)) return tabulated->value;
+    if (const auto tabulated = velocity(0.0, damping, guess)) return tabulated->value;
     return ashimpact::critical_velocity(
                {map_->law(), map_->detachment(), {DampingLaw::constant, damping}, contact_})
         .value;

@@ -70,8 +70,9 @@ class ContactModel {
     [[nodiscard]] std::optional<VelocityAt> velocity(const RestitutionSection& section, double damping,
                                                      std::optional<double> guess = std::nullopt) const;
     /// The velocity up to which impacts are captured, solved by integration if it lies outside range(); none
-    /// if there is no finite critical velocity, or the damping is not positive [m/s].
-    [[nodiscard]] std::optional<double> critical_velocity_anywhere(double damping) const;
+    /// if there is no finite critical velocity, or the damping is not positive [m/s]. @param guess [m/s]
+    [[nodiscard]] std::optional<double> critical_velocity_anywhere(
+        double damping, std::optional<double> guess = std::nullopt) const;
     /// Restitution of an impact, 0 for a capture [1]. @param velocity within range() [m/s]
     [[nodiscard]] double restitution(double velocity, double damping) const;
     /// Options of rebound_restitution().
