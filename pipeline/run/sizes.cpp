@@ -17,6 +17,7 @@
 #include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
 #include "solver/batch/parallel.hpp"
+#include "solver/contact/law.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/statistics/interval.hpp"
@@ -193,8 +194,14 @@ bool gives_samples(const SizeSources& sources, const std::vector<MeasuredSize>& 
                    const FittedDamping& fitted) {
     return std::ranges::all_of(sizes, [&](const MeasuredSize& size) {
         try {
-            const auto velocity =
-                critical_velocity_of(sources, fitted.damping(), contact_with(fitted, size.contact));
+            const ContactPair contact = contact_with(fitted, size.contact);
+            // An orbit that escapes takes far longer than the impact that shows v_c to be too high.
+            const double greatest = agreement_factor * size.velocity.value;
+            if (is_cohesive(sources.choice.law, contact) &&
+                restitution_of({sources.choice.law, sources.choice.detachment, fitted.damping(), contact,
+                                greatest}) == 0)
+                return false;
+            const auto velocity = critical_velocity_of(sources, fitted.damping(), contact);
             return velocity &&
                    std::abs(std::log(*velocity / size.velocity.value)) <= std::log(agreement_factor);
         } catch (const ConvergenceError&) {
