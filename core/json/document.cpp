@@ -314,7 +314,9 @@ Json as_read_back(Json document) {
             *it = as_read_back(std::move(*it));
         }
     if (!document.is_number_float()) return document;
-    const std::string text = json_number(document.get<double>(), Digits::shortest);
+    const double number = document.get<double>();
+    if (number != std::trunc(number)) return document;
+    const std::string text = json_number(number, Digits::shortest);
     return text.find_first_of(".e") == std::string::npos ? Json::parse(text) : document;
 }
 

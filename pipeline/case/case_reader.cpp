@@ -135,7 +135,7 @@ std::map<std::string, PublishedSample> read_published_set(const View& document, 
         const bool carried = embedded_file(built_in).has_value();
         at_place(FileName{carried ? built_in : files.shown(name->text())}, [&] {
             const Json json = parse_json(carried ? files.read_built_in(built_in) : files.read(name->text()));
-            validate_document(json, "published");
+            if (!carried) validate_document(json, "published");  // a test makes sure of ours
             const View set(json);
             add_findings(implausible_values(json.at("samples"), "/samples"), {}, findings);
             for (const auto& [sample, values] : set.at("samples").members())

@@ -9,14 +9,18 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
 #include "core/embedded.hpp"
+#include "core/json/document.hpp"
 #include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
+#include "pipeline/files/schema.hpp"
 #include "pipeline/run/laws_by_size.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/calibration/velocities_over_sizes.hpp"
@@ -61,6 +65,18 @@ const std::string silver = "--density '10490 kg/m3' --contact-modulus '43.2 GPa'
 
 // JKR alone: W_s ~ (w^5 R^4/E*^2)^(1/3) = m v^2/2. Fully plastic: the contact that adhesion holds is a ~ w
 // E*/p_y^2 at every size, and its loading takes p_y a^4/R = m v^2/2.
+TEST_CASE("files of measured and published values that the program carries fit their schemas") {
+    std::size_t checked = 0;
+    for (const auto& [folder, schema] :
+         {std::pair("measured/", "literature"), std::pair("published/", "published")})
+        for (const std::string_view path : embedded_files(folder)) {
+            CAPTURE(path);
+            CHECK_NOTHROW(validate_document(parse_json(embedded_file(path).value()), schema));
+            ++checked;
+        }
+    CHECK(checked > 2);
+}
+
 TEST_CASE("v_c falls with d^-5/6 by elastic adhesion and with d^-2 in the fully plastic limit") {
     struct {
         Law law;
