@@ -118,8 +118,8 @@ std::string_view bracket_of(std::string_view cell) {
     return inside.find_first_not_of("0123456789.,") == std::string_view::npos ? inside : std::string_view{};
 }
 
-/// Reads a number, also "(12.3 ± 0.4) %" and "12.3 (± 0.4)". @throws InputError for "12.3 ± 3 %" and "12.3 %
-/// ± 3 %"
+/// Reads a number, also "(12.3 ± 0.4) %" and "12.3 (± 0.4)". @throws InputError for "12.3 ± 3 %",
+/// "12.3 (± 3 %)" and "12.3 % ± 3 %"
 std::optional<PrintedNumber> read_with_uncertainty(std::string_view text) {
     text = trimmed(text);
     if (text.starts_with('(')) {
@@ -134,14 +134,15 @@ std::optional<PrintedNumber> read_with_uncertainty(std::string_view text) {
     }
     const auto open = text.find("(\u00b1");
     const bool in_bracket = open != std::string_view::npos && text.find(')') + 1 == text.size();
-    const auto number = in_bracket ? read_number(std::string(text.substr(0, open)) +
-                                                 std::string(text.substr(open + 1, text.size() - open - 2)))
-                                   : read_number(text);
+    const std::string plain(in_bracket ? std::string(text.substr(0, open)) +
+                                             std::string(text.substr(open + 1, text.size() - open - 2))
+                                       : text);
+    const auto number = read_number(plain);
     if (!number || !number->per_cent || !number->standard_uncertainty) return number;
-    const auto sign = text.find('%');
-    if (sign + 1 < text.size() && text.ends_with('%'))
+    const auto sign = plain.find('%');
+    if (sign + 1 < plain.size() && plain.ends_with('%'))
         refuse_two_per_cents(text, number->value, *number->standard_uncertainty, "({} \u00b1 {}) %");
-    if (sign + 1 < text.size() || text.find_first_of("+\xb1", 1) == std::string_view::npos) return number;
+    if (sign + 1 < plain.size() || plain.find_first_of("+\xb1", 1) == std::string::npos) return number;
     const std::string uncertainty = shortest(*number->standard_uncertainty);
     throw InputError("in " + in_quotes(text) + " the uncertainty is " + uncertainty + " % of " +
                          shortest(number->value) + ", or " + uncertainty + " in the unit of the value",

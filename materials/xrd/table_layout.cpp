@@ -340,7 +340,8 @@ void require_plain_name(const std::string& name, const Table& table, std::size_t
         if (name.find(sign) != std::string::npos && !std::ranges::any_of(name, is_digit) &&
             !(sign == "%" && std::ranges::any_of(table.headings, states_per_cent)))
             refuse(sign);
-    if (has_sign_of_bound(name) || (name.size() <= longest_heading && std::regex_match(name, nothing_said)))
+    if (has_sign_of_bound(name) || name.ends_with('?') ||
+        (name.size() <= longest_heading && std::regex_match(name, nothing_said)))
         throw InputError(
             "the sign in the name " + in_quotes(name) + " may make its amount a bound or doubtful",
             "the name alone, and \"< 12.3\" in the cell of a bound")
@@ -354,6 +355,32 @@ void require_plain_name(const std::string& name, const Table& table, std::size_t
     if (open == std::string::npos || name.find_last_of(")]") != name.size() - 1) return;
     const std::string part(trimmed(std::string_view(name).substr(open + 1, name.size() - open - 2)));
     if (may_change_amount(part, table)) refuse(part);
+}
+
+/// Whether the name of a row is set off from those above it: "- Albite", "(Albite)".
+bool is_set_off(std::string_view name) {
+    constexpr std::array<std::string_view, 8> marks{"-",      "\u2013", "\u2014", "\u2022",
+                                                    "\u00b7", "\u2514", "\u251c", "\u21b3"};
+    const auto begins_with = [&](std::string_view mark) { return name.starts_with(mark); };
+    const bool in_bracket = name.starts_with('(') && name.find(')') == name.size() - 1;
+    return in_bracket || std::ranges::any_of(marks, begins_with);
+}
+
+/// Refuses rows that may be counted in the row above them. @throws InputError
+void refuse_parts_of_rows(const Table& table) {
+    const std::size_t label = *table.column(Role::phase);
+    bool is_below = false;
+    for (const TableRow& row : table.rows) {
+        const std::string& name = row.cells[label];
+        if (is_below && is_set_off(name))
+            throw InputError(in_quotes(name) + " may be a part of the row above it, or a phase beside it",
+                             "the name alone, or a table without the row that holds its parts")
+                .at(at_cell(row.line, label));
+        if (name.empty() || is_set_off(name)) continue;
+        is_below = std::ranges::any_of(row.cells, [&](const std::string& cell) {  // unlike "Feldspars;;"
+            return &cell != &name && read_number(cell, true).has_value();
+        });
+    }
 }
 
 /// Whether a row names its sample.
@@ -1693,6 +1720,7 @@ bool by_volume(const Table& table, Layout layout) {
 }
 
 std::vector<Entry> entries_of(const Table& table, Layout layout) {
+    if (table.has(Role::phase)) refuse_parts_of_rows(table);
     if (layout == Layout::one_column_a_phase) return wide_entries(table, Role::sample);
     if (layout == Layout::one_column_a_sample) return wide_entries(table, Role::phase);
     return long_entries(table, layout);

@@ -837,6 +837,8 @@ TEST_CASE("marks in numbers have one reading, by the other numbers of the table,
     CHECK(NumberMarks().read("12.3 (\u00b10.4)", 0)->standard_uncertainty == 0.4);
     CHECK(NumberMarks().read("12.3 (\u00b1 0.4)", 0)->value == 12.3);
     CHECK_FALSE(NumberMarks().read("12.3 (\u00b1)", 0));
+    for (const char* text : {"12.3 (\u00b1 3 %)", "12.3 (\u00b13%)", "12.3 % (\u00b1 3 %)"})
+        CHECK_THROWS_AS((void)NumberMarks().read(text, 0), InputError);
     NumberMarks of_sheet({}, true);
     of_sheet.may_hold_thousands(0);
     for (const char* stored : {"1.25", "1530.7", "1.253"}) of_sheet.see(stored, 0);

@@ -69,6 +69,9 @@ NumberFormat format_of_code(std::string_view code) {
         FormatSection& section = format.back();
         const bool is_date = section.format == Format::date;  // whose letters may be quoted digits
         if (!is_date && std::ranges::count(between, '%') > 1) section.format = Format::unknown;
+        const std::string_view suffix = trimmed(section.suffix);  // "(4)", of the last digits shown
+        if (suffix.starts_with('(') && suffix.find_first_of("0123456789") != std::string_view::npos)
+            section.format = Format::unknown;
         between.clear();
     };
     for (std::size_t i = 0; i < code.size(); ++i) {

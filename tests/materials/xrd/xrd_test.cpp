@@ -818,6 +818,22 @@ TEST_CASE("columns of uncertainties by the name before them") {
                        "holds no weight or volume fractions, and is not the name of a sample"));
 }
 
+TEST_CASE("rows that may be parts of the row above them are refused") {
+    const auto with_row = [](const std::string& above, const std::string& name) {
+        return "Phase;wt%\nQuartz;20\n" + above + "\n" + name + ";5\nGlass;70\n";
+    };
+    for (const char* name : {"- Albite", "\u2013 Albite", "\u2022 Albite", "(Albite)"})
+        CHECK(contains(input_error_of([&] { return read_xrd(with_row("Plagioclase;5", name), "t.csv"); }),
+                       "line 4, cell 1: " + in_quotes(name) +
+                           " may be a part of the row above it, or a phase beside it"));
+    CHECK_NOTHROW((void)read_xrd(with_row("Feldspars;", "- Albite") + "Hematite;5\n", "t.csv"));
+    CHECK(contains(input_error_of([&] { return read_xrd(with_row("Lime;5", "Hematite?"), "t.csv"); }),
+                   "the sign in the name \"Hematite?\" may make its amount a bound or doubtful"));
+    CHECK(contains(
+        input_error_of([&] { return read_xrd("Phase;wt%\nQuartz;20 (\u00b1 3 %)\nGlass;80\n", "t.csv"); }),
+        "3 % of 20, or 3 in the unit of the value"));
+}
+
 TEST_CASE("rows of uncertainties behind each sample") {
     for (const auto& [first, second] :
          {std::pair{"esd", "esd"}, {"\u00b1", "\u00b1"}, {"A esd", "B esd"}, {"A (SD)", "B (SD)"}}) {
