@@ -334,6 +334,7 @@ TEST_CASE("cells of .xlsx hold what the spreadsheet shows") {
                                       {"0:00", "123 (in a number format that may change it)"},
                                       {"0.0 x", "123 (in a number format that may change it)"},
                                       {"[Unknown]0", "123 (in a number format that may change it)"},
+                                      {"0.0\"(4)\"", "123 (in a number format that may change it)"},
                                       {"[$-407]#\\ ##0.00", "123"},
                                       {"[Blue]#,##0.0_);[Red](#,##0.0)", "123"},
                                       {"0.00E+00", "123"},
