@@ -1085,6 +1085,9 @@ class OxideSampleMaker {
         if (std::ranges::any_of(column_.cells, in_per_cent))
             sample_.warnings.push_back(uncertainties_in_per_cent(glass_code));
         if (const auto doubt = small_.finding(glass_code)) sample_.warnings.push_back(*doubt);
+        if (!not_found_.empty())
+            note("read as not found, zero: " + joined(not_found_) +
+                 "; the cell of an oxide that was not determined is empty or \"-\"");
         if (!missing_.empty()) note("no amount is given of " + joined(missing_) + ": not in the glass");
         merge_iron();
         check_total();
@@ -1109,8 +1112,28 @@ class OxideSampleMaker {
         sample_.warnings.push_back({glass_code, severity, std::move(text)});
     }
 
+    /// Refuses an amount up to 1 without a sign beside others "52.3 %": it may be a fraction.
+    void refuse_small_without_sign() const {
+        const auto has_sign = [](const OxideCell& cell) {
+            return cell.what.role == OxideRole::oxide && trimmed(cell.text).ends_with('%');
+        };
+        if (std::ranges::none_of(column_.cells, has_sign)) return;
+        for (const OxideCell& cell : column_.cells) {
+            if (cell.what.role != OxideRole::oxide || has_sign(cell) || says_not_found(trimmed(cell.text)))
+                continue;
+            const auto number = number_of(cell, marks_);
+            if (number && number->value > 0 && number->value <= 1 && number->scale.value_or(0.01) == 0.01)
+                throw InputError("the amount " + in_quotes(trimmed(cell.text)) + " of " +
+                                     cell.what.heading.text +
+                                     " has no sign, others are in %: it may be per cent or a fraction",
+                                 "% in all cells (in a spreadsheet one number format for all)")
+                    .at(at_cell(cell.line, cell.column));
+        }
+    }
+
     /// Scale of amounts without a unit, from their sum.
     void find_scale() {
+        refuse_small_without_sign();
         double sum = 0;
         bool any = false;
         bool in_per_cent = false;
@@ -1145,6 +1168,9 @@ class OxideSampleMaker {
             note(at_line(cell.line) + ": " + in_quotes(cell.uncertainty) + " beside " + name +
                  ", which has no amount, is not read");
         if (!number) return;
+        const std::string_view text = trimmed(cell.text);
+        if (cell.what.role == OxideRole::oxide && says_not_found(text) && number->value == 0)
+            not_found_.push_back(name + " (" + in_quotes(text) + ")");
         const double scale = number->scale.value_or(scale_);
         if (cell.what.role == OxideRole::trace) {
             if (scale > 1e-6)
@@ -1267,7 +1293,8 @@ class OxideSampleMaker {
     double listed_ = 0;
     double traces_ = 0;
     std::vector<std::string> trace_names_{};
-    std::vector<std::string> missing_{};  ///< oxides without a number
+    std::vector<std::string> missing_{};    ///< oxides without a number
+    std::vector<std::string> not_found_{};  ///< with what their cells say
     std::optional<double> total_{};
     std::vector<Iron> iron_{};
 };

@@ -46,17 +46,20 @@ double scale_of(const Table& table, const std::vector<Entry>& entries, std::vect
     double largest = 0;
     const Entry* bare = nullptr;
     const Entry* signed_cell = nullptr;
+    const Entry* small = nullptr;  // without a sign, up to 1: a cell of a sheet that shows others in per cent
     for (const Entry& entry : entries) {
         if (!entry.amount) continue;
         if (entry.amount->value > 0) (entry.amount->per_cent ? signed_cell : bare) = &entry;
+        if (entry.amount->value > 0 && entry.amount->value <= 1 && !entry.amount->per_cent) small = &entry;
         largest = std::max(largest, entry.amount->value);
     }
-    if (!per_cent && signed_cell != nullptr && bare != nullptr)
+    if (per_cent) bare = small;
+    if (signed_cell != nullptr && bare != nullptr)
         refuse_line(bare->line,
                     fmt::format("the amount {} of {} has no sign, others of the table are in %: it may be "
                                 "per cent or a fraction",
                                 shortest(bare->amount->value), in_quotes(bare->phase)),
-                    "the unit in the heading, or % in all cells");
+                    "% in all cells (in a spreadsheet one number format for all)");
     per_cent = per_cent || signed_cell != nullptr;
     if (per_cent != fraction) return per_cent ? 0.01 : 1;
     const bool seems_per_cent = largest > 1;
@@ -231,6 +234,11 @@ XrdSample sample_of_fractions(const Group& group, double scale, const BlankRows&
             continue;
         }
         if (meaning == RowMeaning::crystalline_total) {
+            if (fraction > 0 && fraction <= 0.01 && !entry.amount->per_cent)
+                refuse_line(entry.line,
+                            fmt::format("{} is {}: it may be that in the unit of the table, or a fraction",
+                                        in_quotes(entry.phase), shortest(entry.amount->value)),
+                            "the same unit as that of the phases, or % in its cell");
             sample.analysis.amorphous =
                 CrystallineTotal{.value = std::min(fraction, 1.0), .standard_uncertainty = uncertainty};
             if (fraction > 1 - default_closure_tolerance) whole = entry.phase;

@@ -202,6 +202,10 @@ TEST_CASE("uncertainties of oxides may stand behind other columns, and marks bes
         only("Oxide;Massenanteil;Messunsicherheit\nSiO2;60 %;5 %\nAl2O3;40 %;5 %\nK2O;;\n");
     CHECK(tells(relative.warnings, "the uncertainties in % are taken as per cent of the sample"));
     CHECK(tells(relative.warnings, "no amount is given of K2O: not in the glass"));
+    CHECK(tells(only("Oxide;wt%\nSiO2;60\nAl2O3;40\nNa2O;n.d.\n").warnings,
+                "read as not found, zero: Na2O (\"n.d.\"); the cell of an oxide that was not determined"));
+    CHECK(contains(refused("Oxide;wt%\nSiO2;60 %\nAl2O3;39 %\nNa2O;0.01\n"),
+                   "line 4, cell 2: the amount \"0.01\" of Na2O has no sign, others are in %"));
     for (const char* heading : {"wt% (LOI-free)", "wt% (ignited)", "Gew.-% (gegl\u00fcht)", "FA1 ignited"})
         CHECK_FALSE(only("oxide;" + std::string(heading) + "\nSiO2;60\nAl2O3;40\n").analysis.ignited.empty());
 }

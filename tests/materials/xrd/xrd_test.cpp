@@ -834,6 +834,15 @@ TEST_CASE("rows that may be parts of the row above them are refused") {
         "3 % of 20, or 3 in the unit of the value"));
 }
 
+TEST_CASE("small numbers without a sign beside per cent are refused") {
+    for (const char* table : {"Phase;wt%\nQuartz;34.1 %\nMullite;0.159\n",
+                              "Phase;wt%\nQuartz;68.2 %\nMullite;31.8 %\nTotal crystalline;0.5\n",
+                              "Phase;amount\nQuartz;68.2\nMullite;31.8\nTotal crystalline;0.5\n",
+                              "Sample;Quartz [wt%];Mullite [wt%];Total crystalline\nFA1;68.2;31.8;0.5\n"})
+        CHECK(contains(input_error_of([&] { return read_xrd(table, "t.csv"); }), "fraction"));
+    CHECK_NOTHROW((void)read_xrd("Phase;wt%\nQuartz;34.1 %\nMullite;15.9\n", "t.csv"));
+}
+
 TEST_CASE("rows of uncertainties behind each sample") {
     for (const auto& [first, second] :
          {std::pair{"esd", "esd"}, {"\u00b1", "\u00b1"}, {"A esd", "B esd"}, {"A (SD)", "B (SD)"}}) {
