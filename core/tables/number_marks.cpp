@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 
@@ -147,8 +148,8 @@ std::optional<PrintedNumber> read_with_uncertainty(std::string_view text) {
     throw InputError("in " + in_quotes(text) + " the uncertainty is " + uncertainty + " % of " +
                          shortest(number->value) + ", or " + uncertainty + " in the unit of the value",
                      "the uncertainty in the unit of the value: " + shortest(number->value) + " \u00b1 " +
-                         shortest(std::abs(number->value) * *number->standard_uncertainty / 100) + ", or " +
-                         shortest(number->value) + " \u00b1 " + uncertainty);
+                         readable_number(std::abs(number->value) * *number->standard_uncertainty / 100) +
+                         ", or " + shortest(number->value) + " \u00b1 " + uncertainty);
 }
 
 }  // namespace

@@ -1117,7 +1117,7 @@ class OxideSampleMaker {
         const auto has_sign = [](const OxideCell& cell) {
             return cell.what.role == OxideRole::oxide && trimmed(cell.text).ends_with('%');
         };
-        if (std::ranges::none_of(column_.cells, has_sign)) return;
+        if (!std::ranges::any_of(column_.cells, has_sign)) return;
         for (const OxideCell& cell : column_.cells) {
             if (cell.what.role != OxideRole::oxide || has_sign(cell) || says_not_found(trimmed(cell.text)))
                 continue;
@@ -1133,7 +1133,6 @@ class OxideSampleMaker {
 
     /// Scale of amounts without a unit, from their sum.
     void find_scale() {
-        refuse_small_without_sign();
         double sum = 0;
         bool any = false;
         bool in_per_cent = false;
@@ -1147,7 +1146,7 @@ class OxideSampleMaker {
             sum += number->value;
             any = true;
         }
-        if (!any) return;
+        if (!any) return refuse_small_without_sign();
         constexpr double between = 2;  // sums near 1 and near 100
         scale_ = sum > between ? 0.01 : 1;
         if (in_per_cent && scale_ == 1)
