@@ -197,7 +197,7 @@ template <class Real, std::size_t size>
     }
     if (std::isinf(smallest)) return static_cast<Real>(smallest < 0 ? 0 : smallest);
     std::size_t from = 0;
-    while ((first[from] - tail[to - begin]) * inverse[to - from] != smallest) ++from;
+    while (from + 1 < leading && (first[from] - tail[to - begin]) * inverse[to - from] != smallest) ++from;
     const auto log2_of = [](Real x) { return static_cast<double>(std::log2(std::abs(x))); };
     return std::exp2(static_cast<Real>((log2_of(c[from]) - log2_of(c[to])) * inverse[to - from]));
 }
